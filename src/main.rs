@@ -1,0 +1,3 @@
+//! The command `polhode`.
+
+fn main() {}

@@ -1,0 +1,119 @@
+//! A document as the verifier sees it: headings, prose and formulas in the order in which they stand.
+
+use crate::notation::ast::Line;
+use crate::source::{Source, Span};
+use std::collections::BTreeMap;
+
+/// The kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Markdown with mathematics.
+    Markdown,
+    /// LaTeX.
+    Latex,
+    /// A Jupyter notebook.
+    Notebook,
+    /// Plain text, ASCII or Unicode.
+    Text,
+}
+
+/// A document that was read.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The kind of file.
+    pub format: Format,
+    /// The text that all spans refer to. For a notebook it is the markdown cells one after the other, as
+    /// in `cells`; otherwise the file itself.
+    pub source: Source,
+    /// For a notebook, where each markdown cell begins in `source` and its index among all cells.
+    pub cells: Vec<Cell>,
+    /// What the author set before the text began.
+    pub front_matter: FrontMatter,
+    /// Everything that stands in the document.
+    pub items: Vec<Item>,
+}
+
+/// A markdown cell of a notebook.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// Its index among all cells of the notebook, from 0.
+    pub index: usize,
+    /// The bytes of the document's source that hold it.
+    pub span: Span,
+}
+
+/// Settings at the head of a document.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrontMatter {
+    /// `integrals` or `entries`.
+    pub products: Option<String>,
+    /// `body` or `turning`.
+    pub axes: Option<String>,
+    /// Names of symbols: what stands for what (`h: momentum`).
+    pub symbols: BTreeMap<String, String>,
+    /// Every other key as it was written, for the grader.
+    pub other: serde_json::Map<String, serde_json::Value>,
+}
+
+/// One thing that stands in a document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// A heading; it opens a section.
+    Heading {
+        /// 1 for the highest.
+        level: u8,
+        /// Its words, with formulas left out.
+        text: String,
+        /// Where.
+        span: Span,
+    },
+    /// Words between formulas, with markup taken off but spaces and stops kept. A paragraph's text and its inline
+    /// formulas follow one another as items.
+    Prose {
+        /// The words.
+        text: String,
+        /// Where.
+        span: Span,
+    },
+    /// The end of a paragraph, list item or block. Displays stand inside paragraphs: a sentence may go on after one.
+    Break,
+    /// A formula.
+    Formula(Formula),
+    /// `<!-- assume -->` or `% assume`: a comment that sets a role.
+    Comment {
+        /// The words in it.
+        text: String,
+        /// Where.
+        span: Span,
+    },
+}
+
+/// A formula: one or more lines, or a mere expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Set apart (`$$`) or inside the text (`$`).
+    pub display: bool,
+    /// Its bytes, delimiters included.
+    pub span: Span,
+    /// What it holds.
+    pub rows: Vec<Row>,
+}
+
+/// One row of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Row {
+    /// A relation.
+    Line(Line),
+    /// An expression without a relation: a symbol that is named, or a term that is spoken of. A list `i, j, k` is
+    /// one row for each entry.
+    Expression(crate::notation::ast::Node),
+    /// What could not be read: the reason and the place.
+    Unreadable {
+        /// What was met and what was expected.
+        message: String,
+        /// A way to write it, where one is known.
+        help: Option<String>,
+        /// Where.
+        span: Span,
+    },
+}

@@ -1,0 +1,158 @@
+//! The house keeps one direction: a module imports only what stands below it, and no file grows past a screenful of ideas.
+
+use std::{fs, path::Path, path::PathBuf};
+
+/// A module and the modules that it may name. What is not listed is not allowed.
+const LAYERS: &[(&str, &[&str])] = &[
+    ("source", &[]),
+    ("diagnostic", &["source"]),
+    ("scalar", &[]),
+    ("notation", &["source", "diagnostic"]),
+    ("algebra", &["source", "diagnostic", "scalar", "notation"]),
+    ("mechanics", &["scalar"]),
+    ("motion", &["scalar", "mechanics"]),
+    (
+        "verify",
+        &[
+            "source",
+            "diagnostic",
+            "scalar",
+            "notation",
+            "algebra",
+            "mechanics",
+        ],
+    ),
+    (
+        "grade",
+        &[
+            "source",
+            "diagnostic",
+            "scalar",
+            "notation",
+            "algebra",
+            "mechanics",
+            "verify",
+        ],
+    ),
+    (
+        "report",
+        &[
+            "source",
+            "diagnostic",
+            "notation",
+            "algebra",
+            "mechanics",
+            "verify",
+            "grade",
+        ],
+    ),
+    (
+        "scene",
+        &["source", "diagnostic", "scalar", "mechanics", "motion"],
+    ),
+    ("bench", &["scalar", "mechanics", "motion", "scene"]),
+];
+
+/// Lines that a file may have.
+const LIMIT: usize = 420;
+
+#[test]
+fn each_module_imports_only_what_is_below_it() {
+    let mut wrong = Vec::new();
+    for (module, below) in LAYERS {
+        for file in files(&Path::new("src").join(module)) {
+            let text = fs::read_to_string(&file).expect("readable");
+            for name in named(&text) {
+                if name != *module && !below.contains(&name.as_str()) {
+                    wrong.push(format!("{}: {module} may not name {name}", file.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_file_is_one_idea() {
+    let long: Vec<_> = files(Path::new("src"))
+        .into_iter()
+        .map(|file| {
+            (
+                fs::read_to_string(&file).expect("readable").lines().count(),
+                file,
+            )
+        })
+        .filter(|(lines, _)| *lines > LIMIT)
+        .collect();
+    assert!(long.is_empty(), "over {LIMIT} lines: {long:?}");
+}
+
+#[test]
+fn an_upward_import_would_be_seen() {
+    let names = named(
+        "use crate::{verify::{check, Ledger}, scalar::Ring};\nlet x = crate::report::text(&a);",
+    );
+    assert_eq!(names, ["verify", "scalar", "report"]);
+}
+
+/// The source files of a module: `name.rs`, and all in the folder `name`.
+fn files(module: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let single = module.with_extension("rs");
+    if single.is_file() {
+        found.push(single);
+    }
+    if module.is_dir() {
+        for entry in fs::read_dir(module).expect("a readable folder") {
+            let path = entry.expect("readable").path();
+            if path.is_dir() {
+                found.extend(files(&path));
+            } else if !found.contains(&path) && path.extension().is_some_and(|e| e == "rs") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    found.dedup();
+    found
+}
+
+/// The top-level modules that a text names after `crate::`, in braces or alone.
+fn named(text: &str) -> Vec<String> {
+    let word = |s: &str| {
+        s.trim_start()
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .next()
+            .unwrap_or("")
+            .to_owned()
+    };
+    let mut names = Vec::new();
+    for rest in text.split("crate::").skip(1) {
+        match rest.strip_prefix('{') {
+            Some(group) => names.extend(members(group).into_iter().map(word)),
+            None => names.push(word(rest)),
+        }
+    }
+    names.retain(|name| !name.is_empty());
+    names
+}
+
+/// The entries of a group in braces, at its own depth.
+fn members(group: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut found) = (1, 0, Vec::new());
+    for (i, c) in group.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 || (depth == 1 && c == ',') {
+            found.push(&group[start..i]);
+            start = i + 1;
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    found
+}
