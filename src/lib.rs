@@ -16,6 +16,8 @@
 pub mod scalar;
 
 #[cfg(feature = "verify")]
+pub mod algebra;
+#[cfg(feature = "verify")]
 pub mod diagnostic;
 #[cfg(feature = "verify")]
 pub mod notation;

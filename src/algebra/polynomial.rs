@@ -1,0 +1,330 @@
+//! Sparse polynomials over ℚ, a scalar [`Ring`](crate::scalar::Ring) whose equality is mathematical equality.
+
+use crate::algebra::{Monomial, Rational, Variable};
+use crate::scalar::Field;
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A polynomial: its terms, monomials descending, no coefficient zero.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Polynomial {
+    terms: Vec<(Monomial, Rational)>,
+}
+
+impl Polynomial {
+    /// A variable.
+    pub fn variable(variable: Variable) -> Self {
+        Self {
+            terms: vec![(Monomial::of(variable), Rational::one())],
+        }
+    }
+
+    /// A number.
+    pub fn constant(value: Rational) -> Self {
+        Self::term(Monomial::one(), value)
+    }
+
+    /// One term.
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        let terms = if coefficient.is_zero() {
+            vec![]
+        } else {
+            vec![(monomial, coefficient)]
+        };
+        Self { terms }
+    }
+
+    /// The sum of terms in any order.
+    pub fn from_terms(mut terms: Vec<(Monomial, Rational)>) -> Self {
+        terms.sort_unstable_by(|a, b| b.0.cmp(&a.0));
+        let mut collected: Vec<(Monomial, Rational)> = Vec::with_capacity(terms.len());
+        for (monomial, coefficient) in terms {
+            match collected.last_mut() {
+                Some(last) if last.0 == monomial => last.1 += coefficient,
+                _ => {
+                    if collected.last().is_some_and(|last| last.1.is_zero()) {
+                        collected.pop();
+                    }
+                    collected.push((monomial, coefficient));
+                }
+            }
+        }
+        if collected.last().is_some_and(|last| last.1.is_zero()) {
+            collected.pop();
+        }
+        Self { terms: collected }
+    }
+
+    /// The terms, the highest first.
+    pub fn terms(&self) -> &[(Monomial, Rational)] {
+        &self.terms
+    }
+
+    /// The number of terms.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether there is no term.
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The number that it is, if it is one.
+    pub fn is_constant(&self) -> Option<Rational> {
+        match self.terms.as_slice() {
+            [] => Some(Rational::zero()),
+            [(monomial, coefficient)] if monomial.degree() == 0 => Some(coefficient.clone()),
+            _ => None,
+        }
+    }
+
+    /// The variables that occur, ascending.
+    pub fn variables(&self) -> Vec<Variable> {
+        let mut found: Vec<_> = self
+            .terms
+            .iter()
+            .flat_map(|(m, _)| m.powers())
+            .map(|(v, _)| v)
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The highest power of a variable.
+    pub fn degree_in(&self, variable: Variable) -> u32 {
+        self.terms
+            .iter()
+            .map(|(m, _)| m.exponent(variable))
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// The coefficient of a power of a variable, a polynomial in the others.
+    pub fn coefficient_of(&self, variable: Variable, power: u32) -> Self {
+        let with = self
+            .terms
+            .iter()
+            .filter(|(m, _)| m.exponent(variable) == power);
+        Self::from_terms(
+            with.map(|(m, c)| (m.without(variable), c.clone()))
+                .collect(),
+        )
+    }
+
+    /// The partial derivative in a variable.
+    pub fn partial(&self, variable: Variable) -> Self {
+        let slope = |(m, c): &(Monomial, Rational)| {
+            let power = m.exponent(variable);
+            let lower = m.quotient(&Monomial::of(variable))?;
+            Some((lower, c.clone() * Rational::from(i64::from(power))))
+        };
+        Self::from_terms(self.terms.iter().filter_map(slope).collect())
+    }
+
+    /// The derivation that takes each variable to its image: Σ ∂p/∂v · image(v).
+    pub fn derivation(&self, mut image: impl FnMut(Variable) -> Self) -> Self {
+        self.variables()
+            .into_iter()
+            .fold(Self::zero(), |sum, v| sum + self.partial(v) * image(v))
+    }
+
+    /// The value where each variable has the value `at` and each coefficient the value `lift`.
+    pub fn evaluate<T: Field>(
+        &self,
+        at: impl Fn(Variable) -> T,
+        lift: impl Fn(&Rational) -> T,
+    ) -> T {
+        let variables = self.variables();
+        let mut powers: Vec<Vec<T>> = variables.iter().map(|&v| vec![T::one(), at(v)]).collect();
+        let mut sum = T::zero();
+        for (monomial, coefficient) in &self.terms {
+            let mut product = lift(coefficient);
+            for (variable, exponent) in monomial.powers() {
+                let Ok(place) = variables.binary_search(&variable) else {
+                    continue;
+                };
+                let known = &mut powers[place];
+                while known.len() <= exponent as usize {
+                    let next = known[known.len() - 1].clone() * known[1].clone();
+                    known.push(next);
+                }
+                product *= known[exponent as usize].clone();
+            }
+            sum += product;
+        }
+        sum
+    }
+
+    /// The polynomial with each variable renamed.
+    pub fn rename(&self, to: impl Fn(Variable) -> Variable) -> Self {
+        let renamed =
+            |m: &Monomial| Monomial::from_powers(m.powers().into_iter().map(|(v, e)| (to(v), e)));
+        Self::from_terms(
+            self.terms
+                .iter()
+                .map(|(m, c)| (renamed(m), c.clone()))
+                .collect(),
+        )
+    }
+
+    /// The product with one term.
+    pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
+        let terms = self
+            .terms
+            .iter()
+            .map(|(m, c)| (m.times(monomial), c.clone() * coefficient.clone()));
+        Self {
+            terms: terms.collect(),
+        }
+    }
+
+    /// The product, unless it could have more than `most` terms before like terms are collected.
+    pub fn product_within(&self, other: &Self, most: usize) -> Option<Self> {
+        (self.len().saturating_mul(other.len()) <= most).then(|| self.clone() * other.clone())
+    }
+
+    /// The quotient, where the division leaves nothing.
+    pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
+        let (lead, by) = divisor.terms.first()?;
+        let (mut rest, mut quotient) = (self.clone(), vec![]);
+        while let Some((monomial, coefficient)) = rest.terms.first() {
+            let (m, c) = (monomial.quotient(lead)?, coefficient.clone() / by.clone());
+            rest -= divisor.times_term(&m, &c);
+            quotient.push((m, c));
+        }
+        Some(Self::from_terms(quotient))
+    }
+
+    /// The greatest monomial that divides every term.
+    pub fn common_monomial(&self) -> Monomial {
+        let mut monomials = self.terms.iter().map(|(m, _)| m);
+        let first = monomials.next().cloned().unwrap_or_else(Monomial::one);
+        monomials.fold(first, |common, m| common.gcd(m))
+    }
+
+    /// The quotient by a monomial that divides every term; terms that it does not divide are dropped.
+    pub fn divided_by(&self, monomial: &Monomial) -> Self {
+        let terms = self
+            .terms
+            .iter()
+            .filter_map(|(m, c)| Some((m.quotient(monomial)?, c.clone())));
+        Self {
+            terms: terms.collect(),
+        }
+    }
+
+    /// The coefficient of the highest term; zero of zero.
+    pub fn leading_coefficient(&self) -> Rational {
+        self.terms
+            .first()
+            .map_or_else(Rational::zero, |(_, c)| c.clone())
+    }
+
+    fn merged(&self, other: &Self, negative: bool) -> Self {
+        let signed = |c: &Rational| if negative { -c.clone() } else { c.clone() };
+        let (mut a, mut b) = (self.terms.iter().peekable(), other.terms.iter().peekable());
+        let mut terms = Vec::with_capacity(self.len() + other.len());
+        loop {
+            match (a.peek(), b.peek()) {
+                (Some(x), Some(y)) if x.0 == y.0 => {
+                    let sum = x.1.clone() + signed(&y.1);
+                    if !sum.is_zero() {
+                        terms.push((x.0.clone(), sum));
+                    }
+                    a.next();
+                    b.next();
+                }
+                (Some(x), Some(y)) if x.0 < y.0 => {
+                    terms.push((y.0.clone(), signed(&y.1)));
+                    b.next();
+                }
+                (Some(x), _) => {
+                    terms.push((*x).clone());
+                    a.next();
+                }
+                (None, Some(y)) => {
+                    terms.push((y.0.clone(), signed(&y.1)));
+                    b.next();
+                }
+                (None, None) => return Self { terms },
+            }
+        }
+    }
+}
+
+impl Add for Polynomial {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.is_empty() {
+            return other;
+        }
+        self.merged(&other, false)
+    }
+}
+
+impl Sub for Polynomial {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.merged(&other, true)
+    }
+}
+
+impl Neg for Polynomial {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            terms: self.terms.into_iter().map(|(m, c)| (m, -c)).collect(),
+        }
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (short, long) = if self.len() <= other.len() {
+            (&self, &other)
+        } else {
+            (&other, &self)
+        };
+        if let [(monomial, coefficient)] = short.terms.as_slice() {
+            return long.times_term(monomial, coefficient);
+        }
+        let mut terms = Vec::with_capacity(short.len() * long.len());
+        for (m, c) in &short.terms {
+            terms.extend(
+                long.terms
+                    .iter()
+                    .map(|(n, d)| (m.times(n), c.clone() * d.clone())),
+            );
+        }
+        Self::from_terms(terms)
+    }
+}
+
+macro_rules! assigning {
+    ($($name:ident $method:ident $by:tt)*) => {$(
+        impl $name for Polynomial {
+            fn $method(&mut self, other: Self) {
+                *self = std::mem::take(self) $by other;
+            }
+        }
+    )*};
+}
+assigning! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * }
+
+impl Zero for Polynomial {
+    fn zero() -> Self {
+        Self::default()
+    }
+    fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+}
+
+impl One for Polynomial {
+    fn one() -> Self {
+        Self::constant(Rational::one())
+    }
+}

@@ -1,0 +1,280 @@
+//! Exact rational numbers: two machine words while they fit, big integers when they do not.
+
+use crate::scalar::{Field, Prime};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A rational number in lowest terms with a positive denominator.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Form);
+
+/// A number that fits machine words is always kept in them, so that equal numbers have equal forms.
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Form {
+    Small(i64, i64),
+    Big(Box<BigRational>),
+}
+
+impl Rational {
+    /// `numerator / denominator`; zero over a zero denominator, as no other number is nearer.
+    fn small(numerator: i64, denominator: i64) -> Self {
+        if denominator == 1 {
+            return Self(Form::Small(numerator, 1));
+        }
+        Self::reduced(i128::from(numerator), i128::from(denominator))
+    }
+
+    fn reduced(numerator: i128, denominator: i128) -> Self {
+        if denominator == 0 {
+            return Self(Form::Small(0, 1));
+        }
+        let divisor = numerator.gcd(&denominator) * denominator.signum();
+        let (n, d) = (numerator / divisor, denominator / divisor);
+        match (i64::try_from(n), i64::try_from(d)) {
+            (Ok(n), Ok(d)) => Self(Form::Small(n, d)),
+            _ => Self(Form::Big(Box::new(BigRational::new_raw(
+                n.into(),
+                d.into(),
+            )))),
+        }
+    }
+
+    /// The same number as a pair of big integers.
+    pub fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Form::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Form::Big(big) => (**big).clone(),
+        }
+    }
+
+    /// The residue in the prime field; `None` where the denominator vanishes there.
+    pub fn to_prime(&self) -> Option<Prime> {
+        let modulus = i128::from(Prime::MODULUS);
+        let residue = |n: i128| Prime::new(n.rem_euclid(modulus) as u64);
+        let (n, d) = match &self.0 {
+            Form::Small(n, d) => (residue((*n).into()), residue((*d).into())),
+            Form::Big(big) => {
+                let modulus = BigInt::from(Prime::MODULUS);
+                let residue = |n: &BigInt| Prime::new(n.mod_floor(&modulus).to_u64().unwrap_or(0));
+                (residue(big.numer()), residue(big.denom()))
+            }
+        };
+        if d.is_one() {
+            Some(n)
+        } else {
+            d.inverse().map(|inverse| n * inverse)
+        }
+    }
+
+    /// The integer that it is, if it is one and fits.
+    pub fn to_integer(&self) -> Option<i64> {
+        match self.0 {
+            Form::Small(n, 1) => Some(n),
+            _ => None,
+        }
+    }
+
+    /// Whether it lies below zero.
+    pub fn is_negative(&self) -> bool {
+        match &self.0 {
+            Form::Small(n, _) => *n < 0,
+            Form::Big(big) => big.is_negative(),
+        }
+    }
+
+    /// The number without its sign.
+    pub fn abs(&self) -> Self {
+        if self.is_negative() {
+            -self.clone()
+        } else {
+            self.clone()
+        }
+    }
+
+    /// The root of the square of a rational number; `None` for any other.
+    pub fn exact_sqrt(&self) -> Option<Self> {
+        if self.is_negative() {
+            return None;
+        }
+        let big = self.to_big();
+        let (n, d) = (big.numer().sqrt(), big.denom().sqrt());
+        (&n * &n == *big.numer() && &d * &d == *big.denom())
+            .then(|| Self::from(BigRational::new(n, d)))
+    }
+
+    fn joined(
+        &self,
+        other: &Self,
+        small: impl Fn((i64, i64), (i64, i64)) -> Option<Self>,
+        big: impl Fn(BigRational, BigRational) -> BigRational,
+    ) -> Self {
+        if let (Form::Small(a, b), Form::Small(c, d)) = (&self.0, &other.0)
+            && let Some(result) = small((*a, *b), (*c, *d))
+        {
+            return result;
+        }
+        Self::from(big(self.to_big(), other.to_big()))
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(n: i64) -> Self {
+        Self(Form::Small(n, 1))
+    }
+}
+
+impl From<(i64, i64)> for Rational {
+    fn from((n, d): (i64, i64)) -> Self {
+        Self::small(n, d)
+    }
+}
+
+impl From<BigRational> for Rational {
+    fn from(big: BigRational) -> Self {
+        match (big.numer().to_i64(), big.denom().to_i64()) {
+            (Some(n), Some(d)) => Self(Form::Small(n, d)),
+            _ => Self(Form::Big(Box::new(big))),
+        }
+    }
+}
+
+impl Add for Rational {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c)
+        {
+            return Self(Form::Small(sum, 1));
+        }
+        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
+            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
+            Some(Self::reduced(
+                a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?,
+                b.checked_mul(d)?,
+            ))
+        };
+        self.joined(&other, small, |a, b| a + b)
+    }
+}
+
+impl Mul for Rational {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c)
+        {
+            return Self(Form::Small(product, 1));
+        }
+        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
+            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
+            Some(Self::reduced(a.checked_mul(c)?, b.checked_mul(d)?))
+        };
+        self.joined(&other, small, |a, b| a * b)
+    }
+}
+
+impl Div for Rational {
+    type Output = Self;
+    /// The quotient; zero where the divisor is zero. Who may meet one asks first.
+    fn div(self, other: Self) -> Self {
+        if other.is_zero() {
+            return Self::zero();
+        }
+        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
+            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
+            Some(Self::reduced(a.checked_mul(d)?, b.checked_mul(c)?))
+        };
+        self.joined(&other, small, |a, b| a / b)
+    }
+}
+
+impl Neg for Rational {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        match self.0 {
+            Form::Small(n, d) if n != i64::MIN => Self(Form::Small(-n, d)),
+            _ => Self::from(-self.to_big()),
+        }
+    }
+}
+
+impl Sub for Rational {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+macro_rules! assigning {
+    ($($name:ident $method:ident $by:tt)*) => {$(
+        impl $name for Rational {
+            #[inline]
+            fn $method(&mut self, other: Self) {
+                *self = self.clone() $by other;
+            }
+        }
+    )*};
+}
+assigning! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * DivAssign div_assign / }
+
+impl Zero for Rational {
+    #[inline]
+    fn zero() -> Self {
+        Self(Form::Small(0, 1))
+    }
+    #[inline]
+    fn is_zero(&self) -> bool {
+        matches!(self.0, Form::Small(0, _))
+    }
+}
+
+impl One for Rational {
+    #[inline]
+    fn one() -> Self {
+        Self(Form::Small(1, 1))
+    }
+}
+
+impl Field for Rational {}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Form::Small(a, b), Form::Small(c, d)) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Form::Small(n, 1) => write!(f, "{n}"),
+            Form::Small(n, d) => write!(f, "{n}/{d}"),
+            Form::Big(big) => write!(f, "{big}"),
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
