@@ -158,7 +158,11 @@ impl From<Polynomial> for Fraction {
 }
 
 impl PartialEq for Fraction {
+    /// Equality of values; a fraction that is none equals nothing.
     fn eq(&self, other: &Self) -> bool {
+        if !self.is_valid() || !other.is_valid() {
+            return false;
+        }
         if self.denominator == other.denominator {
             return self.numerator == other.numerator;
         }
@@ -207,6 +211,9 @@ impl Mul for Fraction {
 impl Div for Fraction {
     type Output = Self;
     fn div(self, other: Self) -> Self {
+        if !other.is_valid() {
+            return other;
+        }
         Self::simplified(
             self.numerator * other.denominator,
             self.denominator * other.numerator,

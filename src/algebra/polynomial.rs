@@ -171,6 +171,9 @@ impl Polynomial {
 
     /// The product with one term.
     pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
+        if coefficient.is_zero() {
+            return Self::zero();
+        }
         let terms = self
             .terms
             .iter()
