@@ -3,15 +3,22 @@
 //! A polynomial is a scalar like any other: run an equation of `mechanics` on it and the result is its normal form.
 
 mod certificate;
+mod combination;
 mod fraction;
+mod groebner;
 mod monomial;
 mod polynomial;
 mod print;
 mod rational;
+mod reduce;
+mod substitute;
 
 pub use certificate::Certificate;
+pub use combination::Budget;
 pub use fraction::Fraction;
 pub use monomial::{Monomial, Variable};
 pub use polynomial::Polynomial;
 pub use print::{Letter, Place, Printer, Style};
 pub use rational::Rational;
+pub use reduce::{Reduction, reduce};
+pub use substitute::PseudoDivision;

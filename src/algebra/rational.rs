@@ -96,6 +96,21 @@ impl Rational {
         }
     }
 
+    /// The greatest number of which both are integer multiples: gcd of the numerators over lcm of the denominators.
+    pub fn gcd(&self, other: &Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return self.abs() + other.abs();
+        }
+        if self.is_one() && other.to_integer().is_some() {
+            return Self::one();
+        }
+        let (a, b) = (self.to_big(), other.to_big());
+        Self::from(BigRational::new(
+            a.numer().gcd(b.numer()),
+            a.denom().lcm(b.denom()),
+        ))
+    }
+
     /// The root of the square of a rational number; `None` for any other.
     pub fn exact_sqrt(&self) -> Option<Self> {
         if self.is_negative() {
