@@ -13,6 +13,7 @@
 //!             └─ motion (state, step, Jacobian, batch)
 //! ```
 
+pub mod mechanics;
 pub mod scalar;
 
 #[cfg(feature = "verify")]

@@ -1,0 +1,160 @@
+//! Whether a tensor is one that a body can have.
+
+use crate::mechanics::principal_axes;
+use nalgebra::Matrix3;
+use std::{error, fmt};
+
+/// Why no body has the tensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ImpossibleInertia {
+    /// An entry is infinite or not a number.
+    NotFinite,
+    /// The entry of this row and column (from 0) differs from the one across the diagonal.
+    NotSymmetric {
+        /// The row.
+        row: usize,
+        /// The column.
+        column: usize,
+    },
+    /// A principal moment is negative.
+    Negative {
+        /// The smallest principal moment.
+        moment: f64,
+    },
+    /// A principal moment is zero: all mass lies on one line, and no moment can turn it about that line.
+    Zero,
+    /// The largest principal moment exceeds the sum of the others.
+    Triangle {
+        /// The principal moments, ascending.
+        moments: [f64; 3],
+    },
+}
+
+impl fmt::Display for ImpossibleInertia {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite => f.write_str("an entry of the inertia tensor is not a finite number"),
+            Self::NotSymmetric { row, column } => {
+                let [r, c] = [row, column].map(|&i| ["x", "y", "z"].get(i).unwrap_or(&"?"));
+                write!(f, "the inertia tensor is not symmetric: entries {r}{c} and {c}{r} differ")
+            }
+            Self::Negative { moment } => {
+                write!(f, "the principal moment of inertia {moment:e} is negative")
+            }
+            Self::Zero => f.write_str(
+                "a principal moment of inertia is zero: the mass lies on a line, whose spin no moment determines",
+            ),
+            Self::Triangle { moments: [a, b, c] } => write!(
+                f,
+                "no body has the principal moments {a}, {b}, {c}: the largest exceeds the sum of the others"
+            ),
+        }
+    }
+}
+
+impl error::Error for ImpossibleInertia {}
+
+/// What rounding in six numbers that came out of a rotation or a file may do, against the largest moment.
+const SLACK: f64 = 1e-12;
+
+/// Whether a body can have this inertia tensor: finite, symmetric, its principal moments positive, and the largest at
+/// most the sum of the others, as `I₁ + I₂ − I₃ = 2 ∫ z² dm` along principal axes.
+///
+/// Equality, the flat plate, is possible. A moment that is zero to rounding is refused, as then ω does not follow from
+/// L. Rounding is allowed for: 1e-12 of the largest entry.
+///
+/// # Errors
+/// The first of the conditions that fails, in that order.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::mechanics::{ImpossibleInertia, possible_body};
+/// let tensor = |x, y, z| Matrix3::from_diagonal(&Vector3::new(x, y, z));
+/// assert_eq!(possible_body(&tensor(1.0, 2.0, 3.0)), Ok(()));
+/// assert_eq!(possible_body(&tensor(1.0, 2.0, 0.0)), Err(ImpossibleInertia::Zero));
+/// assert!(possible_body(&tensor(1.0, 2.0, 3.1)).is_err());
+/// ```
+pub fn possible_body(inertia: &Matrix3<f64>) -> Result<(), ImpossibleInertia> {
+    if inertia.iter().any(|entry| !entry.is_finite()) {
+        return Err(ImpossibleInertia::NotFinite);
+    }
+    let largest = inertia.amax();
+    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+        let (above, below) = (inertia[(row, column)], inertia[(column, row)]);
+        if (above / 2.0 - below / 2.0).abs() > SLACK * largest {
+            return Err(ImpossibleInertia::NotSymmetric { row, column });
+        }
+    }
+    let moments: [f64; 3] = principal_axes(inertia).moments.into();
+    let [a, b, c] = moments;
+    if a < -SLACK * largest {
+        Err(ImpossibleInertia::Negative { moment: a })
+    } else if a <= 4.0 * f64::EPSILON * largest {
+        Err(ImpossibleInertia::Zero)
+    } else if c - b > a + SLACK * c {
+        Err(ImpossibleInertia::Triangle { moments })
+    } else {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::{Products, inertia, inertia_in_axes, rotation};
+    use nalgebra::{Vector3, Vector4};
+
+    fn diagonal(x: f64, y: f64, z: f64) -> Matrix3<f64> {
+        Matrix3::from_diagonal(&Vector3::new(x, y, z))
+    }
+
+    #[test]
+    fn a_plate_is_possible_in_all_axes_and_scales() {
+        for q in [
+            Vector4::new(1.0, 2.0, -3.0, 0.5),
+            Vector4::new(0.1, 0.0, 7.0, -2.0),
+        ] {
+            let turn = rotation(&q) / q.norm_squared();
+            for scale in [1e-150, 1.0, 1e150] {
+                let plate = inertia_in_axes(&turn, &(diagonal(1.0, 2.0, 3.0) * scale));
+                assert_eq!(possible_body(&plate), Ok(()));
+                let more = inertia_in_axes(&turn, &(diagonal(1.0, 2.0, 3.0001) * scale));
+                assert!(matches!(
+                    possible_body(&more),
+                    Err(ImpossibleInertia::Triangle { .. })
+                ));
+            }
+        }
+    }
+
+    #[test]
+    fn a_thin_needle_is_possible_and_a_line_is_not() {
+        assert_eq!(possible_body(&diagonal(1.0, 1.0, 1e-12)), Ok(()));
+        let turn = rotation(&Vector4::new(0.5, 0.5, 0.5, 0.5));
+        let line = inertia_in_axes(&turn, &diagonal(1.0, 1.0, 0.0));
+        assert_eq!(possible_body(&line), Err(ImpossibleInertia::Zero));
+        assert_eq!(
+            possible_body(&Matrix3::zeros()),
+            Err(ImpossibleInertia::Zero)
+        );
+    }
+
+    #[test]
+    fn what_is_no_tensor_of_a_body_is_told_why() {
+        let mut lopsided = diagonal(1.0, 1.0, 1.0);
+        lopsided[(1, 2)] = 0.1;
+        let error = possible_body(&lopsided).expect_err("yz and zy differ");
+        assert!(error.to_string().contains("entries yz and zy differ"));
+        let large_product = inertia([1.0, 1.0, 1.0], [2.0, 0.0, 0.0], Products::Integrals);
+        assert!(matches!(
+            possible_body(&large_product),
+            Err(ImpossibleInertia::Negative { .. })
+        ));
+        let not_a_number = diagonal(f64::NAN, 1.0, 1.0);
+        assert_eq!(
+            possible_body(&not_a_number),
+            Err(ImpossibleInertia::NotFinite)
+        );
+    }
+}
