@@ -14,6 +14,7 @@
 //! ```
 
 pub mod mechanics;
+pub mod motion;
 pub mod scalar;
 
 #[cfg(feature = "verify")]

@@ -1,0 +1,41 @@
+//! How a rigid body moves: its state, the torque on it, steps in time, and the Jacobian of a step.
+//!
+//! Everything stands in body axes unless it says otherwise: SI units, unit quaternions scalar first and from
+//! body to space, the tangent of a [`State`] in the order (θx, θy, θz, ωx, ωy, ωz) with q ⊞ θ = q exp(θ/2).
+//!
+//! A [`System`] is a body and its [`TorqueLaw`], over any [`Number`]. A [`Scheme`] takes one step of it,
+//! and a [`FixedStep`] repeats the step to a given time. Run the same step on dual numbers and it gives its
+//! own Jacobian: [`jacobian::by_dual_numbers`].
+//!
+//! ```
+//! use nalgebra::{Matrix3, Vector3};
+//! use polhode::motion::{FixedStep, Rk4, State, Stepper, System, Torque};
+//!
+//! let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+//! let system = System::new(inertia, Torque::None)?;
+//! let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+//! let mut run = FixedStep::new(Rk4, system, start, 0.001)?;
+//! run.advance_to(1.0)?;
+//! assert!((run.state().attitude.norm_squared() - 1.0).abs() < 1e-15);
+//! # Ok::<(), polhode::motion::MotionError>(())
+//! ```
+
+mod error;
+mod number;
+mod quaternion;
+mod rk4;
+mod state;
+mod stepper;
+mod system;
+mod torque;
+
+pub mod jacobian;
+
+pub use error::MotionError;
+pub use number::Number;
+pub use quaternion::Quaternion;
+pub use rk4::Rk4;
+pub use state::{Rates, State};
+pub use stepper::{FixedStep, Scheme, Stepper};
+pub use system::System;
+pub use torque::{Frame, Torque, TorqueLaw};

@@ -1,0 +1,129 @@
+//! The Jacobian of a step.
+//!
+//! Rows (θ', ω'), columns (θ, ω, torque, inertia, dt) in this order, as many as are asked for: `N` is 6 for the
+//! state alone, 9 with the torque, 15 with the inertia, 16 with the length of the step. What is not asked
+//! for is not computed.
+//!
+//! θ is a rotation of the body side, q exp(θ/2), before and after. The torque is a constant one added to
+//! the law, in the axes that the law names. The inertia is the tensor's own entries xx, yy, zz, xy, xz, yz (an
+//! off-diagonal entry and its mirror image move together), at constant ω.
+
+use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
+use nalgebra::{Matrix3, SMatrix, Vector3};
+use num_dual::DualSVec64;
+
+/// The state after a step and its Jacobian of 6 rows and `N` columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepJacobian<const N: usize> {
+    /// The state after the step.
+    pub state: State<f64>,
+    /// ∂(θ', ω')/∂(θ, ω, torque, inertia, dt), the first `N` columns.
+    pub matrix: SMatrix<f64, 6, N>,
+}
+
+/// One step of `scheme` and its Jacobian, by running the step on dual numbers.
+///
+/// The reference that faster paths are held against: it is right to rounding for every generic scheme and law.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Rk4, State, Torque, jacobian};
+///
+/// let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0));
+/// let start = State::at_rest().turning(Vector3::new(0.0, 3.0, 1e-3));
+/// let step = jacobian::by_dual_numbers::<16, _, _>(&Rk4, &inertia, &Torque::None, 0.0, &start, 0.01);
+/// // A free body does not know its attitude.
+/// assert!(step.matrix.fixed_view::<3, 3>(3, 0).norm() == 0.0);
+/// ```
+pub fn by_dual_numbers<const N: usize, S, L>(
+    scheme: &S,
+    inertia: &Matrix3<f64>,
+    law: &L,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+) -> StepJacobian<N>
+where
+    S: Scheme,
+    L: Copy + TorqueLaw<DualSVec64<N>>,
+    DualSVec64<N>: Number,
+{
+    let seed = Seed::<DualSVec64<N>>::new(
+        &|value, column| {
+            let number = DualSVec64::<N>::from_re(value);
+            if column < N {
+                number.derivative(column)
+            } else {
+                number
+            }
+        },
+        inertia,
+        state,
+        step,
+    );
+    let system = System::over(seed.inertia, *law, seed.added);
+    let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
+    read(&end)
+}
+
+/// A step's input as numbers of which column `c` is the variable `c`.
+pub(crate) struct Seed<T> {
+    pub(crate) state: State<T>,
+    pub(crate) added: Vector3<T>,
+    pub(crate) inertia: Matrix3<T>,
+    pub(crate) step: T,
+}
+
+impl<T: Number> Seed<T> {
+    /// Seeds by `variable(value, column)`.
+    pub(crate) fn new(
+        variable: &impl Fn(f64, usize) -> T,
+        inertia: &Matrix3<f64>,
+        state: &State<f64>,
+        step: f64,
+    ) -> Self {
+        let theta = Vector3::from_fn(|i, _| variable(0.0, i));
+        let attitude = Quaternion::new(state.attitude.components().map(T::of));
+        let entry = |r: usize, c: usize| variable(inertia[(r, c)], 9 + INERTIA_COLUMN[r][c]);
+        Self {
+            state: State {
+                attitude: attitude * Quaternion::exp_near_zero(&theta),
+                angular_velocity: Vector3::from_fn(|i, _| {
+                    variable(state.angular_velocity[i], 3 + i)
+                }),
+            },
+            added: Vector3::from_fn(|i, _| variable(0.0, 6 + i)),
+            inertia: Matrix3::from_fn(entry),
+            step: variable(step, 15),
+        }
+    }
+}
+
+/// The place of each tensor entry in the order xx, yy, zz, xy, xz, yz.
+pub(crate) const INERTIA_COLUMN: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
+
+/// Values and tangent derivatives of a state of dual numbers. δθ = 2 Im(q⁻¹ δq) for a unit q; what δq has along
+/// q is real and drops out.
+fn read<const N: usize>(end: &State<DualSVec64<N>>) -> StepJacobian<N>
+where
+    DualSVec64<N>: Number,
+{
+    let attitude = Quaternion::new(end.attitude.components().map(|c| c.re));
+    let mut matrix = SMatrix::<f64, 6, N>::zeros();
+    for column in 0..N {
+        let part = |c: &DualSVec64<N>| c.eps.0.as_ref().map_or(0.0, |eps| eps[column]);
+        let dq = Quaternion::new(end.attitude.components().map(|c| part(&c)));
+        let theta = (attitude.conjugate() * dq).v * 2.0;
+        for i in 0..3 {
+            matrix[(i, column)] = theta[i];
+            matrix[(3 + i, column)] = part(&end.angular_velocity[i]);
+        }
+    }
+    StepJacobian {
+        state: State {
+            attitude,
+            angular_velocity: end.angular_velocity.map(|c| c.re),
+        },
+        matrix,
+    }
+}

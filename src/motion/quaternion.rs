@@ -1,0 +1,189 @@
+//! Quaternions, scalar first.
+
+use crate::mechanics::{quaternion_product, rotation};
+use crate::motion::Number;
+use nalgebra::{Matrix3, Vector3, Vector4};
+use std::ops::{Add, Mul};
+
+/// The quaternion w + x i + y j + z k. As an attitude it is of unit length and turns body axes into space
+/// axes: a vector v in the body is q v q⁻¹ in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quaternion<T> {
+    /// The scalar part.
+    pub w: T,
+    /// The vector part (x, y, z).
+    pub v: Vector3<T>,
+}
+
+impl<T: Number> Quaternion<T> {
+    /// The quaternion of the components w, x, y, z.
+    #[inline]
+    pub fn new([w, x, y, z]: [T; 4]) -> Self {
+        Self {
+            w,
+            v: Vector3::new(x, y, z),
+        }
+    }
+
+    /// The components w, x, y, z.
+    #[inline]
+    pub fn components(&self) -> [T; 4] {
+        [self.w, self.v.x, self.v.y, self.v.z]
+    }
+
+    /// No rotation.
+    #[inline]
+    pub fn identity() -> Self {
+        Self::new([T::one(), T::zero(), T::zero(), T::zero()])
+    }
+
+    /// w − x i − y j − z k: of a unit quaternion the inverse rotation.
+    #[inline]
+    pub fn conjugate(&self) -> Self {
+        Self {
+            w: self.w,
+            v: -self.v,
+        }
+    }
+
+    /// w² + x² + y² + z².
+    #[inline]
+    pub fn norm_squared(&self) -> T {
+        self.w * self.w + self.v.x * self.v.x + self.v.y * self.v.y + self.v.z * self.v.z
+    }
+
+    /// The quaternion of unit length in this direction.
+    #[inline]
+    pub fn normalised(&self) -> Self {
+        *self * (T::one() / self.norm_squared().sqrt())
+    }
+
+    /// The vector of the space frame that has the components `v` in the body: q v q⁻¹.
+    #[inline]
+    pub fn to_space(&self, v: &Vector3<T>) -> Vector3<T> {
+        let twice = self.v.cross(v) * T::of(2.0);
+        v + twice * self.w + self.v.cross(&twice)
+    }
+
+    /// The components in the body of the space vector `v`: q⁻¹ v q.
+    #[inline]
+    pub fn to_body(&self, v: &Vector3<T>) -> Vector3<T> {
+        self.conjugate().to_space(v)
+    }
+
+    /// The rotation matrix R, body → space.
+    pub fn matrix(&self) -> Matrix3<T> {
+        rotation(&self.components().into())
+    }
+
+    /// The rate q̇ = ½ q ω of an attitude whose body turns with ω, in body axes.
+    #[inline]
+    pub fn rate(&self, omega: &Vector3<T>) -> Self {
+        *self
+            * Self {
+                w: T::zero(),
+                v: omega * T::of(0.5),
+            }
+    }
+
+    /// exp(θ/2) through the third order in θ, without a branch: for seeds of derivatives, where θ is 0.
+    #[inline]
+    pub(crate) fn exp_near_zero(theta: &Vector3<T>) -> Self {
+        let square = theta.dot(theta);
+        Self {
+            w: T::one() - square * T::of(0.125),
+            v: theta * (T::of(0.5) - square * T::of(1.0 / 48.0)),
+        }
+    }
+}
+
+impl Quaternion<f64> {
+    /// The rotation by the vector `theta` (axis times angle in radians), exp(θ/2).
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use polhode::motion::Quaternion;
+    /// let quarter = Quaternion::exp(&Vector3::new(0.0, 0.0, std::f64::consts::FRAC_PI_2));
+    /// assert!((quarter.to_space(&Vector3::x()) - Vector3::y()).norm() < 1e-15);
+    /// ```
+    pub fn exp(theta: &Vector3<f64>) -> Self {
+        let angle = theta.norm();
+        // Below this sin(x)/x is 1 to the last bit, and 0/0 is kept away.
+        let over = if angle < 1e-8 {
+            0.5
+        } else {
+            (0.5 * angle).sin() / angle
+        };
+        Self {
+            w: (0.5 * angle).cos(),
+            v: theta * over,
+        }
+    }
+
+    /// The rotation vector θ with |θ| ≤ π whose exponential is this unit quaternion or its negative.
+    pub fn log(&self) -> Vector3<f64> {
+        let sine = self.v.norm();
+        let sign = if self.w < 0.0 { -1.0 } else { 1.0 };
+        if sine < 1e-9 {
+            return self.v * (2.0 * sign);
+        }
+        self.v * (sign * 2.0 * sine.atan2(self.w.abs()) / sine)
+    }
+}
+
+impl<T: Number> Mul for Quaternion<T> {
+    type Output = Self;
+    /// The product: first `other`, then `self`.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (p, q): (Vector4<T>, Vector4<T>) =
+            (self.components().into(), other.components().into());
+        Self::new(quaternion_product(&p, &q).into())
+    }
+}
+
+impl<T: Number> Mul<T> for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        Self {
+            w: self.w * factor,
+            v: self.v * factor,
+        }
+    }
+}
+
+impl<T: Number> Add for Quaternion<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            w: self.w + other.w,
+            v: self.v + other.v,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_logarithm_undoes_the_exponential(theta in prop::array::uniform3(-1.7_f64..1.7)) {
+            let theta = Vector3::from(theta);
+            // |θ| < π; the rounding of a few operations on numbers up to π.
+            prop_assert!((Quaternion::exp(&theta).log() - theta).norm() < 4e-15);
+            let small = theta * 1e-12;
+            prop_assert!((Quaternion::exp(&small).log() - small).norm() < 1e-27);
+        }
+
+        #[test]
+        fn the_product_composes_rotations(a in prop::array::uniform3(-3.0_f64..3.0), b in prop::array::uniform3(-3.0_f64..3.0)) {
+            let (a, b) = (Quaternion::exp(&a.into()), Quaternion::exp(&b.into()));
+            prop_assert!(((a * b).matrix() - a.matrix() * b.matrix()).norm() < 1e-14);
+            prop_assert!((a.matrix().transpose() - a.conjugate().matrix()).norm() < 1e-14);
+        }
+    }
+}

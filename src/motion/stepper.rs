@@ -1,0 +1,184 @@
+//! One interface to every way of moving a body through time.
+
+use crate::motion::{MotionError, Number, State, System, TorqueLaw};
+
+/// A method that takes one step of a given length, over any number: on dual numbers the step is its own
+/// Jacobian.
+pub trait Scheme {
+    /// The order p: the error over a fixed span falls as hᵖ.
+    const ORDER: u32;
+
+    /// The state at `time + step`, from `state` at `time`.
+    fn step<T: Number, L: TorqueLaw<T>>(
+        &self,
+        system: &System<T, L>,
+        time: T,
+        state: &State<T>,
+        step: T,
+    ) -> State<T>;
+}
+
+/// A motion that can be moved on in time.
+pub trait Stepper {
+    /// The time reached, s.
+    fn time(&self) -> f64;
+
+    /// The state at that time.
+    fn state(&self) -> &State<f64>;
+
+    /// Moves on by one step of length `step` (s).
+    ///
+    /// # Errors
+    /// A step that is not positive and finite; a state that stops being finite. The motion then stays
+    /// where it was.
+    fn step(&mut self, step: f64) -> Result<(), MotionError>;
+
+    /// Moves on to `time`, in as many steps as the method needs.
+    ///
+    /// # Errors
+    /// A time before the one reached or not finite; too many steps; a state that stops being finite.
+    fn advance_to(&mut self, time: f64) -> Result<(), MotionError>;
+
+    /// The state at a `time` within the last step taken, to the order of the method or one less.
+    ///
+    /// # Errors
+    /// A time outside of the last step.
+    fn at(&self, time: f64) -> Result<State<f64>, MotionError>;
+}
+
+/// The most steps of fixed length that one call takes.
+const MOST_STEPS: u64 = 1 << 32;
+
+/// A [`Scheme`] repeated with steps of one length.
+///
+/// To reach a time the step is shortened so that a whole number of equal steps fits, and the time is kept as
+/// start + n h: a sum of rounded steps would drift.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedStep<S, L> {
+    scheme: S,
+    system: System<f64, L>,
+    longest: f64,
+    time: f64,
+    state: State<f64>,
+    before: (f64, State<f64>),
+}
+
+impl<S: Scheme, L: TorqueLaw<f64>> FixedStep<S, L> {
+    /// The motion of `system` from `state` at time 0, in steps of at most `step` (s).
+    ///
+    /// # Errors
+    /// A step that is not positive and finite.
+    pub fn new(
+        scheme: S,
+        system: System<f64, L>,
+        state: State<f64>,
+        step: f64,
+    ) -> Result<Self, MotionError> {
+        positive(step)?;
+        Ok(Self {
+            scheme,
+            system,
+            longest: step,
+            time: 0.0,
+            state,
+            before: (0.0, state),
+        })
+    }
+
+    /// The system that moves.
+    pub fn system(&self) -> &System<f64, L> {
+        &self.system
+    }
+
+    fn step_until(&mut self, end: f64) -> Result<(), MotionError> {
+        let next = self
+            .scheme
+            .step(&self.system, self.time, &self.state, end - self.time);
+        if !next.is_finite() {
+            return Err(MotionError::Diverged { time: self.time });
+        }
+        self.before = (self.time, self.state);
+        (self.time, self.state) = (end, next);
+        Ok(())
+    }
+}
+
+/// That a step is positive and finite.
+pub(crate) fn positive(step: f64) -> Result<(), MotionError> {
+    if step > 0.0 && step.is_finite() {
+        Ok(())
+    } else {
+        Err(MotionError::Step { step })
+    }
+}
+
+impl<S: Scheme, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn state(&self) -> &State<f64> {
+        &self.state
+    }
+
+    fn step(&mut self, step: f64) -> Result<(), MotionError> {
+        positive(step)?;
+        self.step_until(self.time + step)
+    }
+
+    fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
+        let (start, span) = (self.time, time - self.time);
+        if !(span >= 0.0 && span.is_finite()) {
+            return Err(MotionError::Time {
+                asked: time,
+                from: start,
+            });
+        }
+        let needed = (span / self.longest).ceil();
+        if needed > MOST_STEPS as f64 {
+            return Err(MotionError::TooManySteps {
+                needed,
+                most: MOST_STEPS,
+            });
+        }
+        let count = needed as u64;
+        for n in 1..count {
+            self.step_until(start + span * (n as f64 / needed))?;
+        }
+        if count > 0 {
+            self.step_until(time)?;
+        }
+        Ok(())
+    }
+
+    /// By the cubic through both ends and their rates (Hermite), of order 3 in the step.
+    fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
+        let (start, from) = (self.before.0, &self.before.1);
+        if !(start..=self.time).contains(&time) {
+            return Err(MotionError::Time {
+                asked: time,
+                from: start,
+            });
+        }
+        let span = self.time - start;
+        if span == 0.0 {
+            return Ok(self.state);
+        }
+        let s = (time - start) / span;
+        let (r0, r1) = (
+            self.system.rates(start, from),
+            self.system.rates(self.time, &self.state),
+        );
+        let (a, b) = (span * s * (1.0 - s) * (1.0 - s), span * s * s * (s - 1.0));
+        let w = s * s * (3.0 - 2.0 * s);
+        let mixed = State {
+            attitude: from.attitude * (1.0 - w) + self.state.attitude * w,
+            angular_velocity: from.angular_velocity * (1.0 - w) + self.state.angular_velocity * w,
+        };
+        let curved = mixed.along(&r0, a).along(&r1, b);
+        Ok(State {
+            attitude: curved.attitude.normalised(),
+            ..curved
+        })
+    }
+}

@@ -1,0 +1,177 @@
+//! The Jacobian of a step against differences of the step itself.
+
+use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
+use polhode::motion::{Frame, Quaternion, Rk4, Scheme, State, System, Torque, TorqueLaw, jacobian};
+use proptest::prelude::*;
+
+/// The step with its inputs moved by `amount` along column `column`.
+fn moved<S: Scheme>(scheme: &S, case: &Case, column: usize, amount: f64) -> State<f64> {
+    let (mut inertia, mut added, mut step) = (case.inertia, Vector3::zeros(), case.step);
+    let mut tangent = Vector6::zeros();
+    match column {
+        0..6 => tangent[column] = amount,
+        6..9 => added[column - 6] = amount,
+        9..12 => inertia[(column - 9, column - 9)] += amount,
+        12..15 => {
+            let (r, c) = [(0, 1), (0, 2), (1, 2)][column - 12];
+            inertia[(r, c)] += amount;
+            inertia[(c, r)] += amount;
+        }
+        _ => step += amount,
+    }
+    let system = System::over(inertia, case.torque, added);
+    scheme.step(&system, case.time, &case.state.perturbed(&tangent), step)
+}
+
+/// The central difference of one column over ±`width`.
+fn difference<S: Scheme>(scheme: &S, case: &Case, column: usize, width: f64) -> Vector6<f64> {
+    let base = moved(scheme, case, column, 0.0);
+    let side = |amount| base.difference(&moved(scheme, case, column, amount));
+    (side(width) - side(-width)) / (2.0 * width)
+}
+
+#[derive(Clone, Debug)]
+struct Case {
+    inertia: Matrix3<f64>,
+    torque: Torque,
+    state: State<f64>,
+    time: f64,
+    step: f64,
+}
+
+/// A possible body: masses on a frame that is turned at will.
+fn bodies() -> impl Strategy<Value = Matrix3<f64>> {
+    let squares = prop_oneof![
+        prop::array::uniform3(0.1_f64..2.0),
+        Just([1.0, 1.0, 1.0]),
+        Just([1.0, 1.0, 0.3]),
+        Just([1e-3, 1e-3, 1.0]),
+    ];
+    (squares, prop::array::uniform3(-3.0_f64..3.0)).prop_map(|([a, b, c], turn)| {
+        let r = Quaternion::exp(&turn.into()).matrix();
+        let tensor = r * Matrix3::from_diagonal(&Vector3::new(b + c, a + c, a + b)) * r.transpose();
+        (tensor + tensor.transpose()) * 0.5
+    })
+}
+
+fn vectors(size: f64) -> impl Strategy<Value = Vector3<f64>> {
+    prop::array::uniform3(-size..size).prop_map(Vector3::from)
+}
+
+fn frames() -> impl Strategy<Value = Frame> {
+    prop_oneof![Just(Frame::Body), Just(Frame::Space)]
+}
+
+fn torques() -> impl Strategy<Value = Torque> {
+    prop_oneof![
+        Just(Torque::None),
+        (frames(), vectors(1.0)).prop_map(|(frame, value)| Torque::Constant { frame, value }),
+        (0.5_f64..10.0, vectors(0.3)).prop_map(|(weight, arm)| Torque::Gravity { weight, arm }),
+        (0.0_f64..0.1).prop_map(|coefficient| Torque::Damping { coefficient }),
+        (frames(), vectors(1.0), 0.1_f64..3.0, -3.0_f64..3.0).prop_map(
+            |(frame, amplitude, angular_frequency, phase)| Torque::Sinusoid {
+                frame,
+                amplitude,
+                angular_frequency,
+                phase
+            }
+        ),
+    ]
+}
+
+fn cases() -> impl Strategy<Value = Case> {
+    (
+        bodies(),
+        torques(),
+        vectors(3.0),
+        vectors(3.0),
+        0.0_f64..5.0,
+        0.01_f64..0.2,
+    )
+        .prop_map(|(inertia, torque, turn, omega, time, step)| Case {
+            inertia,
+            torque,
+            state: State {
+                attitude: Quaternion::exp(&turn),
+                angular_velocity: omega,
+            },
+            time,
+            step,
+        })
+}
+
+/// One extrapolation of the central difference leaves an error of fourth order in the width: halving the
+/// width has to divide what is left by about 16, unless rounding (a few 1e-16 over the width) is reached.
+fn assert_matches<S: Scheme>(scheme: &S, case: &Case, exact: &SMatrix<f64, 6, 16>) {
+    let least = case.inertia.symmetric_eigenvalues().min();
+    let end = moved(scheme, case, 0, 0.0).angular_velocity;
+    let speed = 1.0 + end.amax() + case.state.angular_velocity.amax();
+    for column in 0..16 {
+        let exact = exact.column(column);
+        // Torque and inertia act over the smallest moment.
+        let width = if (6..15).contains(&column) {
+            4e-3 * least
+        } else {
+            4e-3
+        };
+        let [coarse, middle, fine] =
+            [1.0, 0.5, 0.25].map(|w| difference(scheme, case, column, w * width));
+        let first = ((middle * 4.0 - coarse) / 3.0 - exact).amax();
+        let second = ((fine * 4.0 - middle) / 3.0 - exact).amax();
+        let scale = 1.0 + exact.amax();
+        // A double times the condition of the tensor, which the inverse and the gyroscopic term cost.
+        let loss = 1e-15 * case.inertia.trace() / least;
+        let rounding = loss * speed / (0.25 * width);
+        assert!(
+            second < first / 8.0 || second < 2.0 * rounding + 1e-13 * scale,
+            "column {column}, fourth order: {first:e} then {second:e}, rounding {rounding:e}"
+        );
+        assert!(
+            second < 1e-6 * scale + rounding,
+            "column {column}: {second:e} of {scale:e}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn the_dual_step_of_runge_kutta_matches_differences(case in cases()) {
+        let step = jacobian::by_dual_numbers::<16, _, _>(
+            &Rk4, &case.inertia, &case.torque, case.time, &case.state, case.step);
+        assert_matches(&Rk4, &case, &step.matrix);
+    }
+
+    #[test]
+    fn fewer_columns_are_the_same_columns(case in cases()) {
+        let all = jacobian::by_dual_numbers::<16, _, _>(
+            &Rk4, &case.inertia, &case.torque, case.time, &case.state, case.step);
+        let state = jacobian::by_dual_numbers::<6, _, _>(
+            &Rk4, &case.inertia, &case.torque, case.time, &case.state, case.step);
+        prop_assert_eq!(all.matrix.fixed_columns::<6>(0).into_owned(), state.matrix);
+        prop_assert_eq!(all.state, state.state);
+    }
+}
+
+#[test]
+fn the_added_torque_of_a_law_in_space_axes_is_its_own_value() {
+    let value = Vector3::new(0.3, -0.2, 0.9);
+    let state = State {
+        attitude: Quaternion::exp(&Vector3::new(0.3, 1.0, -2.0)),
+        angular_velocity: Vector3::new(1.0, 2.0, 3.0),
+    };
+    let law = Torque::Constant {
+        frame: Frame::Space,
+        value,
+    };
+    let none = Torque::Constant {
+        frame: Frame::Space,
+        value: Vector3::zeros(),
+    };
+    let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0));
+    let by_law = System::over(inertia, law, Vector3::zeros()).torque(0.0, &state);
+    let by_addition = System::over(inertia, none, value).torque(0.0, &state);
+    assert!((by_law - by_addition).norm() < 1e-15);
+    assert_eq!(TorqueLaw::<f64>::added_in(&law), Frame::Space);
+}
