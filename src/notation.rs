@@ -5,4 +5,144 @@
 //! around it is read all the same.
 
 pub mod ast;
+mod delimiters;
 pub mod document;
+mod front_matter;
+mod latex;
+mod lexer;
+mod macros;
+mod markdown;
+mod notebook;
+mod parse;
+mod plain;
+mod token;
+mod unicode;
+
+pub use macros::Macros;
+
+use crate::diagnostic::Diagnostic;
+use crate::source::{Source, Span};
+use delimiters::Region;
+use document::{Document, Format, Formula, Item, Row};
+use std::path::Path;
+use token::Letters;
+
+/// A formula longer than this is not read: nobody writes one, and a proof of it would not end.
+const LONGEST_FORMULA: usize = 200_000;
+
+impl Format {
+    /// The format that the name of a file promises; Markdown where it promises none.
+    pub fn of_path(path: &Path) -> Self {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("tex" | "ltx" | "latex") => Self::Latex,
+            Some("ipynb") => Self::Notebook,
+            Some("txt" | "text") => Self::Text,
+            _ => Self::Markdown,
+        }
+    }
+}
+
+/// Reads a document. What could not be read is said beside it, and the rest stands in it.
+///
+/// ```
+/// use polhode::notation::{document::{Format, Item}, read};
+///
+/// let (document, troubles) = read("note.md", "Then $L_x = I_x\\omega_x$.", Format::Markdown);
+/// assert!(troubles.is_empty());
+/// assert!(matches!(document.items[1], Item::Formula(_)));
+/// ```
+pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic>) {
+    let mut troubles = vec![];
+    let mut document = match format {
+        Format::Notebook => notebook::read(name, text, &mut troubles),
+        _ => Document {
+            format,
+            source: Source::new(name, text),
+            cells: vec![],
+            front_matter: document::FrontMatter::default(),
+            items: vec![],
+        },
+    };
+    match format {
+        Format::Notebook => {}
+        Format::Markdown => {
+            let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
+            document.items = markdown::items(&text[body..], body, &Macros::collect(&text[body..]));
+        }
+        Format::Latex => {
+            document.items = latex::items(text, &mut document.front_matter, &mut troubles)
+        }
+        Format::Text => {
+            let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
+            document.items = plain::items(&text[body..], body);
+        }
+    }
+    for item in &document.items {
+        if let Item::Formula(formula) = item {
+            troubles.extend(formula.rows.iter().filter_map(trouble));
+        }
+    }
+    (document, troubles)
+}
+
+fn trouble(row: &Row) -> Option<Diagnostic> {
+    let (message, span) = parse::rows::first_error(row)?;
+    Some(Diagnostic::warning("unreadable", span, message))
+}
+
+/// Reads the LaTeX of one formula whose first byte stands at `offset` of its source.
+pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
+    if text.len() > LONGEST_FORMULA {
+        let span = Span::new(offset, offset + text.len());
+        return vec![unreadable("a formula that is too long to be read", span)];
+    }
+    if macros.is_empty() {
+        return parse::rows::rows(&lexer::tokens(text, offset, Letters::Single));
+    }
+    let Some((expanded, origin)) = macros.expand(text) else {
+        let span = Span::new(offset, offset + text.len());
+        return vec![unreadable("a macro that expands without end", span)];
+    };
+    let mut tokens = lexer::tokens(&expanded, 0, Letters::Single);
+    let place = |at: u32| {
+        origin
+            .get(at as usize)
+            .copied()
+            .map_or(text.len(), |b| b as usize)
+    };
+    for token in &mut tokens {
+        let start = place(token.span.start);
+        let end = place(token.span.end.saturating_sub(1)) + 1;
+        token.span = Span::new(offset + start, offset + end.max(start + 1).min(text.len()));
+    }
+    parse::rows::rows(&tokens)
+}
+
+fn unreadable(message: &str, span: Span) -> Row {
+    Row::Unreadable {
+        message: message.into(),
+        help: None,
+        span,
+    }
+}
+
+/// The formula of a region of a text that begins at `offset` of the source.
+fn formula(text: &str, offset: usize, region: &Region, macros: &Macros) -> Formula {
+    let span = Span::new(offset + region.outer.start, offset + region.outer.end);
+    let inner = text.get(region.inner.clone()).unwrap_or("");
+    let rows = if region.closed {
+        read_formula(inner, offset + region.inner.start, macros)
+    } else {
+        let help = Some("close it before the paragraph ends".into());
+        vec![Row::Unreadable {
+            message: "a formula that is not closed".into(),
+            help,
+            span,
+        }]
+    };
+    Formula {
+        display: region.display,
+        span,
+        rows,
+    }
+}

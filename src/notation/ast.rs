@@ -16,6 +16,51 @@ pub struct Node {
     pub span: Span,
 }
 
+impl Node {
+    /// The nodes right below a node.
+    pub fn children(&self) -> Vec<&Self> {
+        match &self.kind {
+            Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
+                vec![]
+            }
+            Kind::Negate(a)
+            | Kind::Transpose(a)
+            | Kind::Skew(a)
+            | Kind::Group(_, a)
+            | Kind::Norm(a)
+            | Kind::Function(_, a)
+            | Kind::InFrame(a, _)
+            | Kind::PlusMinus(a)
+            | Kind::WithUnit(a, _)
+            | Kind::TimeDerivative { operand: a, .. } => vec![a],
+            Kind::Quotient(a, b) | Kind::Power(a, b) => vec![a, b],
+            Kind::Sum(terms) => terms.iter().map(|t| &t.node).collect(),
+            Kind::Product(factors) => factors.iter().map(|f| &f.node).collect(),
+            Kind::Tuple(entries) => entries.iter().collect(),
+            Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().collect(),
+            Kind::Derivative {
+                operand, variables, ..
+            } => std::iter::once(&**operand).chain(variables).collect(),
+            Kind::Call(head, arguments) => std::iter::once(&**head).chain(arguments).collect(),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits,
+            } => {
+                let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
+                [&**integrand, &**variable]
+                    .into_iter()
+                    .chain(limits)
+                    .collect()
+            }
+            Kind::IndexedSum { limits, body, .. } => {
+                let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
+                std::iter::once(&**body).chain(limits).collect()
+            }
+        }
+    }
+}
+
 /// What a [`Node`] is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {

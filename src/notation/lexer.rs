@@ -1,0 +1,225 @@
+//! From the characters of a formula to tokens.
+
+mod command;
+
+use crate::notation::token::{Letters, Lexeme, Token};
+use crate::notation::unicode;
+use crate::source::Span;
+
+/// The tokens of a formula whose first byte stands at `offset` of the source.
+pub(crate) fn tokens(text: &str, offset: usize, letters: Letters) -> Vec<Token<'_>> {
+    let mut lexer = Lexer {
+        text,
+        offset,
+        at: 0,
+        letters,
+        spaced: false,
+        out: Vec::with_capacity(text.len() / 2),
+    };
+    while lexer.step() {}
+    lexer.out
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    offset: usize,
+    at: usize,
+    letters: Letters,
+    spaced: bool,
+    out: Vec<Token<'a>>,
+}
+
+impl<'a> Lexer<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn push(&mut self, kind: Lexeme<'a>, start: usize) {
+        let span = Span::new(self.offset + start, self.offset + self.at);
+        self.out.push(Token {
+            kind,
+            span,
+            spaced: std::mem::take(&mut self.spaced),
+        });
+    }
+
+    /// Reads one token; `false` at the end of the text.
+    fn step(&mut self) -> bool {
+        let start = self.at;
+        let Some(c) = self.rest().chars().next() else {
+            return false;
+        };
+        self.at += c.len_utf8();
+        match c {
+            _ if c.is_whitespace() => self.spaced = true,
+            '\\' => self.command(start),
+            '%' => self.comment(start),
+            '{' => self.push(Lexeme::Open, start),
+            '}' => self.push(Lexeme::Close, start),
+            '^' => self.push(Lexeme::Superscript, start),
+            '_' => self.push(Lexeme::Subscript, start),
+            '&' => self.push(Lexeme::Ampersand, start),
+            '~' => self.push(Lexeme::Space(6), start),
+            '0'..='9' | '.' if c != '.' || self.digit_follows() => self.number(start),
+            'a'..='z' | 'A'..='Z' => self.letters(c, start),
+            '!'..='~' => self.push(Lexeme::Char(c), start),
+            _ => self.unicode(c, start),
+        }
+        true
+    }
+
+    fn digit_follows(&self) -> bool {
+        self.rest().starts_with(|c: char| c.is_ascii_digit())
+            && !matches!(self.out.last().map(|t| t.kind), Some(Lexeme::Letter(_)))
+    }
+
+    /// A comment runs to the end of its line; in plain text `%` is a sign.
+    fn comment(&mut self, start: usize) {
+        if self.letters == Letters::Words {
+            return self.push(Lexeme::Char('%'), start);
+        }
+        self.at += self.rest().find('\n').unwrap_or(self.rest().len());
+        self.spaced = true;
+    }
+
+    fn number(&mut self, start: usize) {
+        let digits = |s: &str| s.bytes().take_while(u8::is_ascii_digit).count();
+        self.at += digits(self.rest());
+        if !self.text[start..].starts_with('.') && self.rest().starts_with('.') {
+            let after = digits(&self.rest()[1..]);
+            if after > 0 {
+                self.at += 1 + after;
+            }
+        }
+        self.exponent();
+        self.push(Lexeme::Number(&self.text[start..self.at]), start);
+    }
+
+    /// `1.5e-3`, in plain text only, where `e` is not the number e.
+    fn exponent(&mut self) {
+        let rest = self.rest().as_bytes();
+        if self.letters == Letters::Single || !matches!(rest.first(), Some(b'e' | b'E')) {
+            return;
+        }
+        let sign = usize::from(matches!(rest.get(1), Some(b'+' | b'-')));
+        let digits = rest[1 + sign..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count();
+        if (1..=4).contains(&digits) {
+            self.at += 1 + sign + digits;
+        }
+    }
+
+    fn letters(&mut self, c: char, start: usize) {
+        if self.letters == Letters::Words {
+            let length = self.text[start..]
+                .bytes()
+                .take_while(u8::is_ascii_alphanumeric)
+                .count();
+            self.at = start + length;
+            if self.word(start) {
+                return;
+            }
+            self.at = start + 1;
+        }
+        self.letter(Lexeme::Letter(c), start);
+    }
+
+    /// A word of plain text whose meaning is known; its tokens are those of the same thing in LaTeX.
+    fn word(&mut self, start: usize) -> bool {
+        let word = &self.text[start..self.at];
+        let Some(spelling) = unicode::word(word) else {
+            return false;
+        };
+        if spelling.dots > 0 {
+            self.push(
+                Lexeme::Command(if spelling.dots == 1 { "dot" } else { "ddot" }),
+                start,
+            );
+            self.push(Lexeme::Open, start);
+        }
+        self.push(spelling.base, start);
+        if !spelling.subscript.is_empty() {
+            self.push(Lexeme::Subscript, start);
+            self.push(Lexeme::Open, start);
+            for c in spelling.subscript.chars() {
+                self.push(Lexeme::Letter(c), start);
+            }
+            self.push(Lexeme::Close, start);
+        }
+        if spelling.dots > 0 {
+            self.push(Lexeme::Close, start);
+        }
+        true
+    }
+
+    /// A letter with the combining marks that follow it, as accents around it.
+    fn letter(&mut self, letter: Lexeme<'a>, start: usize) {
+        let marks: Vec<&'static str> = self.rest().chars().map_while(unicode::mark).collect();
+        for _ in 0..marks.len() {
+            self.at += self.rest().chars().next().map_or(0, char::len_utf8);
+        }
+        self.accented(letter, &marks, start);
+    }
+
+    fn accented(&mut self, letter: Lexeme<'a>, marks: &[&'static str], start: usize) {
+        for mark in marks.iter().rev() {
+            self.push(Lexeme::Command(mark), start);
+            self.push(Lexeme::Open, start);
+        }
+        self.push(letter, start);
+        for _ in marks {
+            self.push(Lexeme::Close, start);
+        }
+    }
+
+    fn unicode(&mut self, c: char, start: usize) {
+        if let Some(script) = unicode::script(c) {
+            return self.script(script, start);
+        }
+        if let Some((n, d)) = unicode::vulgar_fraction(c) {
+            self.push(Lexeme::Command("frac"), start);
+            for digit in [n, d] {
+                self.push(Lexeme::Open, start);
+                self.push(Lexeme::Number(digit), start);
+                self.push(Lexeme::Close, start);
+            }
+            return;
+        }
+        let (base, mut marks) = unicode::decomposed(c);
+        let lexeme = unicode::lexeme(base);
+        while let Some(mark) = self.rest().chars().next().and_then(unicode::mark) {
+            marks.push(mark);
+            self.at += self.rest().chars().next().map_or(0, char::len_utf8);
+        }
+        match lexeme {
+            Some(lexeme) => self.accented(lexeme, &marks, start),
+            None if c.is_alphabetic() => self.accented(Lexeme::Letter(c), &marks, start),
+            // Marks of direction and zero-width spaces are invisible, so they must not change a meaning.
+            None if unicode::invisible(c) => {}
+            None => self.push(Lexeme::Char(c), start),
+        }
+    }
+
+    /// A run of raised or lowered characters.
+    fn script(&mut self, first: unicode::Script, start: usize) {
+        let mark = if first.raised {
+            Lexeme::Superscript
+        } else {
+            Lexeme::Subscript
+        };
+        self.push(mark, start);
+        self.push(Lexeme::Open, start);
+        self.push(first.lexeme, start);
+        while let Some(next) = self.rest().chars().next() {
+            let Some(script) = unicode::script(next).filter(|s| s.raised == first.raised) else {
+                break;
+            };
+            let start = self.at;
+            self.at += next.len_utf8();
+            self.push(script.lexeme, start);
+        }
+        self.push(Lexeme::Close, start);
+    }
+}

@@ -1,0 +1,270 @@
+//! Commands: which of them are tokens, which say nothing, which take a text.
+
+use super::Lexer;
+use crate::notation::token::{Lexeme, matching_brace};
+
+/// Commands that only change the look.
+const SILENT: &[&str] = &[
+    "displaystyle",
+    "textstyle",
+    "scriptstyle",
+    "limits",
+    "nolimits",
+    "nonumber",
+    "notag",
+    "big",
+    "Big",
+    "bigg",
+    "Bigg",
+    "bigl",
+    "bigr",
+    "Bigl",
+    "Bigr",
+    "biggl",
+    "biggr",
+    "Biggl",
+    "Biggr",
+    "bigm",
+    "Bigm",
+    "middle",
+    "!",
+    "mathstrut",
+    "strut",
+    "hfill",
+    "hfil",
+    "noindent",
+    "centering",
+    "allowbreak",
+    "nobreak",
+    "null",
+    "mathord",
+    "mathbin",
+    "mathrel",
+    "mathop",
+    "mathopen",
+    "mathclose",
+    "mathpunct",
+    "mathinner",
+    "ensuremath",
+    "boxed",
+    "fbox",
+    "small",
+    "large",
+    "Large",
+    "normalsize",
+    "relax",
+    "protect",
+    "unboldmath",
+    "cancel",
+    "left@",
+    "hline",
+    "par",
+    "smash",
+    "underbracket",
+];
+
+/// Commands with one argument that says nothing.
+const SWALLOW: &[&str] = &[
+    "phantom",
+    "hphantom",
+    "vphantom",
+    "vspace",
+    "color",
+    "vskip",
+    "hskip",
+    "cite",
+    "footnote",
+    "footnotemark",
+    "textcircled",
+    "intertext@",
+];
+
+const TEXT: &[&str] = &[
+    "text",
+    "mbox",
+    "textrm",
+    "textit",
+    "textbf",
+    "hbox",
+    "intertext",
+    "shortintertext",
+    "textnormal",
+    "textsf",
+    "textup",
+];
+
+impl<'a> Lexer<'a> {
+    pub(super) fn command(&mut self, start: usize) {
+        let length = self
+            .rest()
+            .bytes()
+            .take_while(u8::is_ascii_alphabetic)
+            .count();
+        let length = if length > 0 {
+            length
+        } else {
+            self.rest().chars().next().map_or(0, char::len_utf8)
+        };
+        let name = &self.rest()[..length];
+        self.at += length;
+        match name {
+            "\\" | "cr" | "newline" | "tabularnewline" => self.row(start),
+            "," | "thinspace" => self.push(Lexeme::Space(3), start),
+            ":" | ">" | "medspace" => self.push(Lexeme::Space(4), start),
+            ";" | "thickspace" => self.push(Lexeme::Space(5), start),
+            " " | "\n" | "enspace" | "space" | "nobreakspace" => self.push(Lexeme::Space(6), start),
+            "quad" => self.push(Lexeme::Space(18), start),
+            "qquad" => self.push(Lexeme::Space(36), start),
+            "hspace" => self.hspace(start),
+            "{" | "lbrace" => self.push(Lexeme::Char('{'), start),
+            "}" | "rbrace" => self.push(Lexeme::Char('}'), start),
+            "lbrack" => self.push(Lexeme::Char('['), start),
+            "rbrack" => self.push(Lexeme::Char(']'), start),
+            "lvert" => self.push(Lexeme::LeftBar, start),
+            "rvert" => self.push(Lexeme::RightBar, start),
+            "vert" | "mid" => self.push(Lexeme::Char('|'), start),
+            "|" | "Vert" | "lVert" | "rVert" => self.push(Lexeme::Char('‖'), start),
+            "#" | "$" | "%" | "&" | "_" => {
+                self.push(Lexeme::Char(name.chars().next().unwrap_or(' ')), start)
+            }
+            "left" | "right" => self.delimiter(name == "left", start),
+            "begin" | "end" => self.environment(name == "begin", start),
+            "tag" | "label" => self.tag(name == "tag", start),
+            "textcolor" | "colorbox" => {
+                let _ = self.braced();
+            }
+            _ if TEXT.contains(&name) => {
+                let text = self.braced();
+                self.push(Lexeme::Text(text), start);
+            }
+            _ if SILENT.contains(&name) => {}
+            _ if SWALLOW.contains(&name) => {
+                self.starred();
+                let _ = self.braced();
+            }
+            _ => self.push(Lexeme::Command(name), start),
+        }
+    }
+
+    fn starred(&mut self) {
+        if self.rest().starts_with('*') {
+            self.at += 1;
+        }
+    }
+
+    fn hspace(&mut self, start: usize) {
+        self.starred();
+        let wide = self.braced().contains("em");
+        self.push(Lexeme::Space(if wide { 18 } else { 5 }), start);
+    }
+
+    /// `\\`, `\\*`, `\\[4pt]`.
+    fn row(&mut self, start: usize) {
+        self.starred();
+        let rest = self.rest().trim_start_matches([' ', '\t']);
+        if let Some(inner) = rest.strip_prefix('[')
+            && let Some(length) = inner.find(']')
+            && inner[..length]
+                .trim_start_matches(['-', ' '])
+                .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+            && inner[..length].ends_with(|c: char| c.is_ascii_alphabetic())
+        {
+            self.at = self.text.len() - inner.len() + length + 1;
+        }
+        self.push(Lexeme::Row, start);
+    }
+
+    fn delimiter(&mut self, left: bool, start: usize) {
+        let rest = self.rest().trim_start();
+        let mut skip = self.rest().len() - rest.len();
+        let kind = match rest.as_bytes() {
+            [b'|', ..] | [b'\\', b'|', ..] if rest.starts_with('|') => {
+                skip += 1;
+                if left {
+                    Lexeme::LeftBar
+                } else {
+                    Lexeme::RightBar
+                }
+            }
+            [b'.', ..] => {
+                skip += 1;
+                if left {
+                    Lexeme::LeftNull
+                } else {
+                    Lexeme::RightNull
+                }
+            }
+            _ if rest.starts_with("\\vert")
+                || rest.starts_with("\\lvert")
+                || rest.starts_with("\\rvert") =>
+            {
+                skip += if rest.starts_with("\\vert") { 5 } else { 6 };
+                if left {
+                    Lexeme::LeftBar
+                } else {
+                    Lexeme::RightBar
+                }
+            }
+            // Any other bracket is read as itself.
+            _ => return,
+        };
+        self.at += skip;
+        self.push(kind, start);
+    }
+
+    /// What stands in the braces that follow; the empty string where none do.
+    fn braced(&mut self) -> &'a str {
+        let rest = self.rest().trim_start();
+        let Some(inner) = rest.strip_prefix('{') else {
+            return "";
+        };
+        let length = matching_brace(inner).unwrap_or(inner.len());
+        self.at = (self.text.len() - inner.len() + length + 1).min(self.text.len());
+        &inner[..length]
+    }
+
+    fn environment(&mut self, begin: bool, start: usize) {
+        let name = self.braced().trim_end_matches('*');
+        if begin
+            && matches!(
+                name,
+                "array" | "alignat" | "alignedat" | "tabular" | "subarray"
+            )
+        {
+            let rest = self.rest().trim_start();
+            if rest.starts_with('[')
+                && let Some(close) = rest.find(']')
+            {
+                self.at = self.text.len() - rest.len() + close + 1;
+            }
+            let _ = self.braced();
+        }
+        if begin && self.rest().starts_with("[t]")
+            || self.rest().starts_with("[c]")
+            || self.rest().starts_with("[b]")
+        {
+            self.at += 3;
+        }
+        self.push(
+            if begin {
+                Lexeme::Begin(name)
+            } else {
+                Lexeme::End(name)
+            },
+            start,
+        );
+    }
+
+    fn tag(&mut self, tag: bool, start: usize) {
+        self.starred();
+        let text = self.braced().trim();
+        self.push(
+            if tag {
+                Lexeme::Tag(text)
+            } else {
+                Lexeme::Label(text)
+            },
+            start,
+        );
+    }
+}

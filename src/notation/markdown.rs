@@ -1,0 +1,201 @@
+//! Markdown with mathematics.
+
+use crate::notation::delimiters::{Dialect, Region, regions};
+use crate::notation::document::Item;
+use crate::notation::formula;
+use crate::notation::macros::Macros;
+use crate::source::Span;
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use std::ops::Range;
+
+/// Reads Markdown whose first byte stands at `offset` of the source.
+pub(crate) fn items(text: &str, offset: usize, macros: &Macros) -> Vec<Item> {
+    let found = regions(text, Dialect::Markdown);
+    let masked = masked(text, &found);
+    let mut reader = Reader {
+        offset,
+        text,
+        macros,
+        regions: &found,
+        next: 0,
+        heading: None,
+        code: 0,
+        items: vec![],
+    };
+    let parser = Parser::new_ext(
+        &masked,
+        Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_FOOTNOTES,
+    );
+    for (event, range) in parser.into_offset_iter() {
+        reader.event(event, range);
+    }
+    reader.formulas_before(usize::MAX);
+    reader.items
+}
+
+/// The text with each formula replaced by as many letters, so that nothing in it is taken for Markdown.
+fn masked(text: &str, regions: &[Region]) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at = 0;
+    for region in regions {
+        out.push_str(&text[at..region.outer.start]);
+        out.extend(std::iter::repeat_n('M', region.outer.len()));
+        at = region.outer.end;
+    }
+    out.push_str(&text[at..]);
+    out
+}
+
+struct Reader<'a> {
+    offset: usize,
+    text: &'a str,
+    macros: &'a Macros,
+    regions: &'a [Region],
+    next: usize,
+    heading: Option<(u8, String, usize)>,
+    code: usize,
+    items: Vec<Item>,
+}
+
+impl Reader<'_> {
+    fn span(&self, range: &Range<usize>) -> Span {
+        Span::new(self.offset + range.start, self.offset + range.end)
+    }
+
+    fn event(&mut self, event: Event<'_>, range: Range<usize>) {
+        match event {
+            Event::Start(Tag::Heading { level, .. }) => {
+                self.formulas_before(range.start);
+                self.heading = Some((level as u8, String::new(), range.start));
+            }
+            Event::End(TagEnd::Heading(_)) => self.end_heading(range),
+            Event::Start(Tag::CodeBlock(_)) => self.code += 1,
+            Event::End(TagEnd::CodeBlock) => {
+                self.code = self.code.saturating_sub(1);
+                self.regions_skipped(range);
+            }
+            Event::End(
+                TagEnd::Paragraph
+                | TagEnd::Item
+                | TagEnd::TableCell
+                | TagEnd::BlockQuote(_)
+                | TagEnd::HtmlBlock,
+            ) => {
+                self.formulas_before(range.end);
+                self.items.push(Item::Break);
+            }
+            Event::Start(_) => self.formulas_before(range.start),
+            Event::Text(_) if self.code > 0 => {}
+            Event::Text(text) => self.text(&text, range),
+            Event::Code(text) => {
+                self.formulas_before(range.start);
+                self.prose(&text, &range);
+            }
+            Event::SoftBreak | Event::HardBreak => {
+                self.formulas_before(range.start);
+                self.prose(" ", &range);
+            }
+            Event::Html(html) | Event::InlineHtml(html) => self.html(&html, range),
+            _ => {}
+        }
+    }
+
+    /// A fenced block of the language `math` is a region of its own; formulas in any other code are none.
+    fn regions_skipped(&mut self, range: Range<usize>) {
+        while let Some(region) = self
+            .regions
+            .get(self.next)
+            .filter(|r| r.outer.start < range.end)
+        {
+            if region.outer.start <= range.start + 3 && region.outer.end + 3 >= range.end {
+                self.formula(region.clone());
+            }
+            self.next += 1;
+        }
+    }
+
+    /// Text in which formulas may stand; where escapes have changed nothing, the bytes of the source are used.
+    fn text(&mut self, text: &str, range: Range<usize>) {
+        let mut at = range.start;
+        let inside = |region: &&Region| region.outer.start < range.end;
+        if self.regions.get(self.next).filter(inside).is_none() {
+            return self.prose(text, &range);
+        }
+        while let Some(region) = self.regions.get(self.next).filter(inside).cloned() {
+            if region.outer.start > at {
+                let words = self
+                    .text
+                    .get(at..region.outer.start)
+                    .unwrap_or("")
+                    .to_owned();
+                self.prose(&words, &(at..region.outer.start));
+            }
+            at = region.outer.end;
+            self.next += 1;
+            self.formula(region);
+        }
+        if at < range.end {
+            let words = self.text.get(at..range.end).unwrap_or("").to_owned();
+            self.prose(&words, &(at..range.end));
+        }
+    }
+
+    fn prose(&mut self, words: &str, range: &Range<usize>) {
+        if let Some((_, heading, _)) = &mut self.heading {
+            heading.push_str(words);
+            return;
+        }
+        let span = self.span(range);
+        if let Some(Item::Prose { text, span: last }) = self.items.last_mut() {
+            text.push_str(words);
+            *last = last.to(span);
+            return;
+        }
+        self.items.push(Item::Prose {
+            text: words.to_owned(),
+            span,
+        });
+    }
+
+    fn formula(&mut self, region: Region) {
+        let formula = formula(self.text, self.offset, &region, self.macros);
+        // A formula in a heading names its subject; it states nothing.
+        if self.heading.is_none() {
+            self.items.push(Item::Formula(formula));
+        }
+    }
+
+    fn formulas_before(&mut self, limit: usize) {
+        while let Some(region) = self
+            .regions
+            .get(self.next)
+            .filter(|r| r.outer.start < limit)
+            .cloned()
+        {
+            self.next += 1;
+            self.formula(region);
+        }
+    }
+
+    fn end_heading(&mut self, range: Range<usize>) {
+        self.formulas_before(range.end);
+        if let Some((level, text, _)) = self.heading.take() {
+            let span = self.span(&range);
+            self.items.push(Item::Heading {
+                level,
+                text: text.trim().to_owned(),
+                span,
+            });
+        }
+    }
+
+    fn html(&mut self, html: &str, range: Range<usize>) {
+        self.formulas_before(range.start);
+        let Some(comment) = html.trim().strip_prefix("<!--") else {
+            return;
+        };
+        let text = comment.trim_end_matches("-->").trim().to_owned();
+        let span = self.span(&range);
+        self.items.push(Item::Comment { text, span });
+    }
+}

@@ -1,0 +1,114 @@
+//! Brackets: groups, lists of components, norms, evaluations.
+
+use super::{Parser, bracket_end, nesting, split_outside};
+use crate::notation::ast::{Bracket, Kind, Node};
+use crate::notation::token::{Lexeme, Token};
+
+impl<'t, 'a> Parser<'t, 'a> {
+    /// A bracket that opens at `start`.
+    pub(super) fn bracket(&mut self, start: usize) -> Node {
+        let Some(end) = bracket_end(self.tokens, start) else {
+            let node = self.error("a bracket that is not closed");
+            self.at = self.tokens.len();
+            return node;
+        };
+        let opened = self.tokens[start].kind;
+        let inside = &self.tokens[start + 1..end];
+        self.at = end + 1;
+        let node = self.bracketed(opened, inside, start);
+        self.scripts(node, start)
+    }
+
+    fn bracketed(&mut self, opened: Lexeme<'a>, inside: &'t [Token<'a>], start: usize) -> Node {
+        let bracket = match opened {
+            Lexeme::Char('[') => Bracket::Square,
+            Lexeme::Char('{') => Bracket::Curly,
+            _ => Bracket::Round,
+        };
+        if let Some(parts) = components(inside, bracket) {
+            let entries = parts
+                .into_iter()
+                .map(|part| self.inside(part).whole())
+                .collect();
+            return self.node(Kind::Tuple(entries), start);
+        }
+        let inner = self.inside(inside).whole();
+        match inner.kind {
+            Kind::Matrix(_) => Node {
+                span: self.since(start),
+                ..inner
+            },
+            _ => self.grouped(bracket, inner, start),
+        }
+    }
+
+    /// `|a|`, `\lVert a \rVert`, and `\left|` around an array, which is a determinant.
+    pub(super) fn norm(&mut self, start: usize) -> Node {
+        let end = match self.tokens[start].kind {
+            Lexeme::LeftBar => bracket_end(self.tokens, start),
+            bar => closing_bar(self.tokens, start, bar),
+        };
+        let Some(end) = end else {
+            let node = self.error("a bar that is not closed");
+            self.at = self.tokens.len();
+            return node;
+        };
+        let inside = &self.tokens[start + 1..end];
+        self.at = end + 1;
+        let inner = self.inside(inside).whole();
+        let node = match inner.kind {
+            Kind::Matrix(rows) => self.node(Kind::Determinant(rows), start),
+            _ => self.node(Kind::Norm(Box::new(inner)), start),
+        };
+        self.scripts(node, start)
+    }
+}
+
+fn closing_bar(tokens: &[Token<'_>], start: usize, bar: Lexeme<'_>) -> Option<usize> {
+    let mut depth = 0;
+    for (i, token) in tokens.iter().enumerate().skip(start + 1) {
+        if depth == 0 && token.kind == bar {
+            return Some(i);
+        }
+        depth += nesting(token);
+    }
+    None
+}
+
+/// The entries of a list: split at commas, semicolons, or, in square brackets, at written spaces.
+fn components<'t, 'a>(inside: &'t [Token<'a>], bracket: Bracket) -> Option<Vec<&'t [Token<'a>]>> {
+    for mark in [',', ';'] {
+        let parts = split_outside(inside, |t| t.kind == Lexeme::Char(mark));
+        if parts.len() > 1 && parts.iter().all(|p| !is_blank(p)) {
+            return Some(parts);
+        }
+    }
+    if bracket == Bracket::Curly {
+        return None;
+    }
+    let wide = |t: &Token<'a>| {
+        matches!(t.kind, Lexeme::Space(width) if width >= 5) || t.kind == Lexeme::Ampersand
+    };
+    let parts: Vec<_> = split_outside(inside, wide)
+        .into_iter()
+        .filter(|p| !is_blank(p))
+        .collect();
+    let joined = parts.iter().any(|p| begins_or_ends_with_sign(p));
+    (parts.len() >= 3 && !joined).then_some(parts)
+}
+
+fn is_blank(tokens: &[Token<'_>]) -> bool {
+    tokens.iter().all(|t| matches!(t.kind, Lexeme::Space(_)))
+}
+
+/// A part that ends with a sign goes on; one that begins with a plus or a product sign does too.
+fn begins_or_ends_with_sign(tokens: &[Token<'_>]) -> bool {
+    let sign = |t: Option<&Token<'_>>| {
+        matches!(
+            t.map(|t| t.kind),
+            Some(Lexeme::Char('+' | '=' | '/' | '*') | Lexeme::Command("times" | "cdot"))
+        )
+    };
+    let minus_last = matches!(tokens.last().map(|t| t.kind), Some(Lexeme::Char('-')));
+    sign(tokens.first()) || sign(tokens.last()) || minus_last
+}

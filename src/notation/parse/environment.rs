@@ -1,0 +1,62 @@
+//! Matrices, columns, determinants.
+
+use super::{Parser, closing, split_outside};
+use crate::notation::ast::{Kind, Node};
+use crate::notation::token::{Lexeme, Token};
+
+impl<'t, 'a> Parser<'t, 'a> {
+    /// An environment inside an expression.
+    pub(super) fn environment(&mut self, name: &'a str, start: usize) -> Node {
+        let end = closing(self.tokens, start);
+        let inside = &self.tokens[(start + 1).min(end)..end];
+        self.at = (end + 1).min(self.tokens.len());
+        let node = match name {
+            "vmatrix" | "Vmatrix" | "vsmallmatrix" => match self.cells(inside) {
+                Ok(rows) => self.node(Kind::Determinant(rows), start),
+                Err(node) => node,
+            },
+            "matrix" | "bmatrix" | "pmatrix" | "Bmatrix" | "smallmatrix" | "bsmallmatrix"
+            | "psmallmatrix" | "array" => match self.cells(inside) {
+                Ok(rows) => self.node(Kind::Matrix(rows), start),
+                Err(node) => node,
+            },
+            "cases" | "dcases" | "rcases" => self.spanning("a value by cases is not read", start),
+            _ if !inside.iter().any(|t| t.kind == Lexeme::Row) && !inside.is_empty() => {
+                self.inside(inside).whole()
+            }
+            _ => self.spanning(&format!("the environment {name} is not known here"), start),
+        };
+        self.scripts(node, start)
+    }
+
+    fn spanning(&self, message: &str, start: usize) -> Node {
+        self.node(Kind::Error(message.to_owned()), start)
+    }
+
+    /// The cells of a matrix; all rows are of one length.
+    fn cells(&self, inside: &'t [Token<'a>]) -> Result<Vec<Vec<Node>>, Node> {
+        let mut rows: Vec<&'t [Token<'a>]> = split_outside(inside, |t| t.kind == Lexeme::Row);
+        if rows.last().is_some_and(|row| row.is_empty()) {
+            rows.pop();
+        }
+        let cells: Vec<Vec<Node>> = rows
+            .into_iter()
+            .map(|row| {
+                let cells = split_outside(row, |t| t.kind == Lexeme::Ampersand);
+                cells
+                    .into_iter()
+                    .map(|cell| self.inside(cell).whole())
+                    .collect()
+            })
+            .collect();
+        let width = cells.first().map_or(0, Vec::len);
+        match cells.iter().position(|row| row.len() != width) {
+            _ if width == 0 => Err(self.error("a matrix without cells")),
+            Some(row) => Err(self.error(format!(
+                "row {} of a matrix has another length than row 1",
+                row + 1
+            ))),
+            None => Ok(cells),
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! One factor: whatever stands between two signs of operation.
+
+use super::{DEEPEST, Parser, letter};
+use crate::notation::ast::{Kind, Node, Style, Symbol};
+use crate::notation::token::Lexeme;
+
+/// Commands that are relations, arrows or separators: no factor begins with them.
+pub(crate) const RELATIONS: &[&str] = &[
+    "equiv",
+    "approx",
+    "simeq",
+    "cong",
+    "ne",
+    "neq",
+    "le",
+    "leq",
+    "leqslant",
+    "ge",
+    "geq",
+    "geqslant",
+    "lt",
+    "gt",
+    "ll",
+    "gg",
+    "propto",
+    "sim",
+    "to",
+    "rightarrow",
+    "mapsto",
+    "in",
+    "perp",
+    "parallel",
+    "triangleq",
+    "doteq",
+    "coloneqq",
+    "longrightarrow",
+    "leftarrow",
+    "lesssim",
+    "gtrsim",
+    "gets",
+    "stackrel",
+    "overset",
+    "underset",
+    "eqdef",
+    "coloneq",
+    "notin",
+    "xrightarrow",
+    "leftrightarrow",
+];
+
+const OPERATORS: &[&str] = &[
+    "times", "wedge", "cross", "land", "cdot", "bullet", "otimes", "circ", "odot", "ast", "pm",
+    "mp",
+];
+
+impl<'a> Parser<'_, 'a> {
+    pub(super) fn command_starts_factor(&self, name: &str) -> bool {
+        !RELATIONS.contains(&name) && !OPERATORS.contains(&name)
+    }
+
+    /// A factor with everything that hangs on it.
+    pub(super) fn factor(&mut self) -> Node {
+        self.skip_spaces();
+        if self.depth > DEEPEST {
+            return self.error("brackets nested too deeply");
+        }
+        if let Some(node) = self.slashed_derivative() {
+            return node;
+        }
+        let start = self.at;
+        match self.peek() {
+            None => self.error("the formula ends where more is expected"),
+            Some(Lexeme::Number(digits)) => {
+                let node = self.number(digits);
+                let node = self.scripts(node, start);
+                self.unit(node, start)
+            }
+            Some(Lexeme::Letter(letter)) => {
+                self.at += 1;
+                self.symbol(letter.to_string(), start)
+            }
+            Some(Lexeme::Open) => self.braces(start),
+            Some(Lexeme::Char('(' | '[' | '{' | '⟨') | Lexeme::LeftNull) => self.bracket(start),
+            Some(Lexeme::Char('|' | '‖') | Lexeme::LeftBar) => self.norm(start),
+            Some(Lexeme::Begin(name)) => self.environment(name, start),
+            Some(Lexeme::Text(text)) => {
+                self.at += 1;
+                self.upright(text.trim().to_owned(), start)
+            }
+            Some(Lexeme::Command(name)) => self.command(name, start),
+            Some(_) => {
+                let node = self.error(self.unexpected());
+                self.at += 1;
+                node
+            }
+        }
+    }
+
+    /// A letter, its scripts, and its arguments if a parenthesis follows.
+    pub(super) fn symbol(&mut self, name: String, start: usize) -> Node {
+        let symbol = Symbol {
+            name,
+            ..Symbol::default()
+        };
+        let node = self.node(Kind::Symbol(symbol), start);
+        let node = self.scripts(node, start);
+        self.call(node, start)
+    }
+
+    /// A word in upright letters.
+    pub(super) fn upright(&mut self, name: String, start: usize) -> Node {
+        let style = Style {
+            upright: true,
+            ..Style::default()
+        };
+        let symbol = Symbol {
+            name,
+            style,
+            ..Symbol::default()
+        };
+        let node = self.node(Kind::Symbol(symbol), start);
+        let node = self.scripts(node, start);
+        self.call(node, start)
+    }
+
+    /// Braces group without a sign; empty ones carry a script of what follows: `{}^{N}\omega`.
+    fn braces(&mut self, start: usize) -> Node {
+        let inside = self.argument();
+        if !inside.is_empty() {
+            let node = self.inside(inside).whole();
+            return self.scripts(node, start);
+        }
+        let mut labels = vec![];
+        while matches!(self.peek(), Some(Lexeme::Superscript | Lexeme::Subscript)) {
+            self.at += 1;
+            labels.push(self.frame_label());
+        }
+        let mut node = self.factor();
+        for label in labels {
+            node = super::script::marked(node, label);
+        }
+        node.span = self.since(start);
+        node
+    }
+
+    fn command(&mut self, name: &'a str, start: usize) -> Node {
+        self.at += 1;
+        match name {
+            "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" => self.fraction(start),
+            "dv" | "pdv" | "odv" | "dfdt" => self.physics_derivative(name == "pdv", start),
+            "sqrt" => self.root(start),
+            "sum" => self.sum_sign(true, start),
+            "Sigma" => self.sum_sign(false, start),
+            "int" | "iint" | "iiint" | "oint" | "idotsint" => self.integral(start),
+            "partial" | "nabla" => self.prefix_derivative(start),
+            "delta" | "Delta" if self.letter_follows() => self.variation(start),
+            "dots" | "ldots" | "cdots" | "vdots" | "ddots" | "dotsb" | "dotsc" => {
+                self.node(Kind::Ellipsis, start)
+            }
+            "det" | "tr" | "exp" | "ln" | "log" | "max" | "min" => self.function(name, start),
+            "underbrace" | "overbrace" => self.braced_remark(),
+            "imath" => self.symbol("i".into(), start),
+            "jmath" => self.symbol("j".into(), start),
+            "unit" | "si" => {
+                let _ = self.argument();
+                self.error("a unit without a number before it")
+            }
+            _ if letter::takes_argument(name) => self.styled(name, start),
+            _ if super::function::named(name).is_some() => self.function(name, start),
+            _ => match letter::greek(name) {
+                Some(name) => self.symbol(name.to_owned(), start),
+                None => self.unknown(name, start),
+            },
+        }
+    }
+
+    /// What follows an unknown command is read on, and the error stands at the command.
+    fn unknown(&mut self, name: &str, start: usize) -> Node {
+        let message = format!("the command \\{name} is not known");
+        while self.peek() == Some(Lexeme::Open) {
+            let _ = self.argument();
+        }
+        self.node(Kind::Error(message), start)
+    }
+
+    /// `\underbrace{a}_{remark}`: a, with the remark passed over.
+    fn braced_remark(&mut self) -> Node {
+        let start = self.at;
+        let mut node = self.argument_node();
+        while matches!(self.peek(), Some(Lexeme::Subscript | Lexeme::Superscript)) {
+            self.at += 1;
+            let _ = self.argument();
+        }
+        node.span = self.since(start);
+        node
+    }
+
+    fn letter_follows(&self) -> bool {
+        match self.peek() {
+            Some(Lexeme::Letter(_)) => true,
+            Some(Lexeme::Command(name)) => {
+                letter::takes_argument(name) || letter::greek(name).is_some()
+            }
+            _ => false,
+        }
+    }
+
+    /// `\Delta t`: a change of what follows.
+    fn variation(&mut self, start: usize) -> Node {
+        let mut node = self.factor();
+        if let Some(symbol) = super::script::symbol_of(&mut node) {
+            symbol.variation = true;
+        }
+        node.span = self.since(start);
+        node
+    }
+
+    /// `m(a+b)`, `R(t)`: the reader can't tell a product from a call, so it says that a list stands there. A power
+    /// behind the bracket shows that it is a factor of its own.
+    pub(super) fn call(&mut self, head: Node, start: usize) -> Node {
+        if self.peek() != Some(Lexeme::Char('(')) {
+            return head;
+        }
+        let Some((from, to)) = self.bracket_inside() else {
+            return head;
+        };
+        let after = self.tokens.get(to + 1).map(|t| t.kind);
+        let inside = &self.tokens[from..to];
+        let of_time =
+            matches!(inside, [t] if matches!(t.kind, Lexeme::Letter('t') | Lexeme::Number("0")));
+        let callable = matches!(head.kind, Kind::Symbol(_)) || of_time;
+        if !callable
+            || inside.is_empty()
+            || matches!(after, Some(Lexeme::Superscript | Lexeme::Subscript))
+        {
+            return head;
+        }
+        let parts = super::split_outside(inside, |t| t.kind == Lexeme::Char(','));
+        let arguments = parts
+            .into_iter()
+            .map(|part| self.inside(part).whole())
+            .collect();
+        self.at = to + 1;
+        called(head, arguments, self.since(start))
+    }
+}
+
+/// A call of the innermost symbol: `\dot\theta(t)` is the rate of θ(t).
+fn called(head: Node, arguments: Vec<Node>, span: crate::source::Span) -> Node {
+    let kind = match head.kind {
+        Kind::TimeDerivative {
+            operand,
+            order,
+            style,
+            frame,
+        } => Kind::TimeDerivative {
+            operand: Box::new(called(*operand, arguments, span)),
+            order,
+            style,
+            frame,
+        },
+        _ => Kind::Call(Box::new(head), arguments),
+    };
+    Node { kind, span }
+}

@@ -1,0 +1,266 @@
+//! Functions with names of their own, roots, and how far an argument without brackets reaches.
+
+use super::Parser;
+use crate::notation::ast::{Factor, Function, Kind, Node, Operator};
+use crate::notation::token::Lexeme;
+use crate::source::Span;
+use num_traits::One;
+
+/// The function of that name.
+pub(super) fn named(name: &str) -> Option<Function> {
+    Some(match name {
+        "sin" => Function::Sin,
+        "cos" => Function::Cos,
+        "tan" => Function::Tan,
+        "cot" => Function::Cot,
+        "sec" => Function::Sec,
+        "csc" => Function::Csc,
+        "arcsin" | "asin" => Function::Arcsin,
+        "arccos" | "acos" => Function::Arccos,
+        "arctan" | "atan" => Function::Arctan,
+        "sinh" => Function::Sinh,
+        "cosh" => Function::Cosh,
+        "tanh" => Function::Tanh,
+        "exp" => Function::Exp,
+        "ln" | "log" => Function::Ln,
+        "sqrt" => Function::Sqrt,
+        "det" => Function::Det,
+        "tr" | "trace" => Function::Trace,
+        "diag" => Function::Diag,
+        "skew" => Function::Skew,
+        "sgn" | "sign" => Function::Sign,
+        "abs" => Function::Abs,
+        "min" => Function::Min,
+        "max" => Function::Max,
+        _ => return None,
+    })
+}
+
+impl Parser<'_, '_> {
+    /// A function, its power and its argument; the name is already read.
+    pub(super) fn function(&mut self, name: &str, start: usize) -> Node {
+        let Some(function) = named(name) else {
+            return self.error(format!("the function {name} is not known"));
+        };
+        let mut power = None;
+        while let Some(Lexeme::Superscript | Lexeme::Subscript) = self.peek() {
+            let raised = self.take(Lexeme::Superscript);
+            self.at += usize::from(!raised);
+            let exponent = self.argument_node();
+            if raised {
+                power = Some(exponent);
+            }
+        }
+        let argument = self.function_argument();
+        let (function, power) = match power {
+            Some(exponent) if is_minus_one(&exponent) => (inverse(function), None),
+            power => (function, power),
+        };
+        let kind = match (function, argument.kind) {
+            (Function::Skew, kind) => Kind::Skew(Box::new(Node {
+                kind,
+                span: argument.span,
+            })),
+            (Function::Det, Kind::Matrix(rows)) => Kind::Determinant(rows),
+            (_, kind) => Kind::Function(
+                function,
+                Box::new(Node {
+                    kind,
+                    span: argument.span,
+                }),
+            ),
+        };
+        let node = self.node(kind, start);
+        match power {
+            Some(exponent) => self.node(Kind::Power(Box::new(node), Box::new(exponent)), start),
+            None => self.scripts(node, start),
+        }
+    }
+
+    /// `\sqrt{x}`.
+    pub(super) fn root(&mut self, start: usize) -> Node {
+        if self.peek() == Some(Lexeme::Char('[')) {
+            return self.error("only square roots are read");
+        }
+        let argument = match self.peek() {
+            Some(Lexeme::Char('(')) => ungrouped(self.factor()),
+            _ => self.argument_node(),
+        };
+        let node = self.node(Kind::Function(Function::Sqrt, Box::new(argument)), start);
+        self.scripts(node, start)
+    }
+
+    fn function_argument(&mut self) -> Node {
+        self.skip_spaces();
+        if matches!(
+            self.peek(),
+            Some(Lexeme::Char('(' | '[') | Lexeme::Begin(_))
+        ) {
+            let start = self.at;
+            return match self.bracket_inside() {
+                Some((from, to)) if self.peek() == Some(Lexeme::Char('(')) => {
+                    self.at = to + 1;
+                    let inside = &self.tokens[from..to];
+                    let parts = super::split_outside(inside, |t| t.kind == Lexeme::Char(','));
+                    let mut nodes: Vec<Node> = parts
+                        .into_iter()
+                        .map(|part| self.inside(part).whole())
+                        .collect();
+                    match nodes.pop() {
+                        Some(only) if nodes.is_empty() => only,
+                        Some(last) => {
+                            nodes.push(last);
+                            self.node(Kind::Tuple(nodes), start)
+                        }
+                        None => self.error("a function without an argument"),
+                    }
+                }
+                _ => ungrouped(self.factor()),
+            };
+        }
+        self.open_argument()
+    }
+
+    /// An argument without brackets: numbers and fractions first, then letters as far as a `t` closes them
+    /// (`\cos\Omega t`), and never past another function, a vector or a dotted letter.
+    fn open_argument(&mut self) -> Node {
+        let start = self.at;
+        let empty = Span {
+            start: self.here().start,
+            end: self.here().start,
+        };
+        let negative = self.take(Lexeme::Char('-'));
+        let mut factors: Vec<Factor> = vec![];
+        loop {
+            let node = self.argument_factor();
+            let leading = matches!(node.kind, Kind::Number(_) | Kind::Quotient(..));
+            let time = matches!(&node.kind, Kind::Symbol(s) if s.name == "t");
+            factors.push(Factor {
+                operator: Operator::Juxtaposed,
+                sign: empty,
+                node,
+            });
+            if self.peek() == Some(Lexeme::Char('/')) && !self.spaced_here() {
+                self.slash(&mut factors);
+            }
+            self.skip_thin_spaces();
+            if time || !(self.plain_letter_ahead() && (leading || self.time_ahead())) {
+                break;
+            }
+        }
+        let node = match <[Factor; 1]>::try_from(factors) {
+            Ok([only]) => only.node,
+            Err(factors) => self.node(Kind::Product(factors), start),
+        };
+        if negative {
+            self.node(Kind::Negate(Box::new(node)), start)
+        } else {
+            node
+        }
+    }
+
+    /// A letter before a bracket is called only with something in the time: `\cos\theta(a+b)` is a product.
+    fn argument_factor(&mut self) -> Node {
+        let at = self.at;
+        let node = self.factor();
+        match node.kind {
+            Kind::Call(head, _) if is_angle(&head) && !self.ends_with_time(at) => {
+                self.at = at;
+                while self.peek() != Some(Lexeme::Char('(')) {
+                    self.at += 1;
+                }
+                *head
+            }
+            kind => Node {
+                kind,
+                span: node.span,
+            },
+        }
+    }
+
+    fn ends_with_time(&self, from: usize) -> bool {
+        self.tokens[from..self.at]
+            .iter()
+            .any(|t| t.kind == Lexeme::Letter('t'))
+    }
+
+    fn slash(&mut self, factors: &mut Vec<Factor>) {
+        self.at += 1;
+        let below = self.factor();
+        if let Some(last) = factors.pop() {
+            let span = last.node.span.to(below.span);
+            let node = Node {
+                kind: Kind::Quotient(Box::new(last.node), Box::new(below)),
+                span,
+            };
+            factors.push(Factor { node, ..last });
+        }
+    }
+
+    fn spaced_here(&self) -> bool {
+        self.tokens.get(self.at).is_some_and(|t| t.spaced)
+    }
+
+    fn skip_thin_spaces(&mut self) {
+        while matches!(self.peek(), Some(Lexeme::Space(width)) if width < 6)
+            && self.plain_letter_at(1)
+        {
+            self.at += 1;
+        }
+    }
+
+    fn plain_letter_ahead(&self) -> bool {
+        self.plain_letter_at(0)
+    }
+
+    fn plain_letter_at(&self, ahead: usize) -> bool {
+        match self.peek_at(ahead) {
+            Some(Lexeme::Letter(_)) => true,
+            Some(Lexeme::Command(name)) => super::letter::greek(name).is_some(),
+            _ => false,
+        }
+    }
+
+    /// Whether the letter ahead, scripts passed over, is a `t` or is followed by one.
+    fn time_ahead(&self) -> bool {
+        if self.peek() == Some(Lexeme::Letter('t')) {
+            return true;
+        }
+        let mut probe = self.clone();
+        probe.at += 1;
+        while matches!(probe.peek(), Some(Lexeme::Subscript)) {
+            probe.at += 1;
+            let _ = probe.argument();
+        }
+        probe.skip_spaces();
+        probe.peek() == Some(Lexeme::Letter('t'))
+    }
+}
+
+fn is_angle(head: &Node) -> bool {
+    let angles = ["theta", "phi", "psi", "alpha", "beta", "gamma"];
+    matches!(&head.kind, Kind::Symbol(s) if angles.contains(&s.name.as_str()))
+}
+
+fn ungrouped(node: Node) -> Node {
+    match node.kind {
+        Kind::Group(_, inner) => *inner,
+        kind => Node {
+            kind,
+            span: node.span,
+        },
+    }
+}
+
+fn is_minus_one(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Negate(inner) if matches!(&inner.kind, Kind::Number(n) if n.value.is_one()))
+}
+
+fn inverse(function: Function) -> Function {
+    match function {
+        Function::Sin => Function::Arcsin,
+        Function::Cos => Function::Arccos,
+        Function::Tan => Function::Arctan,
+        other => other,
+    }
+}

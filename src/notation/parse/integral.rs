@@ -1,0 +1,168 @@
+//! Integrals and sums with an index.
+
+use super::{Parser, derivative, nesting, text};
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::token::Lexeme;
+
+type Limits = Option<(Box<Node>, Box<Node>)>;
+
+impl Parser<'_, '_> {
+    /// An integral up to its differential.
+    pub(super) fn integral(&mut self, start: usize) -> Node {
+        let (lower, upper) = (self.limit(), self.limit());
+        let limits: Limits = lower
+            .zip(upper)
+            .map(|(a, b)| (Box::new(a.1), Box::new(b.1)));
+        let Some((at, length)) = self.differential_ahead() else {
+            let node = self.error("an integral without a differential");
+            self.at = self.tokens.len();
+            return node;
+        };
+        let inside = &self.tokens[self.at..at];
+        self.at = at + length;
+        let variable = self
+            .volume()
+            .unwrap_or_else(|| self.differential_variable());
+        let integrand = match inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_))) {
+            true => Node {
+                kind: Kind::Number(super::product::read_number("1")),
+                span: variable.span,
+            },
+            false => self.inside(inside).whole(),
+        };
+        let kind = Kind::Integral {
+            integrand: Box::new(integrand),
+            variable: Box::new(variable),
+            limits,
+        };
+        self.node(kind, start)
+    }
+
+    fn differential_variable(&mut self) -> Node {
+        self.skip_spaces();
+        let start = self.at;
+        if matches!(self.peek(), Some(Lexeme::Letter(_) | Lexeme::Command(_))) {
+            let tokens = self.argument();
+            let node = self.inside(tokens).whole();
+            return self.scripts(node, start);
+        }
+        self.error("an integral without a variable")
+    }
+
+    /// `dx\,dy\,dz` is the element of volume.
+    fn volume(&mut self) -> Option<Node> {
+        let start = self.at;
+        let mut probe = self.clone();
+        let mut axes = vec![];
+        loop {
+            match probe.peek()? {
+                Lexeme::Letter(c @ ('x' | 'y' | 'z')) => axes.push(c),
+                _ => return None,
+            }
+            probe.at += 1;
+            if axes.len() == 3 {
+                break;
+            }
+            probe.skip_spaces();
+            let (length, _) = derivative::mark(&probe.tokens[probe.at..])?;
+            probe.at += length;
+        }
+        self.at = probe.at;
+        let symbol = Symbol {
+            name: "V".into(),
+            ..Symbol::default()
+        };
+        Some(self.node(Kind::Symbol(symbol), start))
+    }
+
+    fn limit(&mut self) -> Option<(bool, Node)> {
+        let lower = match self.peek() {
+            Some(Lexeme::Subscript) => true,
+            Some(Lexeme::Superscript) => false,
+            _ => return None,
+        };
+        self.at += 1;
+        Some((lower, self.argument_node()))
+    }
+
+    /// Where the differential stands and how many tokens its d takes.
+    fn differential_ahead(&self) -> Option<(usize, usize)> {
+        let mut depth = 0;
+        for i in self.at..self.tokens.len() {
+            if depth == 0
+                && let Some((length, false)) = derivative::mark(&self.tokens[i..])
+                && matches!(
+                    self.tokens.get(i + length).map(|t| t.kind),
+                    Some(Lexeme::Letter(_) | Lexeme::Command(_))
+                )
+            {
+                return Some((i, length));
+            }
+            depth += nesting(&self.tokens[i]);
+            if depth < 0 {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// `\sum_{i=1}^{3} …`, or `\sum M` and `\Sigma M`, the resultant of M.
+    pub(super) fn sum_sign(&mut self, sum: bool, start: usize) -> Node {
+        let scripted = matches!(self.peek(), Some(Lexeme::Subscript | Lexeme::Superscript));
+        if scripted && sum {
+            return self.indexed_sum(start);
+        }
+        self.skip_spaces();
+        if scripted || !self.factor_starts() {
+            return self.symbol("Sigma".into(), start);
+        }
+        let mut node = self.factor();
+        mark_resultant(&mut node);
+        node.span = self.since(start);
+        node
+    }
+
+    fn indexed_sum(&mut self, start: usize) -> Node {
+        let (mut index, mut lower, mut upper) = (String::new(), None, None);
+        while let Some(script @ (Lexeme::Subscript | Lexeme::Superscript)) = self.peek() {
+            self.at += 1;
+            let tokens = self.argument();
+            if script == Lexeme::Superscript {
+                upper = Some(self.inside(tokens).whole());
+                continue;
+            }
+            let parts = super::split_outside(tokens, |t| t.kind == Lexeme::Char('='));
+            index = parts
+                .first()
+                .map_or(String::new(), |part| text::plain(part));
+            lower = parts.get(1).map(|part| self.inside(part).whole());
+        }
+        let body = Box::new(self.product());
+        let limits: Limits = lower.zip(upper).map(|(a, b)| (Box::new(a), Box::new(b)));
+        let index = Box::new(Symbol {
+            name: index,
+            ..Symbol::default()
+        });
+        self.node(
+            Kind::IndexedSum {
+                index,
+                limits,
+                body,
+            },
+            start,
+        )
+    }
+}
+
+fn mark_resultant(node: &mut Node) {
+    match &mut node.kind {
+        Kind::Symbol(symbol) => symbol.resultant = true,
+        Kind::TimeDerivative { operand: a, .. }
+        | Kind::Call(a, _)
+        | Kind::InFrame(a, _)
+        | Kind::Group(_, a)
+        | Kind::Power(a, _)
+        | Kind::Transpose(a) => mark_resultant(a),
+        _ => {}
+    }
+}

@@ -1,0 +1,188 @@
+//! Letters, and what is drawn on and around them.
+
+use super::Parser;
+use crate::notation::ast::{DerivativeStyle, Kind, Node, Style, Symbol};
+use crate::notation::token::{Lexeme, Token};
+
+const GREEK: &[&str] = &[
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
+    "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi",
+    "Psi", "Omega", "ell", "hbar", "infty", "wp", "Re", "Im", "mho", "aleph",
+];
+
+/// The plain name of a letter command; the variant shapes are the same letter.
+pub(super) fn greek(name: &str) -> Option<&'static str> {
+    let name = name.strip_prefix("var").unwrap_or(name);
+    GREEK.iter().find(|g| **g == name).copied()
+}
+
+/// Whether a command puts something on its argument.
+pub(super) fn takes_argument(name: &str) -> bool {
+    dots(name).is_some() || mark(name).is_some() || name == "operatorname"
+}
+
+fn dots(name: &str) -> Option<u8> {
+    Some(match name {
+        "dot" => 1,
+        "ddot" => 2,
+        "dddot" => 3,
+        "ddddot" => 4,
+        _ => return None,
+    })
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Mark {
+    Arrow,
+    Bold,
+    Bar,
+    Underline,
+    Hat,
+    Tilde,
+    Calligraphic,
+    Upright,
+    Sans,
+    Board,
+    Plain,
+    Other,
+}
+
+fn mark(name: &str) -> Option<Mark> {
+    Some(match name {
+        "vec" | "overrightarrow" | "va" | "vv" => Mark::Arrow,
+        "mathbf" | "boldsymbol" | "bm" | "pmb" | "bf" | "mathbfit" | "vb" | "vectorbold"
+        | "symbf" | "mathbold" => Mark::Bold,
+        "bar" | "overline" => Mark::Bar,
+        "underline" => Mark::Underline,
+        "hat" | "widehat" | "vu" => Mark::Hat,
+        "tilde" | "widetilde" => Mark::Tilde,
+        "mathcal" | "mathscr" | "mathfrak" | "cal" => Mark::Calligraphic,
+        "mathrm" | "rm" | "textrm@" | "mathup" => Mark::Upright,
+        "mathsf" | "mathtt" | "sf" => Mark::Sans,
+        "mathbb" => Mark::Board,
+        "mathit" | "it" | "mathnormal" => Mark::Plain,
+        "check" | "breve" | "acute" | "grave" | "mathring" | "ring" => Mark::Other,
+        _ => return None,
+    })
+}
+
+impl<'t, 'a> Parser<'t, 'a> {
+    /// An accent or an alphabet with its argument, the command itself already read.
+    pub(super) fn styled(&mut self, name: &'a str, start: usize) -> Node {
+        if self.peek() == Some(Lexeme::Char('*')) {
+            self.at += 1;
+        }
+        let tokens = self.argument();
+        if let Some(order) = dots(name) {
+            let operand = self.inside(tokens).whole();
+            let node = dotted(operand, order);
+            let node = Node {
+                span: self.since(start),
+                ..node
+            };
+            let node = self.scripts(node, start);
+            return self.call(node, start);
+        }
+        if name == "operatorname" || mark(name) == Some(Mark::Upright) {
+            return self.upright_word(tokens, start);
+        }
+        let mut node = self.inside(tokens).whole();
+        node.span = self.since(start);
+        let node = match mark(name) {
+            Some(mark) => marked(node, mark, tokens),
+            None => node,
+        };
+        let node = self.scripts(node, start);
+        self.call(node, start)
+    }
+
+    /// `\mathrm{body}` is one word; `\mathrm{diag}` and its like are functions.
+    fn upright_word(&mut self, tokens: &'t [Token<'a>], start: usize) -> Node {
+        let word = super::text::plain(tokens);
+        if super::function::named(&word).is_some() {
+            return self.function(&word, start);
+        }
+        if let [token] = tokens
+            && matches!(token.kind, Lexeme::Command(_) | Lexeme::Number(_))
+        {
+            let node = self.inside(tokens).whole();
+            return self.scripts(node, start);
+        }
+        self.upright(word, start)
+    }
+}
+
+/// A time derivative of what may be one already.
+pub(super) fn dotted(operand: Node, more: u8) -> Node {
+    let span = operand.span;
+    let (operand, order) = match operand.kind {
+        Kind::TimeDerivative {
+            operand,
+            order,
+            style: DerivativeStyle::Dots,
+            frame: None,
+        } => (operand, order + more),
+        kind => (Box::new(Node { kind, span }), more),
+    };
+    Node {
+        kind: Kind::TimeDerivative {
+            operand,
+            order,
+            style: DerivativeStyle::Dots,
+            frame: None,
+        },
+        span,
+    }
+}
+
+fn marked(mut node: Node, mark: Mark, tokens: &[Token<'_>]) -> Node {
+    if let Kind::Number(number) = &node.kind {
+        let number = number.clone();
+        if matches!(mark, Mark::Bold | Mark::Board | Mark::Arrow) {
+            node.kind = Kind::Bold(number);
+        }
+        return node;
+    }
+    if mark == Mark::Tilde && super::script::symbol_of(&mut node).is_some_and(|s| s.style.vector) {
+        let span = node.span;
+        return Node {
+            kind: Kind::Skew(Box::new(node)),
+            span,
+        };
+    }
+    if let Some(symbol) = super::script::symbol_of(&mut node) {
+        apply(&mut symbol.style, mark);
+        return node;
+    }
+    // Several letters under one arrow are the name of one vector.
+    let letters = tokens.iter().all(|t| matches!(t.kind, Lexeme::Letter(_)));
+    if letters && matches!(node.kind, Kind::Product(_)) {
+        let mut style = Style::default();
+        apply(&mut style, mark);
+        let name = super::text::plain(tokens);
+        node.kind = Kind::Symbol(Symbol {
+            name,
+            style,
+            ..Symbol::default()
+        });
+    }
+    node
+}
+
+fn apply(style: &mut Style, mark: Mark) {
+    match mark {
+        Mark::Arrow if style.vector => style.tensor = true,
+        Mark::Underline if style.vector => style.tensor = true,
+        Mark::Bar if style.bar => style.tensor = true,
+        Mark::Arrow | Mark::Bold | Mark::Underline => style.vector = true,
+        Mark::Bar => style.bar = true,
+        Mark::Hat => style.hat = true,
+        Mark::Tilde => style.tilde = true,
+        Mark::Calligraphic => style.calligraphic = true,
+        Mark::Upright => style.upright = true,
+        Mark::Sans | Mark::Board => style.tensor = true,
+        Mark::Plain => {}
+        Mark::Other => style.other = true,
+    }
+}

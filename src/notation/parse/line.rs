@@ -1,0 +1,217 @@
+//! One relation: sides, signs of relation, labels and remarks.
+
+use super::factor::RELATIONS;
+use super::text::{Words, words};
+use super::{Parser, nesting};
+use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::notation::document::Row;
+use crate::notation::token::{Lexeme, Token};
+use crate::source::Span;
+
+/// Labels and remarks beside a line.
+#[derive(Debug, Default)]
+pub(super) struct Marks {
+    pub(super) labels: Vec<String>,
+    pub(super) remarks: Vec<String>,
+}
+
+/// Takes tags, labels and remarks out of a row's tokens.
+pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
+    let mut marks = Marks::default();
+    let mut depth = 0;
+    let last = tokens.len().saturating_sub(1);
+    let mut index = 0;
+    tokens.retain(|token| {
+        depth += nesting(token);
+        index += 1;
+        match token.kind {
+            Lexeme::Tag(text) => marks.labels.insert(0, super::text::tag(text)),
+            Lexeme::Label(text) => marks.labels.push(text.to_owned()),
+            Lexeme::Text(text) if depth == 0 && (index > last || !super::text::is_symbol(text)) => {
+                match words(text) {
+                    Words::Label(label) => marks.labels.insert(0, label),
+                    Words::Remark(remark) if remark.is_empty() => {}
+                    Words::Remark(remark) => marks.remarks.push(remark),
+                }
+            }
+            _ => return true,
+        }
+        false
+    });
+    if let Some(label) = trailing_label(tokens) {
+        marks.labels.insert(0, label);
+    }
+    marks
+}
+
+/// `\quad (8.6)`, `--- (3)`, `\dots (4)` at the end of a relation.
+fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
+    let close = tokens.len().checked_sub(1)?;
+    if tokens[close].kind != Lexeme::Char(')') {
+        return None;
+    }
+    let open = tokens.iter().rposition(|t| t.kind == Lexeme::Char('('))?;
+    let label = super::text::plain(&tokens[open + 1..close]);
+    let mut start = open;
+    while start > 0
+        && matches!(
+            tokens[start - 1].kind,
+            Lexeme::Char('-' | '.' | '–' | '—')
+                | Lexeme::Command("dots" | "ldots" | "cdots" | "dotsb")
+                | Lexeme::Space(_)
+        )
+    {
+        start -= 1;
+    }
+    let lead = &tokens[start..open];
+    let dashes = lead
+        .iter()
+        .filter(|t| matches!(t.kind, Lexeme::Char('-' | '.' | '–' | '—')))
+        .count();
+    let dots = lead.iter().any(|t| matches!(t.kind, Lexeme::Command(_)));
+    let gap = lead
+        .iter()
+        .any(|t| matches!(t.kind, Lexeme::Space(width) if width >= 18));
+    let set_apart = dashes >= 2 || dots || gap;
+    if !set_apart || !super::text::is_label(&label) {
+        return None;
+    }
+    tokens.truncate(start);
+    Some(format!("({label})"))
+}
+
+/// The signs of relation outside brackets, each with the tokens that it takes.
+pub(super) fn relations(tokens: &[Token<'_>]) -> Vec<(usize, usize, Relation)> {
+    let mut found = vec![];
+    let mut depth = 0;
+    let mut i = 0;
+    while i < tokens.len() {
+        depth = (depth + nesting(&tokens[i])).max(0);
+        if depth == 0
+            && let Some((relation, length)) = relation(&tokens[i..])
+        {
+            found.push((i, length, relation));
+            i += length;
+        } else {
+            i += 1;
+        }
+    }
+    found
+}
+
+fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
+    let kind = |i: usize| tokens.get(i).map(|t| t.kind);
+    Some(match kind(0)? {
+        Lexeme::Char('=') => match kind(1) {
+            Some(Lexeme::Char('=')) => (Relation::Equal, 2),
+            Some(Lexeme::Char(':')) => (Relation::Defined, 2),
+            _ => (Relation::Equal, 1),
+        },
+        Lexeme::Char(':') if kind(1) == Some(Lexeme::Char('=')) => (Relation::Defined, 2),
+        Lexeme::Char('<') if kind(1) == Some(Lexeme::Char('=')) => (Relation::LessOrEqual, 2),
+        Lexeme::Char('>') if kind(1) == Some(Lexeme::Char('=')) => (Relation::GreaterOrEqual, 2),
+        Lexeme::Char('<') => (Relation::Less, 1),
+        Lexeme::Char('>') => (Relation::Greater, 1),
+        Lexeme::Char('!') if kind(1) == Some(Lexeme::Char('=')) => (Relation::NotEqual, 2),
+        Lexeme::Command(name) => match name {
+            "equiv" | "triangleq" | "coloneqq" | "coloneq" | "eqdef" | "doteq" => {
+                (Relation::Defined, 1)
+            }
+            "approx" | "simeq" | "cong" | "lesssim" | "gtrsim" => (Relation::Approximate, 1),
+            "ne" | "neq" => (Relation::NotEqual, 1),
+            "lt" => (Relation::Less, 1),
+            "gt" => (Relation::Greater, 1),
+            "le" | "leq" | "leqslant" => (Relation::LessOrEqual, 1),
+            "ge" | "geq" | "geqslant" => (Relation::GreaterOrEqual, 1),
+            "stackrel" | "overset" | "underset" => return stacked(tokens),
+            name if RELATIONS.contains(&name) => (Relation::Other, 1),
+            _ => return None,
+        },
+        _ => return None,
+    })
+}
+
+/// `\stackrel{\text{def}}{=}` defines; any other word above an equals sign is a remark on it.
+fn stacked(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
+    let group = |from: usize| match tokens.get(from)?.kind {
+        Lexeme::Open => Some((from + 1, super::closing(tokens, from))),
+        _ => Some((from, from + 1)),
+    };
+    let (from, to) = group(1)?;
+    let above = super::text::plain(tokens.get(from..to)?);
+    let next = to + usize::from(tokens.get(to).is_some_and(|t| t.kind == Lexeme::Close));
+    let (from, to) = group(next)?;
+    let (inner, _) = relation(tokens.get(from..to)?)?;
+    let length = to + usize::from(tokens.get(to).is_some_and(|t| t.kind == Lexeme::Close));
+    let defines = matches!(above.as_str(), "def" | "def." | "Delta" | "△" | "triangle");
+    Some((if defines { Relation::Defined } else { inner }, length))
+}
+
+/// Reads the tokens of one row.
+pub(super) fn read(tokens: &[Token<'_>], marks: Marks) -> Row {
+    let tokens = trimmed(tokens);
+    let span = tokens
+        .iter()
+        .map(|t| t.span)
+        .reduce(|a, b| a.to(b))
+        .unwrap_or_default();
+    let found = relations(tokens);
+    if found.is_empty() {
+        return expression(tokens, span);
+    }
+    let continues = found[0].0 == 0;
+    let mut sides = vec![];
+    let mut start = 0;
+    for &(at, length, _) in &found {
+        if at > 0 || !continues {
+            sides.push(side(&tokens[start..at], tokens[at].span));
+        }
+        start = at + length;
+    }
+    sides.push(side(
+        &tokens[start..],
+        Span {
+            start: span.end,
+            end: span.end,
+        },
+    ));
+    let relations = found
+        .iter()
+        .map(|&(at, length, relation)| (relation, tokens[at].span.to(tokens[at + length - 1].span)))
+        .collect();
+    Row::Line(Line {
+        sides,
+        relations,
+        continues,
+        labels: marks.labels,
+        ranges: vec![],
+        remarks: marks.remarks,
+        span,
+    })
+}
+
+fn expression(tokens: &[Token<'_>], span: Span) -> Row {
+    let node = Parser::new(tokens, span).whole();
+    match node.kind {
+        Kind::Error(message) => Row::Unreadable {
+            message,
+            help: None,
+            span: node.span,
+        },
+        _ => Row::Expression(node),
+    }
+}
+
+fn side(tokens: &[Token<'_>], end: Span) -> Node {
+    Parser::new(trimmed(tokens), end).whole()
+}
+
+/// Without spaces, alignment marks and the punctuation of the sentence at the ends.
+pub(super) fn trimmed<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
+    let blank = |t: &&Token<'_>| matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand);
+    let closing =
+        |t: &&Token<'_>| blank(t) || matches!(t.kind, Lexeme::Char('.' | ',' | ';' | ':'));
+    let from = tokens.iter().take_while(blank).count();
+    let to = tokens[from..].iter().rev().take_while(closing).count();
+    &tokens[from..tokens.len() - to]
+}

@@ -1,0 +1,292 @@
+//! Subscripts, superscripts and primes, and what they mean on what they hang on.
+
+use super::{Parser, text};
+use crate::notation::ast::{Bracket, FrameLabel, Function, Kind, Node, Symbol};
+use crate::notation::token::{Lexeme, Token};
+
+impl<'t, 'a> Parser<'t, 'a> {
+    /// Reads the scripts that follow a factor.
+    pub(super) fn scripts(&mut self, mut node: Node, start: usize) -> Node {
+        // A bound keeps a chain of scripts from nesting the tree without end.
+        for _ in 0..16 {
+            match self.peek() {
+                Some(Lexeme::Subscript) => {
+                    self.at += 1;
+                    let tokens = self.argument();
+                    node = self.subscript(node, tokens);
+                }
+                Some(Lexeme::Superscript) => {
+                    self.at += 1;
+                    let tokens = self.argument();
+                    node = self.superscript(node, tokens);
+                }
+                Some(Lexeme::Char('\'')) => {
+                    self.at += 1;
+                    if let Some(symbol) = symbol_of(&mut node) {
+                        symbol.primes = symbol.primes.saturating_add(1);
+                    }
+                }
+                _ => break,
+            }
+            node.span = self.since(start);
+        }
+        node
+    }
+
+    /// The argument of a script as a label of a frame.
+    pub(super) fn frame_label(&mut self) -> FrameLabel {
+        let from = self.at;
+        let tokens = self.argument();
+        FrameLabel {
+            text: text::plain(tokens),
+            span: self.since(from),
+        }
+    }
+
+    fn subscript(&mut self, mut node: Node, tokens: &'t [Token<'a>]) -> Node {
+        if matches!(tokens, [t] if matches!(t.kind, Lexeme::Command("times" | "wedge"))) {
+            return skew(node);
+        }
+        if let Some(symbol) = symbol_of(&mut node) {
+            let parts = super::split_outside(tokens, |t| t.kind == Lexeme::Char(','));
+            symbol
+                .subscripts
+                .extend(parts.into_iter().map(text::plain).filter(|s| !s.is_empty()));
+            return node;
+        }
+        let span = tokens
+            .iter()
+            .map(|t| t.span)
+            .reduce(|a, b| a.to(b))
+            .unwrap_or(node.span);
+        in_frame(
+            node,
+            FrameLabel {
+                text: text::plain(tokens),
+                span,
+            },
+        )
+    }
+
+    fn superscript(&mut self, mut node: Node, tokens: &'t [Token<'a>]) -> Node {
+        let kinds: Vec<Lexeme<'a>> = tokens.iter().map(|t| t.kind).collect();
+        match kinds.as_slice() {
+            [Lexeme::Command("times" | "wedge")] => return skew(node),
+            [Lexeme::Command("prime")] => {
+                if let Some(symbol) = symbol_of(&mut node) {
+                    symbol.primes = symbol.primes.saturating_add(1);
+                }
+                return node;
+            }
+            [Lexeme::Command("circ")] => {
+                let span = node.span;
+                return Node {
+                    kind: Kind::WithUnit(Box::new(node), "deg".into()),
+                    span,
+                };
+            }
+            _ => {}
+        }
+        if is_transpose(&kinds) && !is_plain_number(&node) {
+            return wrap(node, Kind::Transpose);
+        }
+        if let [Lexeme::Char('-'), rest @ ..] = kinds.as_slice()
+            && is_transpose(rest)
+        {
+            let inverse = self.inside(&[]).power_minus_one(node);
+            return wrap(inverse, Kind::Transpose);
+        }
+        if is_label(&kinds)
+            && let Some(symbol) = symbol_of(&mut node)
+        {
+            symbol.superscripts.push(text::plain(tokens));
+            return node;
+        }
+        let exponent = self.inside(tokens).whole();
+        let span = node.span.to(exponent.span);
+        let kind = match node.kind {
+            Kind::Symbol(ref symbol) if is_e(symbol) => {
+                Kind::Function(Function::Exp, Box::new(exponent))
+            }
+            _ => Kind::Power(Box::new(node), Box::new(exponent)),
+        };
+        Node { kind, span }
+    }
+
+    fn power_minus_one(&self, node: Node) -> Node {
+        let span = node.span;
+        let one = super::product::read_number("1");
+        let minus = Node {
+            kind: Kind::Negate(Box::new(Node {
+                kind: Kind::Number(one),
+                span,
+            })),
+            span,
+        };
+        Node {
+            kind: Kind::Power(Box::new(node), Box::new(minus)),
+            span,
+        }
+    }
+}
+
+fn is_e(symbol: &Symbol) -> bool {
+    *symbol
+        == Symbol {
+            name: "e".into(),
+            ..Symbol::default()
+        }
+        || (symbol.name == "e" && symbol.style.upright && symbol.subscripts.is_empty())
+}
+
+fn is_plain_number(node: &Node) -> bool {
+    matches!(node.kind, Kind::Number(_))
+}
+
+fn is_transpose(kinds: &[Lexeme<'_>]) -> bool {
+    let sole = |k: &Lexeme<'_>| {
+        matches!(
+            k,
+            Lexeme::Letter('T') | Lexeme::Command("top" | "intercal") | Lexeme::Text("T" | "t")
+        )
+    };
+    match kinds {
+        [one] => sole(one),
+        [
+            Lexeme::Command("mathsf" | "mathrm" | "rm" | "sf" | "mathit" | "mathtt"),
+            rest @ ..,
+        ] => {
+            matches!(
+                rest,
+                [Lexeme::Letter('T' | 't')]
+                    | [Lexeme::Open, Lexeme::Letter('T' | 't'), Lexeme::Close]
+            )
+        }
+        _ => false,
+    }
+}
+
+/// Superscripts that name a point, a frame or an instant, and are no powers.
+fn is_label(kinds: &[Lexeme<'_>]) -> bool {
+    match kinds {
+        [Lexeme::Char('(' | '['), .., Lexeme::Char(')' | ']')] => true,
+        [Lexeme::Char('*') | Lexeme::Command("ast" | "star" | "dagger" | "circledast")] => true,
+        [Lexeme::Letter(c)] => c.is_ascii_uppercase(),
+        [Lexeme::Text(_)] => true,
+        [
+            Lexeme::Command("mathcal" | "mathrm" | "mathscr" | "mathsf" | "mathbf" | "rm"),
+            ..,
+        ] => !kinds.iter().any(|k| matches!(k, Lexeme::Number(_))),
+        [Lexeme::Char('+' | '-')] => true,
+        [Lexeme::Letter(a), Lexeme::Char('/'), Lexeme::Letter(b)] => {
+            a.is_ascii_uppercase() && b.is_ascii_uppercase()
+        }
+        [Lexeme::Letter(a), Lexeme::Letter(b)] => a.is_ascii_uppercase() && b.is_ascii_uppercase(),
+        _ => false,
+    }
+}
+
+fn wrap(node: Node, kind: impl FnOnce(Box<Node>) -> Kind) -> Node {
+    let span = node.span;
+    Node {
+        kind: kind(Box::new(node)),
+        span,
+    }
+}
+
+/// `[a]_\times`: the skew matrix of a, the bracket being part of the mark.
+fn skew(node: Node) -> Node {
+    let span = node.span;
+    let inner = match node.kind {
+        Kind::Group(_, inner) => inner,
+        kind => Box::new(Node { kind, span }),
+    };
+    Node {
+        kind: Kind::Skew(inner),
+        span,
+    }
+}
+
+/// A label of a frame on a bracket or a derivative. A derivative takes the label as its own.
+pub(super) fn in_frame(node: Node, label: FrameLabel) -> Node {
+    let span = node.span.to(label.span);
+    let kind = match node.kind {
+        Kind::TimeDerivative {
+            operand,
+            order,
+            style,
+            frame: None,
+        } => Kind::TimeDerivative {
+            operand,
+            order,
+            style,
+            frame: Some(label),
+        },
+        Kind::Group(bracket, inner) => match inner.kind {
+            Kind::TimeDerivative { frame: None, .. } => {
+                return Node {
+                    span,
+                    ..in_frame(*inner, label)
+                };
+            }
+            _ => Kind::InFrame(
+                Box::new(Node {
+                    kind: Kind::Group(bracket, inner),
+                    span: node.span,
+                }),
+                label,
+            ),
+        },
+        kind => Kind::InFrame(
+            Box::new(Node {
+                kind,
+                span: node.span,
+            }),
+            label,
+        ),
+    };
+    Node { kind, span }
+}
+
+/// A label written before something: the frame of a derivative, a superscript of a symbol.
+pub(super) fn marked(mut node: Node, label: FrameLabel) -> Node {
+    if matches!(
+        node.kind,
+        Kind::TimeDerivative {
+            frame: None,
+            style: crate::notation::ast::DerivativeStyle::Leibniz,
+            ..
+        }
+    ) {
+        return in_frame(node, label);
+    }
+    match symbol_of(&mut node) {
+        Some(symbol) => {
+            symbol.superscripts.insert(0, label.text);
+            node
+        }
+        None => in_frame(node, label),
+    }
+}
+
+/// The symbol that a script hangs on: that under dots, or in the bracket of a skew mark.
+pub(super) fn symbol_of(node: &mut Node) -> Option<&mut Symbol> {
+    match &mut node.kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        Kind::TimeDerivative {
+            operand,
+            frame: None,
+            style: crate::notation::ast::DerivativeStyle::Dots,
+            ..
+        } => symbol_of(operand),
+        Kind::Skew(operand) => symbol_of(operand),
+        _ => None,
+    }
+}
+
+impl Parser<'_, '_> {
+    /// What a bracket holds, as a node of its kind.
+    pub(super) fn grouped(&self, bracket: Bracket, inner: Node, start: usize) -> Node {
+        self.node(Kind::Group(bracket, Box::new(inner)), start)
+    }
+}

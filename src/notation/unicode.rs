@@ -1,0 +1,272 @@
+//! What the characters of Unicode mathematics, and the words of plain text, are in LaTeX.
+
+use crate::notation::token::Lexeme;
+use unicode_normalization::char::decompose_canonical;
+
+/// A raised or lowered character.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Script {
+    pub(crate) raised: bool,
+    pub(crate) lexeme: Lexeme<'static>,
+}
+
+const DIGITS: [&str; 10] = ["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"];
+
+/// `₁`, `ₓ`, `²`, `ᵀ`.
+pub(crate) fn script(c: char) -> Option<Script> {
+    let lowered = |lexeme| {
+        Some(Script {
+            raised: false,
+            lexeme,
+        })
+    };
+    let raised = |lexeme| {
+        Some(Script {
+            raised: true,
+            lexeme,
+        })
+    };
+    let digit = |d: u32| Lexeme::Number(DIGITS[d as usize % 10]);
+    match c {
+        '₀'..='₉' => lowered(digit(c as u32 - '₀' as u32)),
+        '⁴'..='⁹' => raised(digit(c as u32 - '⁰' as u32)),
+        '⁰' => raised(digit(0)),
+        '¹' => raised(digit(1)),
+        '²' => raised(digit(2)),
+        '³' => raised(digit(3)),
+        '⁻' => raised(Lexeme::Char('-')),
+        '⁺' => raised(Lexeme::Char('+')),
+        '₊' => lowered(Lexeme::Char('+')),
+        '₋' => lowered(Lexeme::Char('-')),
+        'ᵀ' => raised(Lexeme::Letter('T')),
+        'ᵗ' => raised(Lexeme::Letter('t')),
+        'ˣ' => raised(Lexeme::Command("times")),
+        'ⁿ' => raised(Lexeme::Letter('n')),
+        'ᵢ' => lowered(Lexeme::Letter('i')),
+        'ⱼ' => lowered(Lexeme::Letter('j')),
+        'ₓ' => lowered(Lexeme::Letter('x')),
+        'ᵧ' => lowered(Lexeme::Letter('y')),
+        'ₐ' => lowered(Lexeme::Letter('a')),
+        'ₑ' => lowered(Lexeme::Letter('e')),
+        'ₒ' => lowered(Lexeme::Letter('o')),
+        'ₖ' => lowered(Lexeme::Letter('k')),
+        'ₘ' => lowered(Lexeme::Letter('m')),
+        'ₙ' => lowered(Lexeme::Letter('n')),
+        'ₚ' => lowered(Lexeme::Letter('p')),
+        'ₛ' => lowered(Lexeme::Letter('s')),
+        'ₜ' => lowered(Lexeme::Letter('t')),
+        _ => None,
+    }
+}
+
+/// `½` as numerator and denominator.
+pub(crate) fn vulgar_fraction(c: char) -> Option<(&'static str, &'static str)> {
+    Some(match c {
+        '½' => ("1", "2"),
+        '⅓' => ("1", "3"),
+        '⅔' => ("2", "3"),
+        '¼' => ("1", "4"),
+        '¾' => ("3", "4"),
+        '⅕' => ("1", "5"),
+        '⅙' => ("1", "6"),
+        '⅛' => ("1", "8"),
+        _ => return None,
+    })
+}
+
+/// The accent that a combining mark draws.
+pub(crate) fn mark(c: char) -> Option<&'static str> {
+    Some(match c {
+        '\u{307}' => "dot",
+        '\u{308}' => "ddot",
+        '\u{302}' => "hat",
+        '\u{303}' => "tilde",
+        '\u{304}' | '\u{305}' => "bar",
+        '\u{20d7}' => "vec",
+        '\u{332}' => "underline",
+        _ => return None,
+    })
+}
+
+/// A letter and the accents in it: `ẋ` is x with a dot.
+pub(crate) fn decomposed(c: char) -> (char, Vec<&'static str>) {
+    let mut base = c;
+    let mut marks = vec![];
+    let mut foreign = false;
+    decompose_canonical(c, |part| match mark(part) {
+        Some(mark) => marks.push(mark),
+        None if part as u32 >= 0x300 && (part as u32) < 0x370 => foreign = true,
+        None => base = part,
+    });
+    if foreign { (c, vec![]) } else { (base, marks) }
+}
+
+/// Characters that nobody sees.
+pub(crate) fn invisible(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}' | '\u{ad}' | '\0')
+}
+
+/// What a character outside ASCII is in LaTeX.
+pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
+    use Lexeme::{Char, Command, Letter};
+    Some(match c {
+        'ı' => Letter('i'),
+        'a'..='z' | 'A'..='Z' => Letter(c),
+        'α'..='ω' | 'Α'..='Ω' | 'ϕ' | 'ϑ' | 'ϵ' | 'ϖ' | 'ϱ' => Command(greek(c)?),
+        '\u{2126}' => Command("Omega"),
+        '×' | '✕' | '⨯' => Command("times"),
+        '·' | '⋅' | '∙' | '•' => Command("cdot"),
+        '−' | '–' => Char('-'),
+        '∗' => Char('*'),
+        '∕' | '⁄' | '÷' => Char('/'),
+        '′' => Char('\''),
+        '√' => Command("sqrt"),
+        '∫' => Command("int"),
+        '∭' => Command("iiint"),
+        '∑' => Command("sum"),
+        '∂' => Command("partial"),
+        '∇' => Command("nabla"),
+        '≡' => Command("equiv"),
+        '≈' => Command("approx"),
+        '≃' => Command("simeq"),
+        '≠' => Command("ne"),
+        '≤' => Command("le"),
+        '≥' => Command("ge"),
+        '≪' | '≫' => Command("ll"),
+        '≔' => Command("coloneqq"),
+        '∝' => Command("propto"),
+        '→' => Command("to"),
+        '⇒' | '⟹' => Command("Rightarrow"),
+        '⇔' => Command("iff"),
+        '∴' => Command("therefore"),
+        '⊗' => Command("otimes"),
+        '∘' => Command("circ"),
+        '∧' => Command("wedge"),
+        '±' => Command("pm"),
+        '∓' => Command("mp"),
+        '…' | '⋯' => Command("dots"),
+        '⊤' | '⟙' => Command("top"),
+        '⟨' => Char('⟨'),
+        '⟩' => Char('⟩'),
+        'ℓ' => Command("ell"),
+        '‖' => Char('‖'),
+        '“' | '”' => Char('"'),
+        _ => return mathematical(c),
+    })
+}
+
+fn greek(c: char) -> Option<&'static str> {
+    const LOWER: [&str; 25] = [
+        "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+        "lambda", "mu", "nu", "xi", "o", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi",
+        "chi", "psi", "omega",
+    ];
+    const UPPER: [&str; 25] = [
+        "A", "B", "Gamma", "Delta", "E", "Z", "H", "Theta", "I", "K", "Lambda", "M", "N", "Xi",
+        "O", "Pi", "P", "", "Sigma", "T", "Upsilon", "Phi", "X", "Psi", "Omega",
+    ];
+    match c {
+        'α'..='ω' => LOWER.get(c as usize - 'α' as usize).copied(),
+        'Α'..='Ω' => UPPER.get(c as usize - 'Α' as usize).copied(),
+        'ϕ' => Some("phi"),
+        'ϑ' => Some("theta"),
+        'ϵ' => Some("epsilon"),
+        'ϖ' => Some("pi"),
+        'ϱ' => Some("rho"),
+        _ => None,
+    }
+}
+
+/// The letters of the mathematical alphabets (𝐋, 𝜔) are those of the plain one.
+fn mathematical(c: char) -> Option<Lexeme<'static>> {
+    let n = c as u32;
+    let latin = |n: u32| {
+        let n = n % 52;
+        char::from_u32(if n < 26 {
+            u32::from(b'A') + n
+        } else {
+            u32::from(b'a') + n - 26
+        })
+        .map(Lexeme::Letter)
+    };
+    match n {
+        0x1D400..=0x1D6A3 => latin(n - 0x1D400),
+        0x1D6A8..=0x1D7A7 => {
+            let n = (n - 0x1D6A8) % 58;
+            let c = match n {
+                0..=24 => char::from_u32('Α' as u32 + n)?,
+                26..=50 => char::from_u32('α' as u32 + n - 26)?,
+                _ => return None,
+            };
+            greek(c).map(Lexeme::Command)
+        }
+        _ => None,
+    }
+}
+
+/// A word of plain text as a symbol: `wxdot` is ω with the subscript x and one dot.
+pub(crate) struct Spelling<'a> {
+    pub(crate) base: Lexeme<'a>,
+    pub(crate) subscript: &'a str,
+    pub(crate) dots: u8,
+}
+
+const WORDS: &[&str] = &[
+    "alpha", "beta", "gamma", "delta", "epsilon", "eta", "theta", "kappa", "lambda", "mu", "nu",
+    "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma", "Delta",
+    "Theta", "Lambda", "Sigma", "Phi", "Psi", "ell", "sin", "cos", "tan", "cot", "exp", "ln",
+    "sqrt", "det", "arctan", "arcsin", "arccos", "sinh", "cosh", "tanh", "cross", "dot",
+];
+
+/// What a word of plain text stands for, where it is known: Greek names, functions, components that run
+/// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
+pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
+    let (stem, dots) = undotted(word);
+    if let Some(name) = WORDS.iter().find(|w| **w == stem && stem != "dot") {
+        let base = match *name {
+            "cross" => Lexeme::Command("times"),
+            name => Lexeme::Command(name),
+        };
+        return Some(Spelling {
+            base,
+            subscript: "",
+            dots,
+        });
+    }
+    let (head, tail) = split_components(stem)?;
+    let base = match head {
+        "w" | "omega" => Lexeme::Command("omega"),
+        "Omega" => Lexeme::Command("Omega"),
+        "tau" => Lexeme::Command("tau"),
+        _ => Lexeme::Letter(head.chars().next()?),
+    };
+    (!tail.is_empty() || dots > 0).then_some(Spelling {
+        base,
+        subscript: tail,
+        dots,
+    })
+}
+
+fn undotted(word: &str) -> (&str, u8) {
+    match word.strip_suffix("ddot") {
+        Some(stem) if !stem.is_empty() => (stem, 2),
+        _ => match word.strip_suffix("dot") {
+            Some(stem) if !stem.is_empty() => (stem, 1),
+            _ => (word, 0),
+        },
+    }
+}
+
+/// Splits `Ixx` into I and xx; only letters that have components, and only axes as components.
+fn split_components(stem: &str) -> Option<(&str, &str)> {
+    let head = [
+        "omega", "Omega", "tau", "I", "J", "L", "H", "M", "N", "h", "w", "T", "v", "a", "F", "r",
+    ]
+    .into_iter()
+    .find(|head| stem.starts_with(head))?;
+    let tail = &stem[head.len()..];
+    let axes = tail.bytes().all(|b| matches!(b, b'x' | b'y' | b'z'))
+        || tail.bytes().all(|b| matches!(b, b'1'..=b'3'));
+    let long = if matches!(head, "I" | "J") { 2 } else { 1 };
+    (axes && tail.len() <= long).then_some((head, tail))
+}
