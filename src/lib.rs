@@ -19,9 +19,16 @@ pub mod scalar;
 
 #[cfg(feature = "verify")]
 pub mod algebra;
+#[cfg(feature = "cli")]
+pub mod cli;
 #[cfg(feature = "verify")]
 pub mod diagnostic;
 #[cfg(feature = "verify")]
 pub mod notation;
+#[cfg(feature = "cli")]
+pub mod report;
 #[cfg(feature = "verify")]
 pub mod source;
+
+#[cfg(feature = "verify")]
+pub mod verify;

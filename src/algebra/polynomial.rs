@@ -60,6 +60,15 @@ impl Polynomial {
         &self.terms
     }
 
+    /// Each term as its coefficient and its monomial.
+    pub fn split(&self) -> Vec<(Rational, Self)> {
+        let alone = |m: &Monomial| Self::term(m.clone(), Rational::one());
+        self.terms
+            .iter()
+            .map(|(m, c)| (c.clone(), alone(m)))
+            .collect()
+    }
+
     /// The number of terms.
     pub fn len(&self) -> usize {
         self.terms.len()

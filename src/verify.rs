@@ -1,0 +1,40 @@
+//! Decides each line of a document: true by an exact proof, false by numbers that anyone can put in, or open.
+//!
+//! A line is lowered to fractions of polynomials in the document's variables. The laws of `mechanics` and the
+//! premises of the document form a triangular set; a line is proved when its difference, with all of them put in, is
+//! the zero polynomial, and refuted by a small exact world where it is not.
+
+mod accept;
+mod atoms;
+mod call;
+mod check;
+mod claim;
+mod convention;
+mod decide;
+mod frame;
+mod kernel;
+mod law;
+mod line;
+mod lower;
+mod matrix;
+mod names;
+mod operators;
+mod prose;
+mod quantity;
+mod rate;
+mod reading;
+mod role;
+mod solve;
+mod symbol;
+mod theory;
+mod usage;
+mod value;
+mod verdict;
+mod world;
+
+pub use check::check;
+pub use quantity::{Quantity, Shape};
+pub use verdict::{
+    Convention, Counterexample, Diagnosis, Finding, FromProse, Passed, Report, Role, Summary,
+    Verdict,
+};

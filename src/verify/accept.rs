@@ -1,0 +1,240 @@
+//! Assumptions, given lines and definitions: what a document adds to the laws.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Line, Node};
+use crate::verify::atoms::{Entity, Owner, variable_fraction};
+use crate::verify::check::Checker;
+use crate::verify::decide::passes_filter;
+use crate::verify::frame::Frame;
+use crate::verify::line::Read;
+use crate::verify::lower::{FunctionOf, TroubleKind};
+use crate::verify::quantity::Shape;
+use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::usage::{inner, symbols};
+use crate::verify::value::Value;
+use crate::verify::verdict::{Finding, Role, Verdict};
+
+impl Checker<'_> {
+    /// Takes a given line, an assumption or a definition in.
+    pub(super) fn accept(&mut self, sides: &[Node], role: Role, finding: &mut Finding) {
+        let mut readings = match self.readings(sides) {
+            Ok(readings) => readings,
+            Err(trouble) if trouble.kind == TroubleKind::Unsupported => {
+                // What is only named, such as an integral that defines a product, contradicts nothing.
+                finding.verdict = if role == Role::Define {
+                    Verdict::Accepted
+                } else {
+                    Verdict::Undecided
+                };
+                finding.reason = Some(trouble.message);
+                return;
+            }
+            Err(trouble) => return self.troubled(sides, trouble, finding),
+        };
+        let holds = |checker: &mut Self, read: &Read| {
+            read.equations
+                .iter()
+                .all(|e| passes_filter(&mut checker.theory, &e.residual) == Some(true))
+        };
+        let index = (0..readings.len())
+            .find(|&i| holds(self, &readings[i]))
+            .unwrap_or(0);
+        let read = readings.swap_remove(index);
+        let residuals = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone())
+            .collect();
+        let preferred = read.equations.first().map_or(vec![], |e| {
+            e.left.entries.iter().flat_map(|f| f.variables()).collect()
+        });
+        let name = self.line_name(finding);
+        let definition = role == Role::Define;
+        match self.theory.assume(Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition,
+        }) {
+            Taken::Contradiction => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason =
+                    Some("nothing satisfies this together with what stands before".to_owned());
+                finding.residual = self.residual(&read);
+            }
+            Taken::Known => finding.verdict = Verdict::Accepted,
+            Taken::Solved | Taken::Kept => {
+                finding.verdict = Verdict::Accepted;
+                self.keep(&name, definition);
+            }
+        }
+        self.now_known(sides);
+    }
+
+    pub(super) fn now_known(&mut self, sides: &[Node]) {
+        for symbol in sides.iter().flat_map(symbols) {
+            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
+                meaning(symbol, &self.reading, &mut self.theory.atoms)
+            {
+                self.known.insert(entity.0);
+            }
+        }
+    }
+
+    /// A line whose left side is a symbol without a meaning gives it one. Further sides of a chain are then claims.
+    pub(super) fn defines(
+        &mut self,
+        sides: &[Node],
+        line: &Line,
+        role: Role,
+        finding: &mut Finding,
+    ) -> bool {
+        if self.defines_function(sides, finding) {
+            return true;
+        }
+        let [left, right, rest @ ..] = sides else {
+            return false;
+        };
+        let Some((entity, place)) = self.new_symbol(left) else {
+            return false;
+        };
+        if symbols(right).into_iter().any(|s| matches!(meaning(s, &self.reading, &mut self.theory.atoms), Meaning::Whole(e) | Meaning::Component(e, _) if e == entity)) {
+            return false;
+        }
+        if line.continues {
+            return false;
+        }
+        let value = match self.lowering(Frame::Moving).value(right) {
+            Ok(value) => value,
+            Err(trouble) => {
+                if trouble.kind == TroubleKind::Unsupported && role != Role::Claim {
+                    finding.verdict = Verdict::Accepted;
+                    self.known.insert(entity.0);
+                } else {
+                    self.troubled(sides, trouble, finding);
+                }
+                return true;
+            }
+        };
+        let Some(residuals) = self.bind(entity, place, &value) else {
+            return false;
+        };
+        let preferred: Vec<Variable> = residuals.iter().map(|(v, _)| *v).collect();
+        let residuals = residuals.into_iter().map(|(_, r)| r).collect();
+        let name = self.line_name(finding);
+        if self.theory.assume(Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition: true,
+        }) == Taken::Contradiction
+        {
+            return false;
+        }
+        self.keep(&name, true);
+        self.known.insert(entity.0);
+        finding.verdict = Verdict::Accepted;
+        if role == Role::Claim {
+            finding.role = Role::Define;
+        }
+        if !rest.is_empty() {
+            finding.role = role;
+            self.claim(&sides[1..], finding);
+        }
+        true
+    }
+
+    /// The entity of a lone symbol, or of a component, that has no meaning yet.
+    pub(super) fn new_symbol(&mut self, node: &Node) -> Option<(Entity, Option<u8>)> {
+        let Kind::Symbol(symbol) = &inner(node).kind else {
+            return None;
+        };
+        let (entity, place) = match meaning(symbol, &self.reading, &mut self.theory.atoms) {
+            Meaning::Whole(entity) => (entity, None),
+            Meaning::Component(entity, component) => (entity, Some(component)),
+            _ => return None,
+        };
+        let owner = self.theory.atoms.info(entity).owner.clone();
+        let strange = match &owner {
+            Owner::Symbol(_) => true,
+            Owner::Quantity(_, variant) => !variant.is_empty() && variant != "any point",
+        };
+        let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
+        (strange && self.theory.rule(variable).is_none()).then_some((entity, place))
+    }
+
+    /// Residuals that say that an entity, or one component, has a value; its shape becomes the value's.
+    pub(super) fn bind(
+        &mut self,
+        entity: Entity,
+        place: Option<u8>,
+        value: &Value,
+    ) -> Option<Vec<(Variable, Fraction)>> {
+        let shape = match (value.rows, value.columns) {
+            (1, 1) => Shape::Scalar,
+            (3, 1) | (1, 3) => Shape::Vector,
+            (3, 3) => Shape::Matrix,
+            _ => return None,
+        };
+        self.theory.atoms.info_mut(entity).constant = false;
+        let mut residual = |component: u8, entry: &Fraction| {
+            let variable = self.theory.atoms.part(entity, component, 0);
+            (variable, variable_fraction(variable) - entry.clone())
+        };
+        if let Some(component) = place {
+            return (shape == Shape::Scalar).then(|| vec![residual(component, &value.entries[0])]);
+        }
+        let bound = value
+            .entries
+            .iter()
+            .enumerate()
+            .map(|(i, e)| residual(i as u8, e))
+            .collect();
+        self.theory.atoms.info_mut(entity).shape = shape;
+        Some(bound)
+    }
+
+    /// `F(ω) = …` defines a function.
+    pub(super) fn defines_function(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Call(head, arguments) = &left.kind else {
+            return false;
+        };
+        let (Some((entity, None)), [argument]) = (self.new_symbol(head), arguments.as_slice())
+        else {
+            return false;
+        };
+        if matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t") {
+            return false;
+        }
+        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+            return false;
+        };
+        let mut lowering = self.lowering(Frame::Moving);
+        let (Ok(value), Ok(at)) = (lowering.value(right), lowering.value(argument)) else {
+            return false;
+        };
+        let Some(parameter) = at.entries.iter().map(Fraction::as_variable).collect() else {
+            return false;
+        };
+        let Some(residuals) = self.bind(entity, None, &value) else {
+            return false;
+        };
+        let preferred = residuals.iter().map(|(v, _)| *v).collect();
+        let residuals = residuals.into_iter().map(|(_, r)| r).collect();
+        let line = self.line_name(finding);
+        self.theory.assume(Premise {
+            name: line.clone(),
+            residuals,
+            preferred,
+            definition: true,
+        });
+        self.keep(&line, true);
+        self.functions.insert(name, FunctionOf { parameter, value });
+        self.known.insert(entity.0);
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Define;
+        true
+    }
+}

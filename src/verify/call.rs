@@ -1,0 +1,94 @@
+//! Functions and calls.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Function, Kind, Node};
+use crate::verify::atoms::variable_fraction;
+use crate::verify::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
+use crate::verify::usage::{inner, symbols};
+use crate::verify::value::{ShapeMismatch, Value};
+use num_traits::Zero;
+
+impl Lowering<'_> {
+    pub(super) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
+        let value = self.value(argument)?;
+        let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
+        match function {
+            Function::Det => return value.determinant().map(Value::scalar).map_err(ill),
+            Function::Trace => return value.trace().map_err(ill),
+            Function::Skew => return value.skew().map_err(ill),
+            Function::Diag => {
+                let n = value.entries.len();
+                return Ok(Value::from_fn(n, n, |r, c| {
+                    if r == c {
+                        value.entries[r].clone()
+                    } else {
+                        Fraction::zero()
+                    }
+                }));
+            }
+            _ => {}
+        }
+        if !value.is_scalar() {
+            return Err(trouble(
+                TroubleKind::IllTyped,
+                node.span,
+                format!("a function of {}", value.shape()),
+            ));
+        }
+        let argument = self.theory.normal(&value.entries[0]);
+        self.kernel(function, argument)
+            .map(Value::scalar)
+            .ok_or_else(|| {
+                trouble(
+                    TroubleKind::Unsupported,
+                    node.span,
+                    "nothing is known of this function",
+                )
+            })
+    }
+
+    /// A symbol with a bracket behind it: a function that the document defined, a quantity at time t, or a product.
+    pub(super) fn call(&mut self, node: &Node, head: &Node, arguments: &[Node]) -> Lowered {
+        if let [argument] = arguments {
+            if matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty())
+            {
+                return self.value(head);
+            }
+            if let Some(value) = self.applied(head, argument)? {
+                return Ok(value);
+            }
+            let (left, right) = (self.value(head)?, self.value(argument)?);
+            return left
+                .times(&right)
+                .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m));
+        }
+        Err(trouble(
+            TroubleKind::Unsupported,
+            node.span,
+            "a function of several arguments is not known here",
+        ))
+    }
+
+    /// A defined function at an argument: the parameter's variables replaced.
+    pub(super) fn applied(
+        &mut self,
+        head: &Node,
+        argument: &Node,
+    ) -> Result<Option<Value>, Trouble> {
+        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+            return Ok(None);
+        };
+        let Some(function) = self.functions.get(&name).cloned() else {
+            return Ok(None);
+        };
+        let at = self.value(argument)?;
+        if at.entries.len() != function.parameter.len() {
+            return Ok(None);
+        }
+        let image = |v: u32| {
+            let place = function.parameter.iter().position(|&p| p == v);
+            place.map_or_else(|| variable_fraction(v), |i| at.entries[i].clone())
+        };
+        Ok(Some(function.value.map(|entry| substituted(entry, &image))))
+    }
+}

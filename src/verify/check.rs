@@ -1,0 +1,328 @@
+//! Goes through a document from top to bottom and keeps what is in force.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::Node;
+use crate::notation::document::{Document, Formula, Item, Row};
+use crate::source::Span;
+use crate::verify::convention::convention;
+use crate::verify::law::{Axes, Dynamics, Setting};
+use crate::verify::lower::FunctionOf;
+use crate::verify::prose::{Said, said, symmetry_plane};
+use crate::verify::quantity::Quantity;
+use crate::verify::reading::Reading;
+use crate::verify::role::role;
+use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::theory::{Premise, Taken, Theory};
+use crate::verify::usage::{Letter, symbols};
+use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
+use std::collections::{BTreeSet, HashMap};
+
+/// Checks every line of a document.
+pub fn check(document: &Document) -> Report {
+    let mut checker = Checker::new(document);
+    for item in &document.items {
+        checker.item(item);
+    }
+    checker.report()
+}
+
+/// What is in force at a place of the document.
+pub(super) struct Checker<'a> {
+    pub(super) document: &'a Document,
+    pub(super) reading: Reading,
+    pub(super) theory: Theory,
+    pub(super) functions: HashMap<String, FunctionOf>,
+    /// Entities that the words or an accepted line have given a meaning.
+    pub(super) known: BTreeSet<u32>,
+    /// Whether the words fix what a dot without a frame means.
+    pub(super) dots_on_body: bool,
+    /// The last side of the line before, for lines that go on.
+    pub(super) last_side: Option<Node>,
+    pub(super) findings: Vec<Finding>,
+    sentence: String,
+    mark: Option<Role>,
+    /// Names of premises with the level of the heading that they stand under.
+    scopes: Vec<(String, u8)>,
+    level: u8,
+    axes_before: Axes,
+    convention: Convention,
+    from_prose: Vec<FromProse>,
+    passed: Vec<Passed>,
+}
+
+impl<'a> Checker<'a> {
+    fn new(document: &'a Document) -> Self {
+        let reading = Reading::of(document);
+        let (products, convention) = convention(document, &reading);
+        let own_rate = reading
+            .quantities
+            .values()
+            .any(|&q| q == Quantity::FrameRate);
+        let axes = match document.front_matter.axes.as_deref() {
+            Some("body") => Axes::Body,
+            Some("turning") => Axes::Turning,
+            _ if own_rate => Axes::Turning,
+            _ => Axes::Body,
+        };
+        let setting = Setting {
+            axes,
+            products,
+            dynamics: Dynamics::Inverse,
+            origin_moves: false,
+        };
+        let mut checker = Self {
+            document,
+            theory: Theory::new(setting),
+            functions: HashMap::new(),
+            known: BTreeSet::new(),
+            dots_on_body: false,
+            last_side: None,
+            findings: vec![],
+            sentence: String::new(),
+            mark: None,
+            scopes: vec![],
+            level: 0,
+            axes_before: axes,
+            convention,
+            from_prose: vec![],
+            passed: vec![],
+            reading,
+        };
+        checker.single_moments();
+        checker
+    }
+
+    fn report(self) -> Report {
+        Report {
+            path: self.document.source.name.clone(),
+            products: self.convention,
+            findings: self.findings,
+            from_prose: self.from_prose,
+            readings: self.reading.describe(),
+            passed: self.passed,
+        }
+    }
+
+    fn item(&mut self, item: &Item) {
+        match item {
+            Item::Heading { level, text, span } => self.heading(*level, text, *span),
+            Item::Prose { text, span } => self.prose(text, *span),
+            Item::Break => {
+                self.sentence.push(' ');
+                if !self.sentence.trim_end().ends_with([':', ',', '⟩']) {
+                    self.sentence.push_str(". ");
+                }
+            }
+            Item::Comment { text, .. } => self.comment(text),
+            Item::Formula(formula) => self.formula(formula),
+        }
+    }
+
+    /// A heading ends the assumptions made under headings of its level and below.
+    fn heading(&mut self, level: u8, text: &str, span: Span) {
+        let ended: BTreeSet<String> = self
+            .scopes
+            .iter()
+            .filter(|(_, l)| *l >= level)
+            .map(|(name, _)| name.clone())
+            .collect();
+        self.scopes.retain(|(_, l)| *l < level);
+        if !ended.is_empty() {
+            self.theory.retain(|premise| !ended.contains(&premise.name));
+        }
+        self.level = level;
+        self.sentence.clear();
+        self.last_side = None;
+        for said in said(text)
+            .into_iter()
+            .filter(|s| matches!(s, Said::BodyAxes))
+        {
+            self.take(said, span);
+        }
+    }
+
+    fn comment(&mut self, text: &str) {
+        self.mark = match text.trim() {
+            "assume" => Some(Role::Assume),
+            "claim" => Some(Role::Claim),
+            "define" => Some(Role::Define),
+            "given" => Some(Role::Given),
+            _ => self.mark,
+        };
+    }
+
+    fn prose(&mut self, text: &str, span: Span) {
+        self.sentence.push_str(text);
+        let whole = self.sentence.clone();
+        for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
+            self.take(said, span);
+        }
+        let ends = |text: &str| {
+            text.rfind([". ", "? ", "! ", ".\n"].map(|s| s.chars().next().unwrap_or('.')))
+        };
+        if let Some(end) = ends(&self.sentence)
+            && self.sentence[end..]
+                .chars()
+                .nth(1)
+                .is_none_or(char::is_whitespace)
+        {
+            self.sentence.drain(..=end);
+        }
+    }
+
+    /// Takes in a premise that words set.
+    fn take(&mut self, said: Said, span: Span) {
+        let name = said.words();
+        let new = match said {
+            Said::BodyAxes => {
+                let new = self.theory.setting.axes != Axes::Body;
+                self.theory.set(|setting| setting.axes = Axes::Body);
+                new
+            }
+            Said::DotsOnBody => !std::mem::replace(&mut self.dots_on_body, true),
+            Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
+            Said::SymmetryPlane(a, b) => {
+                let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
+                self.vanish(&name, Quantity::Inertia, &across)
+            }
+            Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
+        };
+        if new {
+            let (source_line, _, _) = self.place(span.start);
+            self.from_prose.push(FromProse {
+                span,
+                source_line,
+                premise: name,
+            });
+        }
+    }
+
+    /// Assumes that components of a quantity are zero.
+    fn vanish(&mut self, name: &str, quantity: Quantity, components: &[u8]) -> bool {
+        let entity = self.theory.atoms.quantity(quantity);
+        let residuals: Vec<Fraction> = components
+            .iter()
+            .map(|&c| self.theory.atoms.value(entity, c, 0))
+            .collect();
+        let preferred = components
+            .iter()
+            .map(|&c| self.theory.atoms.part(entity, c, 0))
+            .collect();
+        let premise = Premise {
+            name: name.to_owned(),
+            residuals,
+            preferred,
+            definition: false,
+        };
+        let taken = self.theory.assume(premise);
+        if matches!(taken, Taken::Solved | Taken::Kept) {
+            self.scopes.push((name.to_owned(), self.level));
+            return true;
+        }
+        false
+    }
+
+    /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
+    fn single_moments(&mut self) {
+        let inertia: Vec<&Letter> = self
+            .reading
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q == Quantity::Inertia)
+            .map(|(l, _)| l)
+            .collect();
+        let by_component = self
+            .reading
+            .components
+            .values()
+            .any(|(q, _)| *q == Quantity::Inertia);
+        let single = inertia
+            .iter()
+            .any(|l| self.reading.usage.get(l).component > 0);
+        let double = inertia.iter().any(|l| self.reading.usage.get(l).double > 0);
+        let whole = inertia.iter().any(|l| {
+            let used = self.reading.usage.get(l);
+            used.bare + used.tensor + used.vector > 0
+        });
+        if !double && (single || (by_component && !whole)) {
+            self.take(Said::Principal, Span::default());
+        }
+    }
+
+    fn formula(&mut self, formula: &Formula) {
+        for row in &formula.rows {
+            match row {
+                Row::Line(line) => {
+                    let role = self.mark.unwrap_or_else(|| role(&self.sentence));
+                    self.line(line, role);
+                }
+                Row::Expression(node) => self.expression(node),
+                Row::Unreadable {
+                    message,
+                    help,
+                    span,
+                } => self.unreadable(message, help.as_deref(), *span),
+            }
+        }
+        self.mark = None;
+        let text = self.document.source.slice(formula.span);
+        let plain: String = text
+            .chars()
+            .filter(|c| c.is_alphanumeric() || *c == ' ')
+            .collect();
+        self.sentence.push_str(&format!(" {plain} ⟨⟩"));
+    }
+
+    /// An expression that stands alone names its symbols.
+    fn expression(&mut self, node: &Node) {
+        for symbol in symbols(node) {
+            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
+                meaning(symbol, &self.reading, &mut self.theory.atoms)
+            {
+                self.known.insert(entity.0);
+            }
+        }
+        let (source_line, _, cell) = self.place(node.span.start);
+        self.passed.push(Passed {
+            span: node.span,
+            source_line,
+            cell,
+            what: "expression",
+        });
+    }
+
+    /// Keeps a premise of the document to the end of its section; definitions stay.
+    pub(super) fn keep(&mut self, name: &str, definition: bool) {
+        let level = if definition { 0 } else { self.level };
+        self.scopes.push((name.to_owned(), level));
+        self.axes_before = self.theory.setting.axes;
+    }
+
+    /// Line, column and cell of an offset.
+    pub(super) fn place(&self, offset: u32) -> (usize, usize, Option<usize>) {
+        let source = &self.document.source;
+        let (line, column) = source.line_column(offset);
+        let cell = self
+            .document
+            .cells
+            .iter()
+            .find(|c| c.span.range().contains(&(offset as usize)));
+        match cell {
+            Some(cell) => (
+                line + 1 - source.line_column(cell.span.start).0,
+                column,
+                Some(cell.index),
+            ),
+            None => (line, column, None),
+        }
+    }
+}
+
+/// The component of the product of inertia of two axes.
+fn product(a: u8, b: u8) -> u8 {
+    match (a.min(b), a.max(b)) {
+        (0, 1) => 3,
+        (0, 2) => 4,
+        _ => 5,
+    }
+}

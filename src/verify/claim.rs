@@ -1,0 +1,165 @@
+//! Claims: proved, refuted or open.
+
+use crate::notation::ast::Node;
+use crate::verify::atoms::{Entity, Owner};
+use crate::verify::check::Checker;
+use crate::verify::decide::{Decision, Equation, decide, needed};
+use crate::verify::frame::Frame;
+use crate::verify::line::Read;
+use crate::verify::lower::{Trouble, TroubleKind};
+use crate::verify::names;
+use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::usage::symbols;
+use crate::verify::verdict::{Finding, Verdict};
+
+impl Checker<'_> {
+    pub(super) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
+        let readings = match self.readings(sides) {
+            Ok(readings) => readings,
+            Err(trouble) => return self.troubled(sides, trouble, finding),
+        };
+        let mut failed = None;
+        for read in readings {
+            match decide(&mut self.theory, &read.equations) {
+                Decision::True => return self.proved(&read, finding),
+                other => failed = failed.or(Some((read, other))),
+            }
+        }
+        if let Some((read, decision)) = failed {
+            self.failed(sides, &read, decision, finding);
+        }
+    }
+
+    pub(super) fn proved(&mut self, read: &Read, finding: &mut Finding) {
+        finding.verdict = Verdict::Proved;
+        finding.uses = needed(&mut self.theory, &read.equations);
+        finding.conditions = self.conditions(&read.equations);
+        if read.ambiguous && !self.dots_on_body {
+            let seen = match read.unlabelled {
+                Frame::Space => "a dot without a frame is read as the rate seen from space",
+                Frame::Moving => "a dot without a frame is read as the rate on the axes used",
+            };
+            finding.remarks.push(seen.to_owned());
+        }
+    }
+
+    /// Denominators that must not vanish.
+    pub(super) fn conditions(&mut self, equations: &[Equation]) -> Vec<String> {
+        let mut conditions = vec![];
+        for entry in equations
+            .iter()
+            .flat_map(|e| e.left.entries.iter().chain(&e.right.entries))
+        {
+            let below = entry.denominator();
+            if below.is_constant().is_none() {
+                let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
+                if !conditions.contains(&text) {
+                    conditions.push(text);
+                }
+            }
+        }
+        conditions
+    }
+
+    pub(super) fn failed(
+        &mut self,
+        sides: &[Node],
+        read: &Read,
+        decision: Decision,
+        finding: &mut Finding,
+    ) {
+        let unknown = self.unknown(sides);
+        match decision {
+            Decision::Open(reason) => finding.reason = Some(reason),
+            _ if unknown.is_some() => {
+                finding.reason = unknown.map(|name| format!("nothing before says what {name} is"));
+            }
+            Decision::FalseWithoutWitness => {
+                finding.reason = Some(
+                    "it differs in the prime field, and no small counterexample was found"
+                        .to_owned(),
+                );
+            }
+            Decision::False(witness) => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason = Some("the sides differ".to_owned());
+                finding.counterexample = Some(*witness);
+                finding.residual = self.residual(read);
+            }
+            Decision::True => {}
+        }
+    }
+
+    /// The first component that is not zero, in the author's symbols.
+    pub(super) fn residual(&mut self, read: &Read) -> Option<String> {
+        let entries = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone())
+            .collect::<Vec<_>>();
+        entries.iter().find_map(|entry| {
+            let reduced = self.theory.normal(entry);
+            let shown = if entry.numerator().len() <= reduced.numerator().len() {
+                entry
+            } else {
+                &reduced
+            };
+            (!num_traits::Zero::is_zero(&reduced))
+                .then(|| names::fraction(&self.theory.atoms, shown))
+        })
+    }
+
+    pub(super) fn troubled(&mut self, sides: &[Node], trouble: Trouble, finding: &mut Finding) {
+        finding.place = trouble.span;
+        let sure = trouble.kind == TroubleKind::IllTyped
+            && self.unknown(sides).is_none()
+            && self.all_marked(sides);
+        finding.verdict = match trouble.kind {
+            TroubleKind::Unreadable => Verdict::Unreadable,
+            TroubleKind::IllTyped if sure => Verdict::Refuted,
+            _ => Verdict::Undecided,
+        };
+        finding.reason = Some(trouble.message);
+    }
+
+    /// Whether every symbol shows its kind by a mark or an index, or is a quantity of the theory.
+    pub(super) fn all_marked(&mut self, sides: &[Node]) -> bool {
+        sides.iter().flat_map(symbols).all(|symbol| {
+            let marked = symbol.style.vector || symbol.style.hat || !symbol.subscripts.is_empty();
+            marked || !matches!(
+                meaning(symbol, &self.reading, &mut self.theory.atoms),
+                Meaning::Whole(entity) if !matches!(self.theory.atoms.info(entity).shape, Shape::Scalar)
+            )
+        })
+    }
+
+    /// A symbol of the line that neither the document nor the theory has given a meaning, or a quantity that nothing
+    /// determines.
+    pub(super) fn unknown(&mut self, sides: &[Node]) -> Option<String> {
+        for symbol in sides.iter().flat_map(symbols) {
+            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) =
+                meaning(symbol, &self.reading, &mut self.theory.atoms)
+            else {
+                continue;
+            };
+            let info = self.theory.atoms.info(entity).clone();
+            let strange = match &info.owner {
+                Owner::Symbol(_) => true,
+                Owner::Quantity(quantity, variant) => {
+                    !variant.is_empty()
+                        && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
+                }
+            };
+            if strange && !self.known.contains(&entity.0) && self.is_free(entity) {
+                return Some(format!("`{}`", symbol.name));
+            }
+        }
+        None
+    }
+
+    pub(super) fn is_free(&mut self, entity: Entity) -> bool {
+        let variable = self.theory.atoms.part(entity, 0, 0);
+        self.theory.rule(variable).is_none()
+    }
+}

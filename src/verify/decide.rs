@@ -1,0 +1,242 @@
+//! Decides an equation: filter, proof, counterexample, in that order.
+
+use crate::algebra::{Fraction, Rational};
+use crate::mechanics::possible_body;
+use crate::scalar::Prime;
+use crate::verify::atoms::Atom;
+use crate::verify::law::inertia;
+use crate::verify::names::latex;
+use crate::verify::theory::{Name, Theory};
+use crate::verify::value::Value;
+use crate::verify::verdict::Counterexample;
+use crate::verify::world::World;
+use num_traits::{ToPrimitive, Zero};
+use std::collections::BTreeSet;
+
+/// Worlds in which the filter looks before a proof is tried.
+const FILTER_WORLDS: u64 = 2;
+/// Worlds that are tried for one in which everything has a value.
+const TRIES: u64 = 24;
+
+/// An equation between two values of one shape.
+#[derive(Clone, Debug)]
+pub(super) struct Equation {
+    /// The left side.
+    pub left: Value,
+    /// The right side.
+    pub right: Value,
+    /// Left less right.
+    pub residual: Value,
+}
+
+/// What came out.
+#[derive(Clone, Debug)]
+pub(super) enum Decision {
+    /// The normal form of every component is zero.
+    True,
+    /// It fails in a world of small integers.
+    False(Box<Counterexample>),
+    /// It fails in the prime field, and no small world was found to show it in.
+    FalseWithoutWitness,
+    /// Neither could be shown, for this reason.
+    Open(String),
+}
+
+/// Whether an equation holds in random worlds of the prime field; `None` where no world gives it a value.
+pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<bool> {
+    let mut seen = 0;
+    for seed in 1..=TRIES {
+        let mut world: World<Prime> = World::new(theory, seed);
+        let values: Option<Vec<Prime>> =
+            residual.entries.iter().map(|e| world.fraction(e)).collect();
+        let Some(values) = values else { continue };
+        if values.iter().any(|v| !v.is_zero()) {
+            return Some(false);
+        }
+        seen += 1;
+        if seen == FILTER_WORLDS {
+            return Some(true);
+        }
+    }
+    (seen > 0).then_some(true)
+}
+
+/// Decides equations that must hold together.
+pub(super) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
+    for equation in equations {
+        if equation.residual.entries.iter().any(|e| !e.is_valid()) {
+            return Decision::Open("something is divided by zero".to_owned());
+        }
+        match passes_filter(theory, &equation.residual) {
+            Some(false) => return refuted(theory, equation),
+            None => return Decision::Open("no values could be put in".to_owned()),
+            Some(true) => {}
+        }
+    }
+    for equation in equations {
+        if !equation
+            .residual
+            .entries
+            .iter()
+            .all(|entry| theory.normal(entry).is_zero())
+        {
+            return Decision::Open("equal in every trial, and no proof was found".to_owned());
+        }
+    }
+    Decision::True
+}
+
+fn refuted(theory: &mut Theory, equation: &Equation) -> Decision {
+    if let Some(reason) = unfinished(theory, equation) {
+        return Decision::Open(reason);
+    }
+    match counterexample(theory, equation) {
+        Some(found) => Decision::False(Box::new(found)),
+        None => Decision::FalseWithoutWitness,
+    }
+}
+
+/// Why a difference that is not zero in the prime field may still be zero for the document: something in it has
+/// relations that are not used.
+fn unfinished(theory: &mut Theory, equation: &Equation) -> Option<String> {
+    let mut related: BTreeSet<u32> = BTreeSet::new();
+    let mut opaque = 0;
+    for entry in &equation.residual.entries {
+        for variable in theory.normal(entry).variables() {
+            if matches!(theory.atoms.atom(variable), Atom::Opaque { .. }) {
+                opaque += 1;
+            }
+            related.insert(variable);
+        }
+    }
+    if opaque > 0 {
+        return Some("it rests on a value that is only named here".to_owned());
+    }
+    let kept = theory
+        .relations
+        .iter()
+        .find(|(_, p)| p.variables().iter().any(|v| related.contains(v)));
+    kept.map(|(name, _)| format!("{name} could not be solved for a symbol"))
+}
+
+/// A small world, with a body that can exist, in which the sides differ.
+fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexample> {
+    for seed in 1..=TRIES * 8 {
+        let tensor = inertia(&mut theory.atoms, theory.setting.products);
+        let mut world: World<Rational> = World::new(theory, seed);
+        let entries: Option<Vec<Rational>> = tensor.iter().map(|e| world.fraction(e)).collect();
+        let Some(entries) = entries else { continue };
+        let number = |r: &Rational| r.to_big().to_f64().unwrap_or(f64::NAN);
+        let body = nalgebra::Matrix3::from_iterator(entries.iter().map(number));
+        if possible_body(&body).is_err() {
+            continue;
+        }
+        let sides = |world: &mut World<Rational>, value: &Value| -> Option<Vec<Rational>> {
+            value.entries.iter().map(|e| world.fraction(e)).collect()
+        };
+        let (Some(left), Some(right), Some(gap)) = (
+            sides(&mut world, &equation.left),
+            sides(&mut world, &equation.right),
+            sides(&mut world, &equation.residual),
+        ) else {
+            continue;
+        };
+        let Some(place) = gap.iter().position(|g| !g.is_zero()) else {
+            continue;
+        };
+        let side = |values: &[Rational]| {
+            values
+                .get(place)
+                .or(values.first())
+                .map_or("0".to_owned(), Rational::to_string)
+        };
+        let mut variables: Vec<u32> = vec![];
+        for value in [&equation.left, &equation.right] {
+            let entry = value.entries.get(place).or(value.entries.first())?;
+            variables.extend(
+                entry
+                    .variables()
+                    .into_iter()
+                    .filter(|v| !variables.contains(v))
+                    .collect::<Vec<_>>(),
+            );
+        }
+        let mut symbols = vec![];
+        for variable in variables {
+            let value = world.variable(variable)?;
+            symbols.push((variable, value.to_string()));
+        }
+        let symbols = symbols
+            .into_iter()
+            .map(|(v, value)| (latex(&theory.atoms, v), value))
+            .collect();
+        let component = component(&equation.residual, place);
+        return Some(Counterexample {
+            symbols,
+            component,
+            left: side(&left),
+            right: side(&right),
+        });
+    }
+    None
+}
+
+/// The name of an entry of a grid.
+pub(super) fn component(value: &Value, place: usize) -> Option<String> {
+    match (value.rows, value.columns) {
+        (1, 1) => None,
+        (3, 1) | (1, 3) => Some(["x", "y", "z"][place % 3].to_owned()),
+        (_, columns) => Some(format!(
+            "row {}, column {}",
+            place / columns + 1,
+            place % columns + 1
+        )),
+    }
+}
+
+/// The smallest set of named laws and premises that the equations need, found by leaving each out in turn.
+pub(super) fn needed(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
+    let names = reached(theory, equations);
+    let mut dropped: BTreeSet<Name> = theory.left_out.clone();
+    let mut kept = vec![];
+    for name in names {
+        let mut without = dropped.clone();
+        without.insert(name.clone());
+        let holds = theory.without(without.clone(), |theory| {
+            equations
+                .iter()
+                .all(|e| passes_filter(theory, &e.residual) == Some(true))
+        });
+        if holds {
+            dropped = without;
+        } else {
+            kept.push(name);
+        }
+    }
+    kept
+}
+
+/// The names of all laws and premises that the variables of the equations lead to; document premises first, so that
+/// they are the first that are tried to be left out.
+fn reached(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
+    let mut open: Vec<u32> = equations
+        .iter()
+        .flat_map(|e| &e.residual.entries)
+        .flat_map(Fraction::variables)
+        .collect();
+    let (mut seen, mut names) = (BTreeSet::new(), BTreeSet::new());
+    while let Some(variable) = open.pop() {
+        if !seen.insert(variable) {
+            continue;
+        }
+        if let Some(rule) = theory.rule(variable) {
+            open.extend(rule.value.variables());
+            if !rule.name.is_empty() {
+                names.insert(rule.name);
+            }
+        }
+    }
+    let document: BTreeSet<Name> = theory.premises().iter().map(|p| p.name.clone()).collect();
+    let (first, second): (Vec<_>, Vec<_>) = names.into_iter().partition(|n| document.contains(n));
+    first.into_iter().chain(second).collect()
+}

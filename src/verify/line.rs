@@ -1,0 +1,195 @@
+//! One line: its equations, and its verdict by its role.
+
+use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::source::Span;
+use crate::verify::atoms::Owner;
+use crate::verify::check::Checker;
+use crate::verify::decide::Equation;
+use crate::verify::frame::Frame;
+use crate::verify::lower::{Lowering, Trouble, TroubleKind};
+use crate::verify::quantity::Quantity;
+use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::usage::symbols;
+use crate::verify::value::Value;
+use crate::verify::verdict::{Finding, Role, Verdict};
+
+/// The equations of a line, read with one meaning of the dots that carry no frame.
+pub(super) struct Read {
+    pub(super) equations: Vec<Equation>,
+    pub(super) unlabelled: Frame,
+    pub(super) ambiguous: bool,
+}
+
+impl Checker<'_> {
+    /// Decides a line and keeps what it says.
+    pub(super) fn line(&mut self, line: &Line, role: Role) {
+        let mut finding = self.blank(line, role);
+        self.settle(line, role, &mut finding);
+        self.last_side = line.sides.last().cloned();
+        self.findings.push(finding);
+    }
+
+    pub(super) fn blank(&self, line: &Line, role: Role) -> Finding {
+        let (source_line, source_column, cell) = self.place(line.span.start);
+        Finding {
+            span: line.span,
+            source_line,
+            source_column,
+            cell,
+            source: self.document.source.slice(line.span).trim().to_owned(),
+            label: line.labels.first().cloned(),
+            role,
+            verdict: Verdict::Undecided,
+            reason: None,
+            place: line.span,
+            uses: vec![],
+            conditions: vec![],
+            remarks: vec![],
+            residual: None,
+            counterexample: None,
+            diagnosis: None,
+            follows_from: None,
+        }
+    }
+
+    /// Says that a row could not be read.
+    pub(super) fn unreadable(&mut self, message: &str, help: Option<&str>, span: Span) {
+        let line = Line {
+            sides: vec![],
+            relations: vec![],
+            continues: false,
+            labels: vec![],
+            ranges: vec![],
+            remarks: vec![],
+            span,
+        };
+        let mut finding = self.blank(&line, Role::Claim);
+        finding.verdict = Verdict::Unreadable;
+        finding.reason = Some(message.to_owned());
+        finding.remarks.extend(help.map(str::to_owned));
+        self.findings.push(finding);
+    }
+
+    pub(super) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
+        if let Some((_, place)) = line
+            .relations
+            .iter()
+            .find(|(r, _)| !matches!(r, Relation::Equal | Relation::Defined))
+        {
+            finding.reason = Some("this relation is not decided".to_owned());
+            finding.place = *place;
+            return;
+        }
+        let mut sides: Vec<Node> = line.sides.clone();
+        if line.continues {
+            match self.last_side.clone() {
+                Some(side) => sides.insert(0, side),
+                None => {
+                    finding.reason = Some("the line goes on from no other".to_owned());
+                    return;
+                }
+            }
+        }
+        if let Some(span) = sides.iter().find_map(error_in) {
+            finding.verdict = Verdict::Unreadable;
+            finding.reason = Some(span.0);
+            finding.place = span.1;
+            return;
+        }
+        self.note_origin(&sides);
+        if self.defines(&sides, line, role, finding) {
+            return;
+        }
+        match role {
+            Role::Claim => self.claim(&sides, finding),
+            _ => self.accept(&sides, role, finding),
+        }
+    }
+
+    /// A velocity of the origin that the document speaks of is not zero.
+    fn note_origin(&mut self, sides: &[Node]) {
+        for symbol in sides.iter().flat_map(symbols) {
+            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
+                meaning(symbol, &self.reading, &mut self.theory.atoms)
+                && matches!(
+                    self.theory.atoms.info(entity).owner,
+                    Owner::Quantity(Quantity::OriginVelocity, _)
+                )
+                && !self.theory.setting.origin_moves
+            {
+                self.theory.set(|setting| setting.origin_moves = true);
+            }
+        }
+    }
+
+    pub(super) fn lowering(&mut self, unlabelled: Frame) -> Lowering<'_> {
+        Lowering {
+            theory: &mut self.theory,
+            reading: &self.reading,
+            unlabelled,
+            met_unlabelled: false,
+            functions: &self.functions,
+        }
+    }
+
+    pub(super) fn read(&mut self, sides: &[Node], unlabelled: Frame) -> Result<Read, Trouble> {
+        let mut lowering = self.lowering(unlabelled);
+        let values: Vec<Value> = sides
+            .iter()
+            .map(|side| lowering.value(side))
+            .collect::<Result<_, _>>()?;
+        let ambiguous = lowering.met_unlabelled;
+        let mut equations = vec![];
+        for (i, pair) in values.windows(2).enumerate() {
+            let residual = pair[0].plus(&pair[1], true).map_err(|mismatch| Trouble {
+                kind: TroubleKind::IllTyped,
+                message: format!("the sides differ in kind: {}", mismatch.0),
+                span: sides[i].span.to(sides[i + 1].span),
+            })?;
+            equations.push(Equation {
+                left: pair[0].clone(),
+                right: pair[1].clone(),
+                residual,
+            });
+        }
+        Ok(Read {
+            equations,
+            unlabelled,
+            ambiguous,
+        })
+    }
+
+    /// The readings of a line, the likelier first.
+    pub(super) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
+        let first = self.read(sides, Frame::Moving)?;
+        if !first.ambiguous || self.dots_on_body {
+            return Ok(vec![first]);
+        }
+        let second = self.read(sides, Frame::Space)?;
+        Ok(vec![first, second])
+    }
+
+    pub(super) fn line_name(&self, finding: &Finding) -> String {
+        let again = self
+            .findings
+            .iter()
+            .filter(|f| f.source_line == finding.source_line && f.cell == finding.cell)
+            .count();
+        match (finding.cell, again) {
+            (Some(cell), 0) => format!("cell {cell}, line {}", finding.source_line),
+            (Some(cell), n) => format!("cell {cell}, line {} ({})", finding.source_line, n + 1),
+            (None, 0) => format!("line {}", finding.source_line),
+            (None, n) => format!("line {} ({})", finding.source_line, n + 1),
+        }
+    }
+}
+
+/// The first error of a tree.
+fn error_in(node: &Node) -> Option<(String, Span)> {
+    match &node.kind {
+        Kind::Error(message) => Some((message.clone(), node.span)),
+        _ => crate::verify::usage::children(node)
+            .into_iter()
+            .find_map(error_in),
+    }
+}

@@ -1,0 +1,141 @@
+//! Variables in LaTeX, as the document writes them.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::notation::ast::Function;
+use crate::verify::atoms::{Atom, Atoms, Owner};
+use crate::verify::quantity::{Quantity, Shape};
+use num_traits::One;
+
+/// A variable in LaTeX.
+pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
+    match atoms.atom(variable) {
+        Atom::Part {
+            entity,
+            component,
+            order,
+        } => {
+            let info = atoms.info(*entity);
+            let index = index(info.shape, &info.owner, *component);
+            let letter = dotted(&info.latex, *order);
+            if index.is_empty() {
+                letter
+            } else {
+                subscripted(&letter, &index)
+            }
+        }
+        Atom::Kernel { function, argument } => {
+            let inner = fraction(atoms, argument);
+            match function {
+                Function::Sin => format!("\\sin({inner})"),
+                Function::Cos => format!("\\cos({inner})"),
+                Function::Exp => format!("e^{{{inner}}}"),
+                Function::Ln => format!("\\ln({inner})"),
+                _ => format!("\\sqrt{{{inner}}}"),
+            }
+        }
+        Atom::SpaceRate { of, component } => {
+            let index = ["x", "y", "z"][usize::from(*component) % 3];
+            let inner = fraction(atoms, &of[usize::from(*component) % 3]);
+            let letter = inner.split('_').next().unwrap_or(&inner);
+            format!("(\\dot{{{letter}}})_{{XYZ,{index}}}")
+        }
+        Atom::Opaque { latex } => latex.clone(),
+    }
+}
+
+fn dotted(letter: &str, order: u8) -> String {
+    match order {
+        0 => letter.to_owned(),
+        1 => format!("\\dot{{{letter}}}"),
+        2 => format!("\\ddot{{{letter}}}"),
+        n => format!("{letter}^{{({n})}}"),
+    }
+}
+
+/// A letter with one more index: `v_{O}` and `x` make `v_{O,x}`.
+fn subscripted(letter: &str, index: &str) -> String {
+    match letter.strip_suffix('}') {
+        Some(open) if open.contains("_{") => format!("{open},{index}}}"),
+        _ => format!("{letter}_{{{index}}}"),
+    }
+}
+
+fn index(shape: Shape, owner: &Owner, component: u8) -> String {
+    let axis = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
+    let of = |text: String| match owner {
+        Owner::Quantity(_, variant) if !variant.is_empty() => format!("{variant},{text}"),
+        _ => text,
+    };
+    match shape {
+        Shape::Scalar => match owner {
+            Owner::Quantity(_, variant) => variant.clone(),
+            Owner::Symbol(_) => String::new(),
+        },
+        Shape::Vector => of(axis(component).to_owned()),
+        Shape::Symmetric => {
+            ["xx", "yy", "zz", "xy", "xz", "yz"][usize::from(component) % 6].to_owned()
+        }
+        Shape::Matrix => format!("{}{}", axis(component / 3), axis(component)),
+    }
+}
+
+/// A polynomial in LaTeX: moments and their like first in each term.
+pub(super) fn polynomial(atoms: &Atoms, polynomial: &Polynomial) -> String {
+    if polynomial.is_empty() {
+        return "0".to_owned();
+    }
+    let mut text = String::new();
+    for (monomial, coefficient) in polynomial.terms() {
+        let (negative, size) = (coefficient.is_negative(), coefficient.abs());
+        match (text.is_empty(), negative) {
+            (true, true) => text.push('-'),
+            (true, false) => {}
+            (false, true) => text.push_str(" - "),
+            (false, false) => text.push_str(" + "),
+        }
+        let mut powers = monomial.powers();
+        powers.sort_by_key(|&(v, _)| (rank(atoms, v), v));
+        if !size.is_one() || powers.is_empty() {
+            match size.to_string().split_once('/') {
+                Some((n, d)) => text.push_str(&format!("\\tfrac{{{n}}}{{{d}}} ")),
+                None => text.push_str(&format!("{size} ")),
+            }
+        }
+        let factors: Vec<String> = powers
+            .iter()
+            .map(|&(v, e)| match (latex(atoms, v), e) {
+                (name, 1) => name,
+                (name, e) => format!("{name}^{{{e}}}"),
+            })
+            .collect();
+        text.push_str(&factors.join(" "));
+    }
+    text.trim_end().to_owned()
+}
+
+/// A fraction in LaTeX.
+pub(super) fn fraction(atoms: &Atoms, fraction: &Fraction) -> String {
+    let top = polynomial(atoms, fraction.numerator());
+    if fraction.is_polynomial() {
+        top
+    } else {
+        format!(
+            "\\frac{{{top}}}{{{}}}",
+            polynomial(atoms, fraction.denominator())
+        )
+    }
+}
+
+/// Where a factor stands in a term: masses and moments, then symbols, then motions.
+fn rank(atoms: &Atoms, variable: Variable) -> u8 {
+    match atoms.atom(variable) {
+        Atom::Part { entity, order, .. } => match atoms.info(*entity).owner {
+            Owner::Quantity(Quantity::Mass, _) => 0,
+            Owner::Quantity(Quantity::Inertia, _) => 1,
+            Owner::Symbol(_) => 2,
+            Owner::Quantity(..) if *order > 0 => 3,
+            Owner::Quantity(..) => 4,
+        },
+        _ => 5,
+    }
+}

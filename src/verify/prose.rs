@@ -1,0 +1,155 @@
+//! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
+
+/// What words can set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Said {
+    /// The axes turn with the body: Ω = ω.
+    BodyAxes,
+    /// The products of inertia vanish.
+    Principal,
+    /// The plane with these two axes is a plane of symmetry: the products across it vanish.
+    SymmetryPlane(u8, u8),
+    /// No moment acts.
+    TorqueFree,
+    /// Dots are rates on the body axes.
+    DotsOnBody,
+}
+
+impl Said {
+    /// The premise in words, as a report shows it.
+    pub(super) fn words(self) -> String {
+        match self {
+            Self::BodyAxes => "axes attached to the body: Ω = ω".to_owned(),
+            Self::Principal => "principal axes: the products of inertia vanish".to_owned(),
+            Self::SymmetryPlane(a, b) => {
+                let name = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
+                format!(
+                    "{}{} is a plane of symmetry: the products across it vanish",
+                    name(a),
+                    name(b)
+                )
+            }
+            Self::TorqueFree => "no torque: ΣM = 0".to_owned(),
+            Self::DotsOnBody => "a dot is a rate on the body axes".to_owned(),
+        }
+    }
+}
+
+const ATTACHED: &[&str] = &[
+    "attached to the body",
+    "attached to the rigid body",
+    "fixed in the body",
+    "fixed to the body",
+    "fixed with the body",
+    "body axes",
+    "body-fixed",
+    "body fixed",
+    "carried by the body",
+    "fixed in the airframe",
+    "body frame",
+    "axes fixed in the",
+    "axes in the body",
+    "rotate with the body",
+    "turn with the body",
+    "attached to the rotor",
+    "embedded in the body",
+];
+const FREE: &[&str] = &[
+    "no torque",
+    "torque-free",
+    "torque free",
+    "zero torque",
+    "no external torque",
+    "no moment acts",
+    "no external moment",
+    "free of torque",
+    "no moments act",
+    "moment-free",
+    "absence of torque",
+    "without torque",
+    "force-free",
+    "free motion",
+    "no applied torque",
+    "no net torque",
+    "no resultant torque",
+    "free rigid body",
+    "no external torques",
+];
+const PRINCIPAL: &[&str] = &[
+    "principal axes",
+    "principal axis",
+    "principal-axis",
+    "principal moments",
+    "principal body axes",
+    "principal coordinates",
+    "principal frame",
+    "axes are principal",
+];
+const NOT_SO: &[&str] = &["not ", "need not", "n't ", "general axes", "arbitrary"];
+
+/// What a piece of prose sets.
+pub(super) fn said(text: &str) -> Vec<Said> {
+    let text = text.to_lowercase();
+    let mut found = vec![];
+    if (text.contains("dot is taken")
+        || text.contains("dots are taken")
+        || text.contains("dot denotes"))
+        && (text.contains("body") || text.contains("moving") || text.contains("rotating"))
+    {
+        found.push(Said::DotsOnBody);
+    }
+    if positive(&text, ATTACHED) {
+        found.push(Said::BodyAxes);
+    }
+    if positive(&text, PRINCIPAL) {
+        found.push(Said::Principal);
+    }
+    if positive(&text, FREE) {
+        found.push(Said::TorqueFree);
+    }
+    found
+}
+
+/// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
+pub(super) fn symmetry_plane(sentence: &str) -> Option<Said> {
+    let text = sentence.to_lowercase();
+    let symmetric = [
+        "plane of symmetry",
+        "symmetry plane",
+        "symmetric with respect to",
+        "symmetrical about",
+        "symmetric about",
+    ];
+    if !symmetric.iter().any(|words| text.contains(words)) || !text.contains("plane") {
+        return None;
+    }
+    let planes = [
+        ("xz", (0, 2)),
+        ("xy", (0, 1)),
+        ("yz", (1, 2)),
+        ("zx", (0, 2)),
+        ("yx", (0, 1)),
+        ("zy", (1, 2)),
+    ];
+    let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
+    planes
+        .iter()
+        .find(|(name, _)| words.contains(name))
+        .map(|&(_, (a, b))| Said::SymmetryPlane(a, b))
+}
+
+/// Whether one of the phrases stands there and is not denied right before or after it.
+fn positive(text: &str, phrases: &[&str]) -> bool {
+    phrases.iter().any(|phrase| {
+        text.match_indices(phrase).any(|(at, _)| {
+            let start = text[..at].rfind(['.', ';', '!', '?']).map_or(0, |i| i + 1);
+            let end = text[at..]
+                .find(['.', ';', '!', '?'])
+                .map_or(text.len(), |i| at + i);
+            let clause = &text[start..end];
+            !NOT_SO
+                .iter()
+                .any(|no| clause.replace(phrase, "").contains(no))
+        })
+    })
+}

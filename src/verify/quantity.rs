@@ -1,0 +1,101 @@
+//! The vocabulary of the theory: the quantities that the laws connect.
+
+/// A quantity of rigid-body mechanics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Quantity {
+    /// ω, of the body.
+    AngularVelocity,
+    /// Ω, of the axes used.
+    FrameRate,
+    /// α = ω̇.
+    AngularAcceleration,
+    /// L = I ω.
+    Momentum,
+    /// ΣM.
+    Moment,
+    /// The inertia tensor.
+    Inertia,
+    /// T = ½ ω·L.
+    Energy,
+    /// P = M·ω.
+    Power,
+    /// r, from the origin of the moving axes.
+    Position,
+    /// v, of a point.
+    Velocity,
+    /// v_O, of the origin of the moving axes.
+    OriginVelocity,
+    /// a, of a point.
+    Acceleration,
+    /// ΣF.
+    Force,
+    /// p = m v.
+    LinearMomentum,
+    /// m.
+    Mass,
+    /// t.
+    Time,
+}
+
+/// The shape of a quantity or a symbol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// Three components on the axes used.
+    Vector,
+    /// A symmetric tensor: xx, yy, zz, xy, xz, yz.
+    Symmetric,
+    /// Nine entries, row by row.
+    Matrix,
+}
+
+impl Shape {
+    /// The number of independent components.
+    pub fn components(self) -> u8 {
+        match self {
+            Self::Scalar => 1,
+            Self::Vector => 3,
+            Self::Symmetric => 6,
+            Self::Matrix => 9,
+        }
+    }
+}
+
+impl Quantity {
+    /// The shape of its value.
+    pub fn shape(self) -> Shape {
+        match self {
+            Self::Energy | Self::Power | Self::Mass | Self::Time => Shape::Scalar,
+            Self::Inertia => Shape::Symmetric,
+            _ => Shape::Vector,
+        }
+    }
+
+    /// Whether it has no rate in any axes.
+    pub fn constant(self) -> bool {
+        matches!(self, Self::Mass)
+    }
+
+    /// Its name in prose and in front matter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::AngularVelocity => "angular velocity",
+            Self::FrameRate => "angular velocity of the axes",
+            Self::AngularAcceleration => "angular acceleration",
+            Self::Momentum => "angular momentum",
+            Self::Moment => "moment",
+            Self::Inertia => "inertia",
+            Self::Energy => "kinetic energy",
+            Self::Power => "power",
+            Self::Position => "position",
+            Self::Velocity => "velocity",
+            Self::OriginVelocity => "velocity of the origin",
+            Self::Acceleration => "acceleration",
+            Self::Force => "force",
+            Self::LinearMomentum => "linear momentum",
+            Self::Mass => "mass",
+            Self::Time => "time",
+        }
+    }
+}

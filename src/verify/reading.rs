@@ -1,0 +1,321 @@
+//! Which letter stands for which quantity, decided for the document as a whole.
+//!
+//! The words beside a letter come first ("the angular momentum $\mathbf h$"), then what letters usually mean
+//! in this field, given how they are used.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::quantity::Quantity;
+use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
+use std::collections::BTreeMap;
+
+/// What letters stand for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Reading {
+    /// Letters that are whole quantities, with components by index.
+    pub quantities: BTreeMap<Letter, Quantity>,
+    /// Letters without index that are one component: p, q, r; A, B, C; L, M, N.
+    pub components: BTreeMap<Letter, (Quantity, u8)>,
+    /// How letters are used.
+    pub usage: Usage,
+    votes: BTreeMap<(Letter, Quantity), usize>,
+}
+
+/// Phrases and what they name; the longer stand before the shorter.
+const PHRASES: &[(&str, Option<Quantity>)] = &[
+    ("moment of momentum", Some(Quantity::Momentum)),
+    ("angular momentum", Some(Quantity::Momentum)),
+    ("linear momentum", Some(Quantity::LinearMomentum)),
+    ("kinetic energy", Some(Quantity::Energy)),
+    ("rotational energy", Some(Quantity::Energy)),
+    ("energy", Some(Quantity::Energy)),
+    ("products of inertia", Some(Quantity::Inertia)),
+    ("product of inertia", Some(Quantity::Inertia)),
+    ("moments of inertia", Some(Quantity::Inertia)),
+    ("moment of inertia", Some(Quantity::Inertia)),
+    ("principal moments", Some(Quantity::Inertia)),
+    ("inertia matrix", Some(Quantity::Inertia)),
+    ("inertia tensor", Some(Quantity::Inertia)),
+    ("angular acceleration", Some(Quantity::AngularAcceleration)),
+    ("precession rate", None),
+    ("body rates", Some(Quantity::AngularVelocity)),
+    ("turns with angular velocity", Some(Quantity::FrameRate)),
+    ("turn with angular velocity", Some(Quantity::FrameRate)),
+    ("rotates with angular velocity", Some(Quantity::FrameRate)),
+    ("rotating with angular velocity", Some(Quantity::FrameRate)),
+    ("angular velocity", Some(Quantity::AngularVelocity)),
+    ("torque", Some(Quantity::Moment)),
+    ("moment", Some(Quantity::Moment)),
+    ("couple", Some(Quantity::Moment)),
+    ("force", Some(Quantity::Force)),
+    ("mass centre", None),
+    ("mass center", None),
+    ("power", Some(Quantity::Power)),
+];
+
+impl Reading {
+    /// Reads the letters of a document.
+    pub(super) fn of(document: &Document) -> Self {
+        let mut reading = Self {
+            usage: Usage::of(document),
+            ..Self::default()
+        };
+        reading.listen(document);
+        reading.sequences();
+        reading.by_words();
+        reading.by_custom();
+        reading
+    }
+
+    /// The readings in words, for the report.
+    pub(super) fn describe(&self) -> Vec<String> {
+        let whole = self
+            .quantities
+            .iter()
+            .map(|(l, q)| format!("{}: {}", l.name, q.name()));
+        let parts = self.components.iter().map(|(l, (q, c))| {
+            format!(
+                "{}: {} of the {}",
+                l.name,
+                ["first", "second", "third"][usize::from(*c) % 3],
+                q.name()
+            )
+        });
+        whole.chain(parts).collect()
+    }
+
+    /// Votes of the words that stand before and after a letter.
+    fn listen(&mut self, document: &Document) {
+        let mut before = String::new();
+        let mut last: Vec<Letter> = vec![];
+        for item in &document.items {
+            match item {
+                Item::Prose { text, .. } => {
+                    let text = text.to_lowercase();
+                    if let Some(quantity) = said_after(&text) {
+                        last.drain(..)
+                            .for_each(|letter| self.vote(letter, quantity, 3));
+                    }
+                    before.push_str(&text);
+                    if let Some(end) = before.rfind(['.', '!', '?']) {
+                        before.drain(..=end);
+                    }
+                }
+                Item::Formula(formula) => {
+                    let named = formula
+                        .rows
+                        .iter()
+                        .flat_map(named_letters)
+                        .collect::<Vec<_>>();
+                    if let Some(quantity) = said_before(&before) {
+                        for letter in &named {
+                            self.vote(
+                                letter.clone(),
+                                quantity,
+                                if formula.display { 2 } else { 3 },
+                            );
+                        }
+                    }
+                    last = named;
+                    if formula.display {
+                        before.clear();
+                    }
+                }
+                Item::Heading { .. } => before.clear(),
+                Item::Break | Item::Comment { .. } => {}
+            }
+        }
+    }
+
+    fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
+        *self.votes.entry((letter, quantity)).or_default() += weight;
+    }
+
+    fn votes_for(&self, letter: &Letter, quantity: Quantity) -> usize {
+        self.votes
+            .get(&(letter.clone(), quantity))
+            .copied()
+            .unwrap_or(0)
+    }
+
+    /// Three letters in a row that are the components of one quantity.
+    fn sequences(&mut self) {
+        let rates = ["p", "q", "r"].map(Letter::plain);
+        let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
+        if rates.iter().filter(|l| moving(l)).count() >= 2 {
+            self.take_components(rates, Quantity::AngularVelocity);
+        }
+        for calligraphic in [true, false] {
+            let trio = ["L", "M", "N"].map(|name| Letter {
+                name: name.to_owned(),
+                calligraphic,
+            });
+            let bare = |l: &Letter| self.usage.get(l).bare > 0;
+            if trio.iter().all(bare) && self.usage.get(&trio[0]).component == 0 {
+                self.take_components(trio, Quantity::Moment);
+            }
+        }
+        let moments = ["A", "B", "C"].map(Letter::plain);
+        let voted = moments
+            .iter()
+            .any(|l| self.votes_for(l, Quantity::Inertia) > 0);
+        let bare = moments.iter().all(|l| self.usage.get(l).bare > 0);
+        if voted && bare {
+            self.take_components(moments, Quantity::Inertia);
+        }
+    }
+
+    fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
+        for (component, letter) in letters.into_iter().enumerate() {
+            self.components.insert(letter, (quantity, component as u8));
+        }
+    }
+
+    /// Letters that the words name.
+    fn by_words(&mut self) {
+        let mut best: BTreeMap<&Letter, (usize, Quantity)> = BTreeMap::new();
+        for ((letter, quantity), votes) in &self.votes {
+            if best.get(letter).is_none_or(|(most, _)| votes > most) && self.fits(letter, *quantity)
+            {
+                best.insert(letter, (*votes, *quantity));
+            }
+        }
+        let chosen: Vec<_> = best.into_iter().map(|(l, (_, q))| (l.clone(), q)).collect();
+        for (letter, quantity) in chosen {
+            self.quantities.entry(letter).or_insert(quantity);
+        }
+    }
+
+    /// Whether a letter is used as such a quantity is.
+    fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
+        let used = self.usage.get(letter);
+        match quantity {
+            Quantity::Energy | Quantity::Power => used.bare > 0 && used.vector == 0,
+            Quantity::Inertia => {
+                matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
+                    && !self.components.contains_key(letter)
+            }
+            Quantity::FrameRate | Quantity::AngularVelocity => {
+                used.vector + used.component > 0
+                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w")
+            }
+            _ => {
+                used.vector + used.component > 0
+                    && !matches!(letter.name.as_str(), "omega" | "Omega")
+            }
+        }
+    }
+
+    /// What is left, by the custom of the field.
+    fn by_custom(&mut self) {
+        let letters: Vec<Letter> = self.usage.letters().map(|(l, _)| l.clone()).collect();
+        for letter in letters {
+            if self.quantities.contains_key(&letter) {
+                continue;
+            }
+            if let Some(quantity) = self.custom(&letter) {
+                self.quantities.insert(letter, quantity);
+            }
+        }
+    }
+
+    fn custom(&self, letter: &Letter) -> Option<Quantity> {
+        let used = self.usage.get(letter);
+        let directed = used.vector + used.component > 0;
+        let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
+        match letter.name.as_str() {
+            "omega" => Some(Quantity::AngularVelocity),
+            "Omega" if directed => Some(Quantity::FrameRate),
+            "alpha" if directed => Some(Quantity::AngularAcceleration),
+            "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
+            "h" | "ell" if directed => Some(Quantity::Momentum),
+            "M" if directed || used.bare > 0 => Some(Quantity::Moment),
+            "tau" => Some(Quantity::Moment),
+            "N" | "Gamma" | "T" if directed => Some(Quantity::Moment),
+            "I" | "J" => Some(Quantity::Inertia),
+            "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
+            "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
+            "F" if !used.moving => Some(Quantity::Force),
+            "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
+            "r" if used.vector > 0 => Some(Quantity::Position),
+            "v" | "V" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
+            "m" => Some(Quantity::Mass),
+            "t" => Some(Quantity::Time),
+            _ => None,
+        }
+    }
+}
+
+/// The letters that a row names: of an expression, or of the left side of a line.
+fn named_letters(row: &Row) -> Vec<Letter> {
+    let node = match row {
+        Row::Expression(node) => node,
+        Row::Line(line) if !line.continues => match line.sides.first() {
+            Some(side) => side,
+            None => return vec![],
+        },
+        _ => return vec![],
+    };
+    lone_letters(node)
+}
+
+/// The letter of a lone symbol, or the letters of the entries of a column.
+fn lone_letters(node: &Node) -> Vec<Letter> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol)
+            if symbol
+                .subscripts
+                .iter()
+                .all(|s| axis(s).is_some() || s.len() <= 2) =>
+        {
+            vec![Letter::of(symbol)]
+        }
+        Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
+            rows.iter().flatten().flat_map(lone_letters).collect()
+        }
+        Kind::Tuple(entries) => entries.iter().flat_map(lone_letters).collect(),
+        Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
+        _ => vec![],
+    }
+}
+
+/// The quantity that the words before a formula name, where they come close to it.
+fn said_before(text: &str) -> Option<Quantity> {
+    let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
+        let at = text.rfind(phrase)?;
+        Some((at + phrase.len(), phrase.len(), *quantity))
+    };
+    let (end, _, quantity) = PHRASES
+        .iter()
+        .filter_map(near)
+        .max_by_key(|&(end, len, _)| (end, len))?;
+    (text.len() - end < 60).then_some(quantity)?
+}
+
+/// The quantity that the words right after a letter name: "is the angular momentum".
+fn said_after(text: &str) -> Option<Quantity> {
+    let text = text
+        .trim_start()
+        .trim_start_matches([',', ';'])
+        .trim_start();
+    let rest = [
+        "is the ",
+        "are the ",
+        "denotes the ",
+        "be the ",
+        "represents the ",
+        "is called the ",
+        "for the ",
+    ]
+    .iter()
+    .find_map(|lead| text.strip_prefix(lead))?;
+    let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
+        let at = rest.find(phrase)?;
+        (at < 30).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
+    };
+    PHRASES
+        .iter()
+        .filter_map(near)
+        .min_by_key(|&(at, len, _)| (at, len))?
+        .2
+}

@@ -1,0 +1,135 @@
+//! Premises solved for a symbol each: which symbol, and when none can be had.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::verify::atoms::{Atom, Owner};
+use crate::verify::quantity::Quantity;
+use crate::verify::theory::{Premise, Rule, Taken, Theory};
+use num_traits::Zero;
+
+impl Theory {
+    /// Solves the residuals of a premise one after the other, simplest first.
+    pub(super) fn solve(&mut self, premise: &Premise) -> Taken {
+        let mut left: Vec<Fraction> = premise.residuals.clone();
+        let mut taken = Taken::Known;
+        while !left.is_empty() {
+            left = left
+                .iter()
+                .map(|r| self.normal(r))
+                .filter(|r| !r.is_zero())
+                .collect();
+            if left.iter().any(|r| r.numerator().is_constant().is_some()) {
+                return Taken::Contradiction;
+            }
+            left.sort_by_key(|r| r.numerator().len());
+            let solution = left
+                .iter()
+                .enumerate()
+                .find_map(|(i, r)| Some((i, self.solution(r, premise)?)));
+            let Some((index, (variable, value))) = solution else {
+                break;
+            };
+            left.remove(index);
+            self.insert(
+                variable,
+                Rule {
+                    name: premise.name.clone(),
+                    value,
+                },
+            );
+            taken = Taken::Solved;
+        }
+        if left.is_empty() {
+            return taken;
+        }
+        let kept = left
+            .iter()
+            .map(|r| (premise.name.clone(), r.numerator().clone()));
+        self.relations.extend(kept);
+        Taken::Kept
+    }
+
+    fn insert(&mut self, variable: Variable, rule: Rule) {
+        if let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.atoms.atom(variable)
+        {
+            self.rules.insert((entity, component), (order, rule));
+            self.normals.clear();
+        }
+    }
+
+    /// A variable of a residual in which it is linear, and its value.
+    fn solution(&self, residual: &Fraction, premise: &Premise) -> Option<(Variable, Fraction)> {
+        let polynomial = residual.numerator();
+        let candidates = polynomial.variables().into_iter().filter_map(|variable| {
+            let score = self.solvable(polynomial, variable)?;
+            let wanted = u32::from(premise.preferred.contains(&variable)) * 8;
+            Some((score + wanted, variable))
+        });
+        let (_, variable) = candidates.max_by_key(|&(score, v)| (score, std::cmp::Reverse(v)))?;
+        let coefficient = Fraction::from(polynomial.coefficient_of(variable, 1));
+        let rest = Fraction::from(polynomial.coefficient_of(variable, 0));
+        Some((variable, -rest / coefficient))
+    }
+
+    /// How well a polynomial can be solved for a variable; `None` where it cannot.
+    fn solvable(&self, polynomial: &Polynomial, variable: Variable) -> Option<u32> {
+        let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.atoms.atom(variable)
+        else {
+            return None;
+        };
+        let info = self.atoms.info(entity);
+        if info.owner == Owner::Quantity(Quantity::Time, String::new())
+            || polynomial.degree_in(variable) != 1
+        {
+            return None;
+        }
+        // A lower order that is ruled already gives this one too.
+        if self
+            .rules
+            .get(&(entity, component))
+            .is_some_and(|(ruled, _)| *ruled <= order)
+        {
+            return None;
+        }
+        let coefficient = polynomial.coefficient_of(variable, 1);
+        let rest = polynomial.coefficient_of(variable, 0);
+        let constant = coefficient.is_constant().is_some();
+        if rest.is_zero() && !constant && !self.never_zero(&coefficient) {
+            return None;
+        }
+        let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
+        let small = coefficient.len() < 3;
+        Some(
+            u32::from(constant) * 32
+                + u32::from(order) * 4
+                + u32::from(small)
+                + u32::from(inertial && component >= 3) * 2,
+        )
+    }
+
+    /// Whether a polynomial vanishes for no possible body: products of moments, masses and the document's own
+    /// parameters.
+    pub(super) fn never_zero(&self, polynomial: &Polynomial) -> bool {
+        let positive = |variable: Variable| match self.atoms.atom(variable) {
+            Atom::Part {
+                entity,
+                component,
+                order: 0,
+            } => match &self.atoms.info(*entity).owner {
+                Owner::Quantity(Quantity::Inertia, _) => *component < 3,
+                Owner::Quantity(Quantity::Mass, _) => true,
+                Owner::Symbol(_) => self.atoms.info(*entity).constant,
+                Owner::Quantity(..) => false,
+            },
+            _ => false,
+        };
+        polynomial.len() == 1 && polynomial.variables().into_iter().all(positive)
+    }
+}

@@ -1,0 +1,295 @@
+//! What a symbol of a formula stands for.
+
+use crate::notation::ast::Symbol;
+use crate::verify::atoms::{Atoms, Entity, Owner};
+use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::reading::Reading;
+use crate::verify::usage::{Letter, axes, axis};
+
+/// What a symbol stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Meaning {
+    /// A whole quantity or symbol.
+    Whole(Entity),
+    /// One component of it.
+    Component(Entity, u8),
+    /// The unit vector along an axis of the axes used.
+    UnitVector(u8),
+    /// The identity matrix.
+    Identity,
+    /// π.
+    Pi,
+}
+
+/// The subscripts of a symbol, sorted by what they say.
+#[derive(Clone, Debug, Default)]
+struct Subscripts {
+    single: Option<u8>,
+    double: Option<(u8, u8)>,
+    /// What tells apart several entities of one letter: a step index, a word.
+    variant: String,
+}
+
+/// Letters for points about which moments are taken; they do not make another quantity.
+const POINTS: &[&str] = &[
+    "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
+];
+
+fn subscripts(symbol: &Symbol) -> Subscripts {
+    let mut sorted = Subscripts::default();
+    for text in &symbol.subscripts {
+        let text = text.trim();
+        if let Some(index) = axis(text) {
+            sorted.single = Some(index);
+        } else if let Some(pair) = axes(text) {
+            sorted.double = Some(pair);
+        } else if let Some((point, index)) = point_and_index(text) {
+            sorted.single = Some(index);
+            sorted.variant.push_str(point);
+        } else {
+            sorted.variant.push_str(text);
+        }
+    }
+    for text in symbol
+        .superscripts
+        .iter()
+        .filter(|s| !POINTS.contains(&s.trim()))
+    {
+        sorted.variant.push('^');
+        sorted.variant.push_str(text.trim());
+    }
+    sorted.variant.push_str(&"'".repeat(symbol.primes.into()));
+    if symbol.variation {
+        sorted.variant.push('δ');
+    }
+    sorted
+}
+
+/// `Gx` is the x component about G.
+fn point_and_index(text: &str) -> Option<(&str, u8)> {
+    let (at, _) = text.char_indices().last()?;
+    let point = text[..at].trim();
+    Some((POINTS.contains(&point).then_some("")?, axis(&text[at..])?))
+}
+
+/// Decides what a symbol stands for.
+pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    let sorted = subscripts(symbol);
+    let letter = Letter::of(symbol);
+    if let Some(meaning) = constant(symbol, &sorted, reading) {
+        return meaning;
+    }
+    let unmarked = sorted.single.is_none() && sorted.double.is_none() && !symbol.style.vector;
+    if unmarked && let Some(&(quantity, component)) = reading.components.get(&letter) {
+        let variant = quantity_variant(quantity, &sorted.variant);
+        let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
+        return Meaning::Component(entity, component);
+    }
+    match reading.quantities.get(&letter) {
+        Some(&quantity) if is_quantity(quantity, symbol, &sorted, reading) => {
+            of_quantity(quantity, &letter, &sorted, atoms)
+        }
+        _ => of_symbol(symbol, &letter, &sorted, reading, atoms),
+    }
+}
+
+/// Unit vectors, the identity and π.
+fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<Meaning> {
+    let marked = symbol.style.hat || symbol.style.vector;
+    let axis_of_name = match symbol.name.as_str() {
+        "i" | "x" => Some(0),
+        "j" | "y" => Some(1),
+        "k" | "z" => Some(2),
+        _ => None,
+    };
+    let is_letter = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
+    if marked
+        && is_letter
+        && sorted.variant.is_empty()
+        && sorted.single.is_none()
+        && let Some(component) = axis_of_name
+    {
+        return Some(Meaning::UnitVector(component));
+    }
+    let basis = matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
+    if basis
+        && marked
+        && sorted.variant.is_empty()
+        && let Some(component) = sorted.single
+    {
+        return Some(Meaning::UnitVector(component));
+    }
+    let plain = symbol.subscripts.is_empty();
+    match symbol.name.as_str() {
+        "pi" if plain => Some(Meaning::Pi),
+        "E" | "1" if plain && (symbol.style.vector || symbol.style.tensor) => {
+            Some(Meaning::Identity)
+        }
+        "I" if symbol.style.vector && reading.usage.get(&Letter::plain("J")).bare > 0 => {
+            Some(Meaning::Identity)
+        }
+        "I" if symbol.subscripts == ["3"] && reading.usage.get(&Letter::plain("J")).bare > 0 => {
+            Some(Meaning::Identity)
+        }
+        _ => None,
+    }
+}
+
+/// Whether this use of the letter is the quantity and not a namesake: a bare Ω in a document whose frame rate is
+/// an indexed Ω is still that; an `I_s` is a moment with a name of its own.
+fn is_quantity(
+    quantity: Quantity,
+    symbol: &Symbol,
+    sorted: &Subscripts,
+    reading: &Reading,
+) -> bool {
+    let letter = Letter::of(symbol);
+    let marked = symbol.style.vector || symbol.style.bar || sorted.single.is_some();
+    match quantity {
+        Quantity::Inertia => sorted.variant.is_empty(),
+        Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
+        Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),
+        Quantity::AngularVelocity | Quantity::FrameRate => {
+            // ω_n or ω_0 without marks, beside a vector ω, is a scalar of its own.
+            sorted.variant.is_empty() || marked || step_index(&sorted.variant)
+        }
+        Quantity::Momentum | Quantity::Moment => {
+            sorted.variant.is_empty()
+                || POINTS.contains(&sorted.variant.as_str())
+                || step_index(&sorted.variant)
+        }
+        _ => marked || reading.usage.is_vector(&letter) || !sorted.variant.is_empty(),
+    }
+}
+
+/// `k`, `k+1`, `n`: the index of an integration step.
+fn step_index(variant: &str) -> bool {
+    let mut characters = variant.chars();
+    matches!(characters.next(), Some('k' | 'n' | 'i' | 'j'))
+        && characters.all(|c| c.is_ascii_digit() || matches!(c, '+' | '-' | '/' | ' '))
+}
+
+fn quantity_variant(quantity: Quantity, variant: &str) -> String {
+    let about_a_point = matches!(
+        quantity,
+        Quantity::Momentum | Quantity::Moment | Quantity::Energy
+    );
+    if about_a_point && POINTS.contains(&variant) {
+        String::new()
+    } else {
+        variant.to_owned()
+    }
+}
+
+fn quantity_entity(quantity: Quantity, variant: &str, name: &str, atoms: &mut Atoms) -> Entity {
+    let origin = matches!(variant, "O" | "o" | "0") && quantity == Quantity::Velocity;
+    let (quantity, variant) = match quantity {
+        _ if origin => (Quantity::OriginVelocity, ""),
+        // The velocity of the moving point is the one that the law speaks of.
+        Quantity::Velocity if matches!(variant, "P" | "p") => (Quantity::Velocity, ""),
+        Quantity::Velocity if variant.is_empty() => (Quantity::Velocity, "any point"),
+        _ => (quantity, variant),
+    };
+    let owner = Owner::Quantity(quantity, variant.to_owned());
+    atoms.entity(
+        &owner,
+        quantity.shape(),
+        quantity.constant(),
+        &latex_name(name),
+    )
+}
+
+fn of_quantity(
+    quantity: Quantity,
+    letter: &Letter,
+    sorted: &Subscripts,
+    atoms: &mut Atoms,
+) -> Meaning {
+    let variant = quantity_variant(quantity, &sorted.variant);
+    let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
+    match (quantity, sorted.single, sorted.double) {
+        (Quantity::Inertia, _, Some((row, column))) => {
+            let component = match (row.min(column), row.max(column)) {
+                (0, 1) => 3,
+                (0, 2) => 4,
+                (1, 2) => 5,
+                (r, _) => r,
+            };
+            Meaning::Component(entity, component)
+        }
+        (_, Some(index), _) => Meaning::Component(entity, index),
+        _ => Meaning::Whole(entity),
+    }
+}
+
+/// A symbol that the theory does not know.
+fn of_symbol(
+    symbol: &Symbol,
+    letter: &Letter,
+    sorted: &Subscripts,
+    reading: &Reading,
+    atoms: &mut Atoms,
+) -> Meaning {
+    let used = reading.usage.get(letter);
+    let marks = symbol.style.vector
+        || (symbol.style.bar && sorted.single.is_some())
+        || reading.usage.is_vector(letter)
+        || used.component > 1 && sorted.single.is_some();
+    let tensor = symbol.style.tensor || sorted.double.is_some();
+    let shape = if tensor {
+        Shape::Matrix
+    } else if marks {
+        Shape::Vector
+    } else {
+        Shape::Scalar
+    };
+    let mut key = format!(
+        "{}{}",
+        letter.name,
+        if letter.calligraphic {
+            " calligraphic"
+        } else {
+            ""
+        }
+    );
+    if symbol.style.hat || symbol.style.tilde {
+        key.push_str(if symbol.style.hat { " hat" } else { " tilde" });
+    }
+    if !sorted.variant.is_empty() {
+        key = format!("{key} {}", sorted.variant);
+    }
+    let index = if shape == Shape::Scalar {
+        sorted.single
+    } else {
+        None
+    };
+    if let Some(index) = index {
+        key = format!("{key} _{index}");
+    }
+    let mut latex = latex_name(&letter.name);
+    if !symbol.subscripts.is_empty() && (shape == Shape::Scalar || !sorted.variant.is_empty()) {
+        latex = format!("{latex}_{{{}}}", symbol.subscripts.join(","));
+    }
+    let entity = atoms.entity(
+        &Owner::Symbol(format!("{key} {shape:?}")),
+        shape,
+        !used.moving,
+        &latex,
+    );
+    match (shape, sorted.single, sorted.double) {
+        (Shape::Vector, Some(index), _) => Meaning::Component(entity, index),
+        (Shape::Matrix, _, Some((row, column))) => Meaning::Component(entity, 3 * row + column),
+        _ => Meaning::Whole(entity),
+    }
+}
+
+/// The LaTeX of a letter: a command where the name is one.
+pub(super) fn latex_name(name: &str) -> String {
+    let one_letter = name.chars().count() == 1;
+    let greek = name.chars().all(|c| c.is_ascii_alphabetic());
+    if one_letter || !greek {
+        name.to_owned()
+    } else {
+        format!("\\{name}")
+    }
+}

@@ -1,0 +1,299 @@
+//! What is known at a line: the laws, and the premises of the document solved for a symbol each.
+//!
+//! Together they form a triangular set (Ritt, Wu): every rule gives one variable in terms of others, and a
+//! formula is brought to normal form by putting all rules in.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::notation::ast::Function;
+use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
+use crate::verify::law::{Setting, law};
+use crate::verify::quantity::Quantity;
+use num_traits::{One, Zero};
+use std::collections::{BTreeSet, HashMap};
+
+/// The name of a premise as it appears in `uses`: a law, `line 12`, or words of the document.
+pub(super) type Name = String;
+
+/// A variable's value by a law or a premise.
+#[derive(Clone, Debug)]
+pub(super) struct Rule {
+    /// Whose word it is.
+    pub name: Name,
+    /// The value.
+    pub value: Fraction,
+}
+
+/// An equation of the document that is in force: each residual is zero.
+#[derive(Clone, Debug)]
+pub(super) struct Premise {
+    /// Its name.
+    pub name: Name,
+    /// Left less right, component by component.
+    pub residuals: Vec<Fraction>,
+    /// The variables of the left side, which the author probably solves for.
+    pub preferred: Vec<Variable>,
+    /// A definition is taken in before assumptions on the motion.
+    pub definition: bool,
+}
+
+/// What became of a premise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// It says something new, now solved.
+    Solved,
+    /// It follows from what was known.
+    Known,
+    /// It is new but could not be solved for a symbol; it is kept as a relation.
+    Kept,
+    /// Nothing satisfies it together with what was known.
+    Contradiction,
+}
+
+/// Laws and premises in force.
+#[derive(Clone, Debug)]
+pub(super) struct Theory {
+    /// The variables.
+    pub atoms: Atoms,
+    /// What the laws depend on.
+    pub setting: Setting,
+    /// Names of laws and premises that are left out, to see whether a proof needs them.
+    pub left_out: BTreeSet<Name>,
+    /// Relations that could not be solved for a symbol.
+    pub relations: Vec<(Name, Polynomial)>,
+    premises: Vec<Premise>,
+    pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
+    pub(super) normals: HashMap<Variable, Fraction>,
+    open: BTreeSet<Variable>,
+}
+
+impl Theory {
+    /// The laws alone.
+    pub(super) fn new(setting: Setting) -> Self {
+        Self {
+            atoms: Atoms::default(),
+            setting,
+            left_out: BTreeSet::new(),
+            relations: vec![],
+            premises: vec![],
+            rules: HashMap::new(),
+            normals: HashMap::new(),
+            open: BTreeSet::new(),
+        }
+    }
+
+    /// The premises in force.
+    pub(super) fn premises(&self) -> &[Premise] {
+        &self.premises
+    }
+
+    /// Changes the setting; what was solved is solved again.
+    pub(super) fn set(&mut self, change: impl FnOnce(&mut Setting)) {
+        change(&mut self.setting);
+        self.rebuild();
+    }
+
+    /// Leaves premises out by name for as long as `work` runs.
+    pub(super) fn without<R>(
+        &mut self,
+        names: BTreeSet<Name>,
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> R {
+        let before = std::mem::replace(&mut self.left_out, names);
+        self.rebuild();
+        let result = work(self);
+        self.left_out = before;
+        self.rebuild();
+        result
+    }
+
+    /// Keeps the premises for which `keep` holds.
+    pub(super) fn retain(&mut self, keep: impl FnMut(&Premise) -> bool) {
+        let before = self.premises.len();
+        self.premises.retain(keep);
+        if self.premises.len() != before {
+            self.rebuild();
+        }
+    }
+
+    /// Takes a premise in.
+    pub(super) fn assume(&mut self, premise: Premise) -> Taken {
+        let residuals: Vec<_> = premise.residuals.iter().map(|r| self.normal(r)).collect();
+        if residuals.iter().all(Zero::is_zero) {
+            return Taken::Known;
+        }
+        let before = self.premises.clone();
+        self.premises.push(premise);
+        match self.rebuild() {
+            Taken::Contradiction => {
+                self.premises = before;
+                self.rebuild();
+                Taken::Contradiction
+            }
+            taken => taken,
+        }
+    }
+
+    /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
+    fn rebuild(&mut self) -> Taken {
+        self.rules.clear();
+        self.normals.clear();
+        self.relations.clear();
+        let mut order: Vec<Premise> = self
+            .premises
+            .iter()
+            .filter(|p| !self.left_out.contains(&p.name))
+            .cloned()
+            .collect();
+        order.sort_by_key(|premise| (!premise.definition, self.highest_order(premise)));
+        let mut worst = Taken::Solved;
+        for premise in order {
+            match self.solve(&premise) {
+                Taken::Contradiction => return Taken::Contradiction,
+                Taken::Kept => worst = Taken::Kept,
+                _ => {}
+            }
+        }
+        worst
+    }
+
+    /// The highest order of a rate in a premise; the moment counts as a rate, as it stands for one.
+    fn highest_order(&self, premise: &Premise) -> u8 {
+        let variables = premise
+            .residuals
+            .iter()
+            .flat_map(|r| r.numerator().variables());
+        let order = |variable| match self.atoms.atom(variable) {
+            Atom::Part { entity, order, .. } => match self.atoms.info(*entity).owner {
+                Owner::Quantity(Quantity::Moment, _) => 1,
+                _ => *order,
+            },
+            Atom::SpaceRate { .. } => 1,
+            Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
+        };
+        variables.map(order).max().unwrap_or(0)
+    }
+
+    /// The value of a variable by a premise or a law, one step down; `None` for a free one.
+    pub(super) fn rule(&mut self, variable: Variable) -> Option<Rule> {
+        match self.atoms.atom(variable).clone() {
+            Atom::Part {
+                entity,
+                component,
+                order,
+            } => {
+                if let Some((ruled, rule)) = self.rules.get(&(entity, component)).cloned()
+                    && ruled <= order
+                {
+                    let mut value = rule.value;
+                    for _ in ruled..order {
+                        value = self.atoms.derivative(&value);
+                    }
+                    return Some(Rule {
+                        name: rule.name,
+                        value,
+                    });
+                }
+            }
+            Atom::Kernel { function, argument } => {
+                let reduced = self.normal(&argument);
+                if reduced != argument {
+                    let value = self.kernel(function, reduced);
+                    return Some(Rule {
+                        name: String::new(),
+                        value,
+                    });
+                }
+            }
+            _ => {}
+        }
+        let (name, value) = law(&mut self.atoms, self.setting, variable)?;
+        let name = name.to_owned();
+        (!self.left_out.contains(&name)).then_some(Rule { name, value })
+    }
+
+    /// A fraction with every rule put in, down to free variables.
+    pub(super) fn normal(&mut self, fraction: &Fraction) -> Fraction {
+        let numerator = self.normal_polynomial(fraction.numerator());
+        if fraction.denominator().is_constant().is_some() {
+            return numerator / Fraction::from(fraction.denominator().clone());
+        }
+        numerator / self.normal_polynomial(fraction.denominator())
+    }
+
+    fn normal_polynomial(&mut self, polynomial: &Polynomial) -> Fraction {
+        let variables = polynomial.variables();
+        let images: HashMap<Variable, Fraction> = variables
+            .into_iter()
+            .map(|v| (v, self.normal_variable(v)))
+            .collect();
+        if images
+            .iter()
+            .all(|(v, image)| *image == variable_fraction(*v))
+        {
+            return self.kernels_reduced(Fraction::from(polynomial.clone()));
+        }
+        let image = |v: Variable| images.get(&v).cloned().unwrap_or_else(Fraction::zero);
+        let value = polynomial.evaluate(image, |c| Fraction::from(Polynomial::constant(c.clone())));
+        self.kernels_reduced(value)
+    }
+
+    fn normal_variable(&mut self, variable: Variable) -> Fraction {
+        if let Some(known) = self.normals.get(&variable) {
+            return known.clone();
+        }
+        // A rule that leads back to its own variable says nothing; the variable stays free.
+        if !self.open.insert(variable) {
+            return variable_fraction(variable);
+        }
+        let value = match self.rule(variable) {
+            Some(rule) => self.normal(&rule.value),
+            None => variable_fraction(variable),
+        };
+        self.open.remove(&variable);
+        self.normals.insert(variable, value.clone());
+        value
+    }
+
+    /// Puts the relations of kernels in: s² = 1 − c², r² = x.
+    fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
+        let mut value = fraction;
+        for variable in value.numerator().variables() {
+            let Some(square) = self.kernel_square(variable) else {
+                continue;
+            };
+            let degree = value.numerator().degree_in(variable);
+            if degree < 2 {
+                continue;
+            }
+            let (mut sum, mut power) = (Fraction::zero(), Fraction::one());
+            for half in 0..=degree / 2 {
+                let even = Fraction::from(value.numerator().coefficient_of(variable, 2 * half));
+                let odd = Fraction::from(value.numerator().coefficient_of(variable, 2 * half + 1));
+                sum += (even + odd * variable_fraction(variable)) * power.clone();
+                power *= square.clone();
+            }
+            value = sum / Fraction::from(value.denominator().clone());
+        }
+        value
+    }
+
+    /// The square of a kernel in terms of others.
+    pub(super) fn kernel_square(&mut self, variable: Variable) -> Option<Fraction> {
+        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
+            return None;
+        };
+        match function {
+            Function::Sin => {
+                let cos = self.kernel(Function::Cos, argument);
+                Some(Fraction::one() - cos.clone() * cos)
+            }
+            Function::Sqrt => Some(argument),
+            _ => None,
+        }
+    }
+
+    /// The variable of a kernel as a fraction.
+    pub(super) fn kernel(&mut self, function: Function, argument: Fraction) -> Fraction {
+        variable_fraction(self.atoms.special(Atom::Kernel { function, argument }))
+    }
+}

@@ -1,0 +1,253 @@
+//! How the letters of a document are used: with marks of a vector, with indices, under a dot.
+
+use crate::notation::ast::{Kind, Line, Node, Operator, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A letter as people tell letters apart: `L` and `𝓛` are two.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Letter {
+    /// Its name.
+    pub name: String,
+    /// Whether it is calligraphic.
+    pub calligraphic: bool,
+}
+
+impl Letter {
+    /// The letter of a symbol.
+    pub(super) fn of(symbol: &Symbol) -> Self {
+        Self {
+            name: symbol.name.clone(),
+            calligraphic: symbol.style.calligraphic,
+        }
+    }
+
+    /// A plain letter.
+    pub(super) fn plain(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            calligraphic: false,
+        }
+    }
+}
+
+/// What is seen of a letter in the whole document.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Use {
+    /// Times with a mark of a vector, or as a factor of a cross product.
+    pub vector: usize,
+    /// Times with a mark of a tensor.
+    pub tensor: usize,
+    /// Times with one index of a component.
+    pub component: usize,
+    /// Times with two indices.
+    pub double: usize,
+    /// Times with neither mark nor index.
+    pub bare: usize,
+    /// Whether it stands under a derivative in time, or is called with `t`.
+    pub moving: bool,
+}
+
+/// The uses of all letters.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Usage {
+    letters: BTreeMap<Letter, Use>,
+    /// Subscripts met on each letter.
+    pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
+}
+
+/// The index of an axis: `x`, `1` → 0 and so on.
+pub(super) fn axis(index: &str) -> Option<u8> {
+    match index {
+        "x" | "1" => Some(0),
+        "y" | "2" => Some(1),
+        "z" | "3" => Some(2),
+        _ => None,
+    }
+}
+
+/// Row and column of a double index, of one family: `xy`, `12`.
+pub(super) fn axes(index: &str) -> Option<(u8, u8)> {
+    let mut characters = index.chars().filter(|c| !c.is_whitespace() && *c != ',');
+    let (first, second) = (characters.next()?, characters.next()?);
+    let one_family = first.is_ascii_digit() == second.is_ascii_digit();
+    if characters.next().is_some() || !one_family {
+        return None;
+    }
+    Some((
+        axis(first.encode_utf8(&mut [0; 4]))?,
+        axis(second.encode_utf8(&mut [0; 4]))?,
+    ))
+}
+
+impl Usage {
+    /// Goes through every formula of a document.
+    pub(super) fn of(document: &Document) -> Self {
+        let mut usage = Self::default();
+        for item in &document.items {
+            let Item::Formula(formula) = item else {
+                continue;
+            };
+            for row in &formula.rows {
+                match row {
+                    Row::Line(line) => usage.line(line),
+                    Row::Expression(node) => usage.node(node),
+                    Row::Unreadable { .. } => {}
+                }
+            }
+        }
+        usage
+    }
+
+    /// What is seen of a letter.
+    pub(super) fn get(&self, letter: &Letter) -> Use {
+        self.letters.get(letter).cloned().unwrap_or_default()
+    }
+
+    /// The letters, in alphabetical order.
+    pub(super) fn letters(&self) -> impl Iterator<Item = (&Letter, &Use)> {
+        self.letters.iter()
+    }
+
+    /// Whether a letter stands for a vector where nothing is written on it.
+    pub(super) fn is_vector(&self, letter: &Letter) -> bool {
+        self.letters.get(letter).is_some_and(|u| u.vector > 0)
+    }
+
+    fn line(&mut self, line: &Line) {
+        for side in &line.sides {
+            self.node(side);
+        }
+    }
+
+    fn node(&mut self, node: &Node) {
+        match &node.kind {
+            Kind::Symbol(symbol) => self.symbol(symbol),
+            Kind::TimeDerivative { operand, .. } => {
+                self.moving(operand);
+                self.node(operand);
+            }
+            Kind::Call(head, arguments) => {
+                if arguments
+                    .iter()
+                    .any(|a| matches!(&a.kind, Kind::Symbol(s) if s.name == "t"))
+                {
+                    self.moving(head);
+                }
+                self.node(head);
+                arguments.iter().for_each(|a| self.node(a));
+            }
+            Kind::Skew(operand) => {
+                self.vector_operand(operand);
+                self.node(operand);
+            }
+            Kind::Product(factors) => {
+                for (i, factor) in factors.iter().enumerate() {
+                    let crossed = factor.operator == Operator::Cross
+                        || factors
+                            .get(i + 1)
+                            .is_some_and(|next| next.operator == Operator::Cross);
+                    if crossed {
+                        self.vector_operand(&factor.node);
+                    }
+                    self.node(&factor.node);
+                }
+            }
+            _ => children(node)
+                .into_iter()
+                .for_each(|child| self.node(child)),
+        }
+    }
+
+    fn moving(&mut self, operand: &Node) {
+        if let Kind::Symbol(symbol) = &inner(operand).kind {
+            self.letters.entry(Letter::of(symbol)).or_default().moving = true;
+        }
+    }
+
+    fn vector_operand(&mut self, operand: &Node) {
+        if let Kind::Symbol(symbol) = &inner(operand).kind
+            && symbol.subscripts.iter().all(|s| axis(s).is_none())
+        {
+            self.letters.entry(Letter::of(symbol)).or_default().vector += 1;
+        }
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) {
+        let entry = self.letters.entry(Letter::of(symbol)).or_default();
+        let index = symbol.subscripts.iter().find_map(|s| axis(s));
+        let double = symbol.subscripts.iter().find_map(|s| axes(s));
+        if symbol.style.tensor {
+            entry.tensor += 1;
+        } else if double.is_some() {
+            entry.double += 1;
+        } else if index.is_some() {
+            entry.component += 1;
+        } else if symbol.style.vector || symbol.style.bar {
+            entry.vector += 1;
+        } else {
+            entry.bare += 1;
+        }
+        let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
+        subscripts.extend(symbol.subscripts.iter().cloned());
+    }
+}
+
+/// A node without the brackets around it.
+pub(super) fn inner(node: &Node) -> &Node {
+    match &node.kind {
+        Kind::Group(_, inside) => inner(inside),
+        _ => node,
+    }
+}
+
+/// The nodes right below a node.
+pub(super) fn children(node: &Node) -> Vec<&Node> {
+    match &node.kind {
+        Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
+            vec![]
+        }
+        Kind::Negate(a)
+        | Kind::Transpose(a)
+        | Kind::Skew(a)
+        | Kind::Group(_, a)
+        | Kind::Norm(a)
+        | Kind::Function(_, a)
+        | Kind::InFrame(a, _)
+        | Kind::PlusMinus(a)
+        | Kind::WithUnit(a, _)
+        | Kind::TimeDerivative { operand: a, .. } => vec![a],
+        Kind::Quotient(a, b) | Kind::Power(a, b) => vec![a, b],
+        Kind::Sum(terms) => terms.iter().map(|t| &t.node).collect(),
+        Kind::Product(factors) => factors.iter().map(|f| &f.node).collect(),
+        Kind::Tuple(entries) => entries.iter().collect(),
+        Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().collect(),
+        Kind::Derivative {
+            operand, variables, ..
+        } => std::iter::once(&**operand).chain(variables).collect(),
+        Kind::Call(head, arguments) => std::iter::once(&**head).chain(arguments).collect(),
+        Kind::Integral {
+            integrand,
+            variable,
+            limits,
+        } => {
+            let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
+            [&**integrand, &**variable]
+                .into_iter()
+                .chain(limits)
+                .collect()
+        }
+        Kind::IndexedSum { limits, body, .. } => {
+            let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
+            std::iter::once(&**body).chain(limits).collect()
+        }
+    }
+}
+
+/// All symbols of a node, from left to right.
+pub(super) fn symbols(node: &Node) -> Vec<&Symbol> {
+    match &node.kind {
+        Kind::Symbol(symbol) => vec![symbol],
+        _ => children(node).into_iter().flat_map(symbols).collect(),
+    }
+}

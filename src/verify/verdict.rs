@@ -1,0 +1,199 @@
+//! What is said of each line.
+
+use crate::source::Span;
+
+/// What a line is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// It says that something is so.
+    Claim,
+    /// It is handed over from outside.
+    Given,
+    /// It narrows the motion or the body, to the end of its section.
+    Assume,
+    /// It gives a symbol its meaning.
+    Define,
+}
+
+impl Role {
+    /// The word that the JSON form uses.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Claim => "claim",
+            Self::Given => "given",
+            Self::Assume => "assume",
+            Self::Define => "define",
+        }
+    }
+}
+
+/// The answer to a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// An exact proof was found and multiplied out.
+    Proved,
+    /// A given, an assumption or a definition that is consistent with what stands before it.
+    Accepted,
+    /// There is a possible body and motion for which it is false, or it has no meaning as typed.
+    Refuted,
+    /// Neither was shown.
+    Undecided,
+    /// It could not be read.
+    Unreadable,
+}
+
+impl Verdict {
+    /// The word that the JSON form uses.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Proved => "proved",
+            Self::Accepted => "accepted",
+            Self::Refuted => "refuted",
+            Self::Undecided => "undecided",
+            Self::Unreadable => "unreadable",
+        }
+    }
+}
+
+/// Values for which a refuted line fails, as anyone can put them in.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Counterexample {
+    /// Each symbol of the line in LaTeX with its value, in the order of the line.
+    pub symbols: Vec<(String, String)>,
+    /// The component that differs, for vector and matrix lines: `x`, `2`, `row 1, column 3`.
+    pub component: Option<String>,
+    /// The value of the left side.
+    pub left: String,
+    /// The value of the right side.
+    pub right: String,
+}
+
+/// What the mistake is, and its repair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagnosis {
+    /// The name of the mistake: `sign`, `missing-dot`, `frame`, …
+    pub kind: &'static str,
+    /// One clause that says it.
+    pub message: String,
+    /// The line as it should stand, in the author's notation; proved.
+    pub suggestion: Option<String>,
+    /// The bytes to change.
+    pub place: Option<Span>,
+}
+
+/// What is said of one line.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// The bytes of the line.
+    pub span: Span,
+    /// The line of the file (within the cell, for a notebook) on which it starts, from 1.
+    pub source_line: usize,
+    /// The column on which it starts, from 1, in characters.
+    pub source_column: usize,
+    /// The notebook cell, from 0.
+    pub cell: Option<usize>,
+    /// The line as written.
+    pub source: String,
+    /// Its label.
+    pub label: Option<String>,
+    /// What it is for.
+    pub role: Role,
+    /// The answer.
+    pub verdict: Verdict,
+    /// One clause that gives the reason, for every verdict but `Proved` and `Accepted`.
+    pub reason: Option<String>,
+    /// The bytes that the reason speaks of; the whole line where there is no better place.
+    pub place: Span,
+    /// Laws, assumptions and earlier lines that the proof needs.
+    pub uses: Vec<String>,
+    /// What must not be zero for the line to have a meaning, in LaTeX: `I_{xx} \ne 0`.
+    pub conditions: Vec<String>,
+    /// Remarks: how an ambiguous notation was read, a premise cited and not needed.
+    pub remarks: Vec<String>,
+    /// Left side less right side in the author's symbols, in LaTeX.
+    pub residual: Option<String>,
+    /// Where it fails.
+    pub counterexample: Option<Counterexample>,
+    /// The likely mistake.
+    pub diagnosis: Option<Diagnosis>,
+    /// The source line of the earlier line whose error this one only carries forward.
+    pub follows_from: Option<usize>,
+}
+
+/// Something that stands in the document and was not taken as a line.
+#[derive(Clone, Debug)]
+pub struct Passed {
+    /// Where.
+    pub span: Span,
+    /// The line of the file (within the cell), from 1.
+    pub source_line: usize,
+    /// The notebook cell, from 0.
+    pub cell: Option<usize>,
+    /// What it is: `expression`, `text`, …
+    pub what: &'static str,
+}
+
+/// A premise that the words of the document set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FromProse {
+    /// The words.
+    pub span: Span,
+    /// The line of the file (within the cell), from 1.
+    pub source_line: usize,
+    /// What was taken from them: `principal axes: I_xy = I_yz = I_zx = 0`.
+    pub premise: String,
+}
+
+/// What is said of a document.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The document's name.
+    pub path: String,
+    /// The convention for products of inertia, and where it comes from.
+    pub products: Convention,
+    /// One finding for each line, in the order of the document.
+    pub findings: Vec<Finding>,
+    /// Premises read from prose.
+    pub from_prose: Vec<FromProse>,
+    /// How letters with more than one meaning were read: `L: angular momentum`.
+    pub readings: Vec<String>,
+    /// What was no line.
+    pub passed: Vec<Passed>,
+}
+
+/// The sign convention for products of inertia.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Convention {
+    /// `integrals` (I_xy = ∫xy dm) or `entries` (I_xy is the tensor's entry).
+    pub name: &'static str,
+    /// What decided: `a matrix of the document`, `front matter`, `default`.
+    pub decided_by: &'static str,
+}
+
+/// How many lines got each verdict.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[expect(missing_docs, reason = "each counts the verdict of that name")]
+pub struct Summary {
+    pub proved: usize,
+    pub accepted: usize,
+    pub refuted: usize,
+    pub undecided: usize,
+    pub unreadable: usize,
+}
+
+impl Report {
+    /// Counts the verdicts.
+    pub fn summary(&self) -> Summary {
+        let mut summary = Summary::default();
+        for finding in &self.findings {
+            *match finding.verdict {
+                Verdict::Proved => &mut summary.proved,
+                Verdict::Accepted => &mut summary.accepted,
+                Verdict::Refuted => &mut summary.refuted,
+                Verdict::Undecided => &mut summary.undecided,
+                Verdict::Unreadable => &mut summary.unreadable,
+            } += 1;
+        }
+        summary
+    }
+}

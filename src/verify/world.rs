@@ -1,0 +1,187 @@
+//! A world: a value for every variable, the free ones drawn, the others had from the laws and premises.
+
+use crate::algebra::{Fraction, Rational, Variable};
+use crate::notation::ast::Function;
+use crate::scalar::{Field, Prime};
+use crate::verify::atoms::{Atom, Owner};
+use crate::verify::quantity::Quantity;
+use crate::verify::theory::Theory;
+use std::collections::{BTreeSet, HashMap};
+
+/// A scalar that worlds are made of.
+pub(super) trait Substance: Field {
+    /// The scalar of a rational number, where there is one.
+    fn lift(value: &Rational) -> Option<Self>;
+    /// A square root, where there is one.
+    fn root(&self) -> Option<Self>;
+    /// A value for a free variable; `kind` tells what range suits it.
+    fn draw(kind: Kind, chance: u64) -> Self;
+}
+
+/// What a free variable is, as far as a sensible value for it goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A moment of inertia or a mass: positive.
+    Positive,
+    /// A product of inertia: small.
+    Small,
+    /// Anything else.
+    Any,
+}
+
+impl Substance for Prime {
+    fn lift(value: &Rational) -> Option<Self> {
+        value.to_prime()
+    }
+    fn root(&self) -> Option<Self> {
+        // p ≡ 3 mod 4, so a root, if there is one, is the power (p + 1)/4.
+        let root = self.pow((Self::MODULUS + 1) / 4);
+        (root * root == *self).then_some(root)
+    }
+    fn draw(_: Kind, chance: u64) -> Self {
+        Self::new(chance)
+    }
+}
+
+impl Substance for Rational {
+    fn lift(value: &Rational) -> Option<Self> {
+        Some(value.clone())
+    }
+    fn root(&self) -> Option<Self> {
+        self.exact_sqrt()
+    }
+    fn draw(kind: Kind, chance: u64) -> Self {
+        let below = |n: u64| (chance >> 8).rem_euclid(n) as i64;
+        Self::from(match kind {
+            Kind::Positive => 4 + below(4),
+            Kind::Small => [-1, 1][below(2) as usize],
+            Kind::Any => [1, 2, -1, 3, -2, 5][below(6) as usize],
+        })
+    }
+}
+
+/// A value for every variable that is asked for.
+pub(super) struct World<'a, T> {
+    theory: &'a mut Theory,
+    values: HashMap<Variable, T>,
+    open: BTreeSet<Variable>,
+    state: u64,
+}
+
+impl<'a, T: Substance> World<'a, T> {
+    /// The world that a seed makes; the same seed makes the same world everywhere.
+    pub(super) fn new(theory: &'a mut Theory, seed: u64) -> Self {
+        let state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D_4C95_7F2D;
+        Self {
+            theory,
+            values: HashMap::new(),
+            open: BTreeSet::new(),
+            state,
+        }
+    }
+
+    /// The value of a fraction; `None` where a denominator vanishes or a root does not exist in this world.
+    pub(super) fn fraction(&mut self, fraction: &Fraction) -> Option<T> {
+        let bottom = self.polynomial(fraction.denominator())?;
+        if bottom.is_zero() {
+            return None;
+        }
+        Some(self.polynomial(fraction.numerator())? / bottom)
+    }
+
+    fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
+        let mut values = HashMap::new();
+        for variable in polynomial.variables() {
+            values.insert(variable, self.variable(variable)?);
+        }
+        for (_, coefficient) in polynomial.terms() {
+            T::lift(coefficient)?;
+        }
+        let at = |v| values.get(&v).cloned().unwrap_or_else(T::zero);
+        Some(polynomial.evaluate(at, |c| T::lift(c).unwrap_or_else(T::zero)))
+    }
+
+    /// The value of a variable.
+    pub(super) fn variable(&mut self, variable: Variable) -> Option<T> {
+        if let Some(value) = self.values.get(&variable) {
+            return Some(value.clone());
+        }
+        let ruled = if self.open.insert(variable) {
+            self.theory.rule(variable)
+        } else {
+            None
+        };
+        let value = match ruled {
+            Some(rule) => self.fraction(&rule.value),
+            None => self.free(variable),
+        };
+        self.open.remove(&variable);
+        let value = value?;
+        self.values.insert(variable, value.clone());
+        Some(value)
+    }
+
+    fn free(&mut self, variable: Variable) -> Option<T> {
+        match self.theory.atoms.atom(variable).clone() {
+            Atom::Kernel {
+                function: Function::Sin | Function::Cos,
+                argument,
+            } => {
+                self.circle(argument);
+                self.values.get(&variable).cloned()
+            }
+            Atom::Kernel {
+                function: Function::Sqrt,
+                argument,
+            } => self.fraction(&argument)?.root(),
+            Atom::Part {
+                entity,
+                component,
+                order,
+            } => {
+                let kind = match self.theory.atoms.info(entity).owner {
+                    Owner::Quantity(Quantity::Inertia, _) if component >= 3 => Kind::Small,
+                    Owner::Quantity(Quantity::Inertia | Quantity::Mass, _) if order == 0 => {
+                        Kind::Positive
+                    }
+                    _ => Kind::Any,
+                };
+                Some(T::draw(kind, self.chance()))
+            }
+            _ => Some(T::draw(Kind::Any, self.chance())),
+        }
+    }
+
+    /// A point of the unit circle, (2u, 1 − u²)/(1 + u²), for the sine and cosine of one angle.
+    fn circle(&mut self, argument: Fraction) {
+        let u = T::draw(Kind::Any, self.chance());
+        let square = u.clone() * u.clone();
+        let whole = T::one() + square.clone();
+        if whole.is_zero() {
+            return;
+        }
+        let sin = Atom::Kernel {
+            function: Function::Sin,
+            argument: argument.clone(),
+        };
+        let cos = Atom::Kernel {
+            function: Function::Cos,
+            argument,
+        };
+        let (sin, cos) = (
+            self.theory.atoms.special(sin),
+            self.theory.atoms.special(cos),
+        );
+        self.values.insert(sin, (u.clone() + u) / whole.clone());
+        self.values.insert(cos, (T::one() - square) / whole);
+    }
+
+    /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).
+    fn chance(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+}
