@@ -1,3 +1,7 @@
 //! The command `polhode`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    polhode::cli::run()
+}

@@ -1,0 +1,57 @@
+//! Writes a result to the terminal, or to a file in one piece.
+
+use anstream::{AutoStream, ColorChoice};
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a text with terminal colours to `out`, where they are taken off, or to standard output, where `color` rules.
+///
+/// A file is complete or not there at all: the text goes to a new file beside it, which then takes its name. A reader
+/// of standard output that has heard enough is no error.
+pub(super) fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
+    let Some(path) = out else {
+        let mut stream = AutoStream::new(io::stdout().lock(), color);
+        let done = stream
+            .write_all(text.as_bytes())
+            .and_then(|()| stream.flush());
+        return match done {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            done => done,
+        };
+    };
+    let plain = anstream::adapter::strip_str(text).to_string();
+    match fs::metadata(path) {
+        Ok(kind) if kind.is_dir() => Err(io::Error::from(io::ErrorKind::IsADirectory)),
+        Ok(kind) if !kind.is_file() => fs::write(path, plain),
+        // A link stays a link: what it points to is replaced.
+        Ok(_) => replace(&fs::canonicalize(path)?, &plain),
+        Err(_) => replace(path, &plain),
+    }
+}
+
+fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let folder = match path.parent() {
+        Some(parent) if parent != Path::new("") => parent.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    let mut file = builder().tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+#[cfg(unix)]
+fn builder() -> tempfile::Builder<'static, 'static> {
+    use std::os::unix::fs::PermissionsExt;
+    let mut builder = tempfile::Builder::new();
+    // As for any new file; the user's mask still takes its part away.
+    builder.permissions(fs::Permissions::from_mode(0o666));
+    builder
+}
+
+#[cfg(not(unix))]
+fn builder() -> tempfile::Builder<'static, 'static> {
+    tempfile::Builder::new()
+}

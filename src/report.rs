@@ -1,0 +1,62 @@
+//! What is shown of a check: text for people, JSON for programs.
+
+use crate::diagnostic::Diagnostic;
+use crate::notation::document::{Cell, Document};
+use crate::source::Span;
+use crate::verify::Report;
+
+pub mod json;
+pub mod terminal;
+
+/// A document that was read and checked.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// The document.
+    pub document: Document,
+    /// What the reader had to say of it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What was found, line by line.
+    pub report: Report,
+}
+
+/// An input that could not be read at all.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// Its name as it was given.
+    pub path: String,
+    /// Why, in one clause.
+    pub message: String,
+}
+
+/// Where a byte of a document stands, as its author would say it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Place {
+    /// The notebook cell, from 0.
+    cell: Option<usize>,
+    /// The line in the file, or in the cell of a notebook, from 1.
+    line: usize,
+    /// The column in characters, from 1.
+    column: usize,
+}
+
+impl Place {
+    fn of(document: &Document, span: Span) -> Self {
+        let (line, column) = document.source.line_column(span.start);
+        let begins = |cell: &&Cell| cell.span.start <= span.start;
+        match document.cells.iter().rev().find(begins) {
+            Some(cell) => {
+                let (first, _) = document.source.line_column(cell.span.start);
+                Self {
+                    cell: Some(cell.index),
+                    line: line + 1 - first,
+                    column,
+                }
+            }
+            None => Self {
+                cell: None,
+                line,
+                column,
+            },
+        }
+    }
+}
