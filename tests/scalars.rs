@@ -178,7 +178,7 @@ scalars! {
     dual_vector: DualSVec64<6> = |v, s| {
             let eps = nalgebra::SVector::from_fn(|i, _| f64::from(s * i as i32));
             DualSVec64::new(v.into(), Derivative::some(eps))
-        }, |a, b| exact(a.re, b.re) && parts(a) == parts(b),
+        }, |a, b| exact(a.re, b.re) && parts(a).into_iter().zip(parts(b)).all(|(a, b)| exact(a, b)),
         [ring_laws field_laws real_laws matrix_laws moment_laws acceleration_laws];
     prime_field: Prime = |v, _| Prime::int(v), |a, b| a == b,
         [ring_laws field_laws matrix_laws moment_laws acceleration_laws];
