@@ -1,0 +1,123 @@
+//! The lines that need no drawing, and what the verdicts rest on, one row each.
+
+use crate::report::{Checked, Place};
+use crate::verify::{Finding, Role, Summary, Verdict};
+use annotate_snippets::normalize_untrusted_str;
+use std::fmt::Write;
+
+/// The lines that hold, one row each.
+pub(super) fn good_lines(checked: &Checked, verbose: bool) -> String {
+    let findings = checked.report.findings.iter();
+    let good: Vec<_> = findings
+        .filter(|f| matches!(f.verdict, Verdict::Proved | Verdict::Accepted))
+        .collect();
+    let width = |texts: &mut dyn Iterator<Item = String>| {
+        texts.map(|text| text.chars().count()).max().unwrap_or(0)
+    };
+    let places = width(&mut good.iter().map(|f| line_name(f.cell, f.source_line)));
+    let labels = width(&mut good.iter().map(|f| f.label.clone().unwrap_or_default()));
+    let mut text = String::new();
+    for finding in good {
+        let place = line_name(finding.cell, finding.source_line);
+        let label = normalize_untrusted_str(finding.label.as_deref().unwrap_or(""));
+        let row = format!("  {place:<places$}  {label:<labels$}  {}", verdict(finding));
+        let _ = writeln!(text, "{}", normalize_untrusted_str(row.trim_end()));
+        for remark in &finding.remarks {
+            let _ = writeln!(text, "    note: {}", normalize_untrusted_str(remark));
+        }
+        if verbose {
+            for row in finding.source.lines() {
+                let _ = writeln!(text, "    {}", normalize_untrusted_str(row.trim()));
+            }
+        }
+    }
+    text
+}
+
+/// `line 8`, or `cell 2, line 8` in a notebook.
+fn line_name(cell: Option<usize>, line: usize) -> String {
+    match cell {
+        Some(cell) => format!("cell {cell}, line {line}"),
+        None => format!("line {line}"),
+    }
+}
+
+/// The verdict of a line that holds, and what it rests on.
+fn verdict(finding: &Finding) -> String {
+    let mut text = match (finding.verdict, finding.role) {
+        (Verdict::Accepted, Role::Given) => "accepted as given",
+        (Verdict::Accepted, Role::Assume) => "accepted as an assumption",
+        (Verdict::Accepted, Role::Define) => "accepted as a definition",
+        (verdict, _) => verdict.name(),
+    }
+    .to_owned();
+    if !finding.uses.is_empty() {
+        let _ = write!(text, " by {}", finding.uses.join(", "));
+    }
+    if !finding.conditions.is_empty() {
+        let _ = write!(text, " where {}", finding.conditions.join(", "));
+    }
+    text
+}
+
+/// What the verdicts rest on beside the lines themselves.
+pub(super) fn background(checked: &Checked) -> String {
+    let report = &checked.report;
+    let mut text = String::new();
+    for premise in &report.from_prose {
+        let cell = Place::of(&checked.document, premise.span).cell;
+        let place = line_name(cell, premise.source_line);
+        let _ = writeln!(
+            text,
+            "  {place}  from the words: {}",
+            normalize_untrusted_str(&premise.premise)
+        );
+    }
+    for reading in &report.readings {
+        let _ = writeln!(text, "  read as {}", normalize_untrusted_str(reading));
+    }
+    if !report.findings.is_empty() {
+        let meaning = match report.products.name {
+            "entries" => "I_xy is the tensor's entry",
+            _ => "I_xy = ∫xy dm",
+        };
+        let _ = writeln!(
+            text,
+            "  products of inertia: {}, {meaning} ({})",
+            report.products.name, report.products.decided_by
+        );
+    }
+    text
+}
+
+/// What stands in the document and was not taken as a line.
+pub(super) fn passed(checked: &Checked) -> String {
+    let mut text = String::new();
+    for passed in &checked.report.passed {
+        let place = line_name(passed.cell, passed.source_line);
+        let words = checked.document.source.slice(passed.span);
+        let words = normalize_untrusted_str(words.lines().next().unwrap_or("").trim());
+        let _ = writeln!(text, "  {place}  not a line, {}: {words}", passed.what);
+    }
+    text
+}
+
+/// `11 proved, 2 accepted, 1 refuted`.
+pub(super) fn summary(summary: Summary) -> String {
+    let counts = [
+        (summary.proved, Verdict::Proved),
+        (summary.accepted, Verdict::Accepted),
+        (summary.refuted, Verdict::Refuted),
+        (summary.undecided, Verdict::Undecided),
+        (summary.unreadable, Verdict::Unreadable),
+    ];
+    let said: Vec<_> = counts
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, verdict)| format!("{count} {}", verdict.name()))
+        .collect();
+    if said.is_empty() {
+        return "no line to check".to_owned();
+    }
+    said.join(", ")
+}
