@@ -73,8 +73,9 @@ pub(super) fn background(checked: &Checked) -> String {
             normalize_untrusted_str(&premise.premise)
         );
     }
-    for reading in &report.readings {
-        let _ = writeln!(text, "  read as {}", normalize_untrusted_str(reading));
+    if !report.readings.is_empty() {
+        let readings = normalize_untrusted_str(&report.readings.join(", "));
+        let _ = writeln!(text, "  read as {readings}");
     }
     if !report.findings.is_empty() {
         let meaning = match report.products.name {
