@@ -12,6 +12,8 @@ mod claim;
 mod convention;
 mod decide;
 mod frame;
+mod index;
+mod integral;
 mod kernel;
 mod law;
 mod line;

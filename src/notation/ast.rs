@@ -59,6 +59,59 @@ impl Node {
             }
         }
     }
+
+    /// The nodes right below a node, to be changed.
+    pub fn children_mut(&mut self) -> Vec<&mut Self> {
+        match &mut self.kind {
+            Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
+                vec![]
+            }
+            Kind::Negate(a)
+            | Kind::Transpose(a)
+            | Kind::Skew(a)
+            | Kind::Group(_, a)
+            | Kind::Norm(a)
+            | Kind::Function(_, a)
+            | Kind::InFrame(a, _)
+            | Kind::PlusMinus(a)
+            | Kind::WithUnit(a, _)
+            | Kind::TimeDerivative { operand: a, .. } => vec![a],
+            Kind::Quotient(a, b) | Kind::Power(a, b) => vec![a, b],
+            Kind::Sum(terms) => terms.iter_mut().map(|t| &mut t.node).collect(),
+            Kind::Product(factors) => factors.iter_mut().map(|f| &mut f.node).collect(),
+            Kind::Tuple(entries) => entries.iter_mut().collect(),
+            Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter_mut().flatten().collect(),
+            Kind::Derivative {
+                operand, variables, ..
+            } => std::iter::once(&mut **operand).chain(variables).collect(),
+            Kind::Call(head, arguments) => std::iter::once(&mut **head).chain(arguments).collect(),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits,
+            } => {
+                let limits = limits.iter_mut().flat_map(|(a, b)| [&mut **a, &mut **b]);
+                [&mut **integrand, &mut **variable]
+                    .into_iter()
+                    .chain(limits)
+                    .collect()
+            }
+            Kind::IndexedSum { limits, body, .. } => {
+                let limits = limits.iter_mut().flat_map(|(a, b)| [&mut **a, &mut **b]);
+                std::iter::once(&mut **body).chain(limits).collect()
+            }
+        }
+    }
+
+    /// Changes every symbol of the node.
+    pub fn change_symbols(&mut self, change: &mut impl FnMut(&mut Symbol)) {
+        if let Kind::Symbol(symbol) = &mut self.kind {
+            change(symbol);
+        }
+        for child in self.children_mut() {
+            child.change_symbols(change);
+        }
+    }
 }
 
 /// What a [`Node`] is.

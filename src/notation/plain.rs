@@ -4,6 +4,7 @@ use crate::notation::document::{Formula, Item, Row};
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::Letters;
+use crate::notation::unicode;
 use crate::source::Span;
 
 /// The items of a text whose first byte stands at `offset` of the source.
@@ -131,10 +132,14 @@ enum Look {
     Strong,
 }
 
+/// Short words of English that are no letters of a formula.
+const SHORT: &[&str] = &[
+    "a", "an", "as", "at", "be", "by", "do", "if", "in", "is", "it", "no", "of", "on", "or", "so",
+    "to", "up", "us", "we", "he", "my", "go",
+];
+
 fn look(word: &str) -> Look {
-    let core = word.trim_matches(|c: char| matches!(c, '.' | ',' | ';' | ':'));
-    let letters = core.chars().filter(|c| c.is_ascii_alphabetic()).count();
-    let total = core.chars().count();
+    let core = word.trim_matches(['.', ',', ';', ':']);
     let strong = core.chars().any(|c| {
         matches!(
             c,
@@ -142,29 +147,30 @@ fn look(word: &str) -> Look {
         ) || ('Α'..='ω').contains(&c)
             || ('₀'..='₉').contains(&c)
             || ('\u{300}'..='\u{36f}').contains(&c)
+            || !unicode::decomposed(c).1.is_empty()
     });
-    if strong {
+    let known = |word: &str| unicode::word(word).is_some();
+    if strong || known(core) || is_rate(core) {
         return Look::Strong;
     }
-    if crate::notation::unicode::word(core).is_some()
-        || crate::notation::unicode::decomposed(core.chars().next().unwrap_or(' '))
-            .1
-            .len()
-            == 1
-    {
-        return Look::Strong;
-    }
-    if total == 0 || matches!(core, "a" | "A" | "I") && word != core {
+    let runs = || {
+        core.split(|c: char| !c.is_alphabetic())
+            .filter(|run| !run.is_empty())
+    };
+    let english = |run: &str| SHORT.contains(&run) || run.chars().count() > 2;
+    let sentence_letter = matches!(core, "A" | "I") && word != core;
+    if core.is_empty() || sentence_letter || runs().any(|run| english(run) && !known(run)) {
         return Look::Words;
     }
-    let operator = matches!(core, "+" | "-" | "/" | "*" | "(" | ")" | "x");
-    if operator
-        || (letters <= 1 && core != "a")
-        || (letters <= 2 && core.contains(['(', ')', '/', '+', '*']))
-    {
-        return Look::Weak;
-    }
-    Look::Words
+    Look::Weak
+}
+
+/// `dT/dt`.
+fn is_rate(word: &str) -> bool {
+    let mut parts = word.splitn(2, '/');
+    let differential =
+        |part: Option<&str>| part.is_some_and(|p| p.starts_with('d') && p.chars().count() <= 4);
+    differential(parts.next()) && differential(parts.next())
 }
 
 /// A line that is a formula as a whole: a relation, and no words.

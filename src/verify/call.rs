@@ -57,6 +57,9 @@ impl Lowering<'_> {
             if let Some(value) = self.applied(head, argument)? {
                 return Ok(value);
             }
+            if let Some(value) = self.elsewhere(head, argument)? {
+                return Ok(value);
+            }
             let (left, right) = (self.value(head)?, self.value(argument)?);
             return left
                 .times(&right)
@@ -67,6 +70,46 @@ impl Lowering<'_> {
             node.span,
             "a function of several arguments is not known here",
         ))
+    }
+
+    /// `A(ω_k)` where A was defined with ω in it: A with ω_k in the place of ω.
+    fn elsewhere(&mut self, head: &Node, argument: &Node) -> Result<Option<Value>, Trouble> {
+        let (Kind::Symbol(_), Kind::Symbol(at)) = (&head.kind, &inner(argument).kind) else {
+            return Ok(None);
+        };
+        let mut base = at.clone();
+        base.subscripts.clear();
+        if base == *at {
+            return Ok(None);
+        }
+        let base = Node {
+            kind: Kind::Symbol(base),
+            span: argument.span,
+        };
+        let (value, from, to) = (self.value(head)?, self.value(&base)?, self.value(argument)?);
+        if value.is_scalar() || from.entries.len() != to.entries.len() {
+            return Ok(None);
+        }
+        let parameters: Vec<u32> = from
+            .entries
+            .iter()
+            .filter_map(Fraction::as_variable)
+            .collect();
+        let value = value.map(|entry| self.theory.normal(entry));
+        let depends = |v: u32| parameters.contains(&v);
+        if parameters.len() != to.entries.len()
+            || !value
+                .entries
+                .iter()
+                .any(|e| e.variables().into_iter().any(depends))
+        {
+            return Ok(None);
+        }
+        let image = |v: u32| {
+            let place = parameters.iter().position(|&p| p == v);
+            place.map_or_else(|| variable_fraction(v), |i| to.entries[i].clone())
+        };
+        Ok(Some(value.map(|entry| substituted(entry, &image))))
     }
 
     /// A defined function at an argument: the parameter's variables replaced.

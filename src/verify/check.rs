@@ -5,6 +5,7 @@ use crate::notation::ast::Node;
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::convention::convention;
+use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
 use crate::verify::prose::{Said, said, symmetry_plane};
@@ -19,6 +20,7 @@ use std::collections::{BTreeSet, HashMap};
 
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
+    let document = &written_out(document);
     let mut checker = Checker::new(document);
     for item in &document.items {
         checker.item(item);
@@ -40,6 +42,8 @@ pub(super) struct Checker<'a> {
     pub(super) last_side: Option<Node>,
     pub(super) findings: Vec<Finding>,
     sentence: String,
+    /// Whether a paragraph ended since the last words or formula.
+    broken: bool,
     mark: Option<Role>,
     /// Names of premises with the level of the heading that they stand under.
     scopes: Vec<(String, u8)>,
@@ -79,6 +83,7 @@ impl<'a> Checker<'a> {
             last_side: None,
             findings: vec![],
             sentence: String::new(),
+            broken: false,
             mark: None,
             scopes: vec![],
             level: 0,
@@ -96,7 +101,7 @@ impl<'a> Checker<'a> {
         Report {
             path: self.document.source.name.clone(),
             products: self.convention,
-            findings: self.findings,
+            findings: merged(self.findings),
             from_prose: self.from_prose,
             readings: self.reading.describe(),
             passed: self.passed,
@@ -112,6 +117,7 @@ impl<'a> Checker<'a> {
                 if !self.sentence.trim_end().ends_with([':', ',', '⟩']) {
                     self.sentence.push_str(". ");
                 }
+                self.broken = true;
             }
             Item::Comment { text, .. } => self.comment(text),
             Item::Formula(formula) => self.formula(formula),
@@ -152,6 +158,11 @@ impl<'a> Checker<'a> {
     }
 
     fn prose(&mut self, text: &str, span: Span) {
+        // After a display, a new paragraph that opens with a capital opens a sentence too.
+        let opens = text.trim_start().starts_with(char::is_uppercase);
+        if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
+            self.sentence.clear();
+        }
         self.sentence.push_str(text);
         let whole = self.sentence.clone();
         for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
@@ -271,6 +282,14 @@ impl<'a> Checker<'a> {
             .filter(|c| c.is_alphanumeric() || *c == ' ')
             .collect();
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
+        let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
+        let inside = inside
+            .rfind("\\end{")
+            .map_or(inside, |i| inside[..i].trim_end());
+        if formula.display && inside.ends_with('.') {
+            self.sentence.clear();
+        }
+        self.broken = false;
     }
 
     /// An expression that stands alone names its symbols.

@@ -5,7 +5,7 @@ use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::usage::{Letter, axes, children, symbols};
+use crate::verify::usage::{Letter, axes, symbols};
 use crate::verify::verdict::Convention;
 
 /// The sign convention: front matter, an integral or a written matrix of the document, or the default.
@@ -88,7 +88,7 @@ fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
             }
         }
     }
-    children(node)
+    node.children()
         .into_iter()
         .find_map(|child| matrix_convention(child, reading))
 }

@@ -188,8 +188,6 @@ impl Checker<'_> {
 fn error_in(node: &Node) -> Option<(String, Span)> {
     match &node.kind {
         Kind::Error(message) => Some((message.clone(), node.span)),
-        _ => crate::verify::usage::children(node)
-            .into_iter()
-            .find_map(error_in),
+        _ => node.children().into_iter().find_map(error_in),
     }
 }

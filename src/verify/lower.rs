@@ -149,6 +149,11 @@ impl Lowering<'_> {
                 node.span,
                 "± has no single value",
             )),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits: None,
+            } => self.integral(node, integrand, variable),
             Kind::Integral { .. } => Err(trouble(
                 TroubleKind::Unsupported,
                 node.span,

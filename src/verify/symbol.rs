@@ -231,9 +231,11 @@ fn of_symbol(
     atoms: &mut Atoms,
 ) -> Meaning {
     let used = reading.usage.get(letter);
+    // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
+    let named = !sorted.variant.is_empty() && reading.quantities.contains_key(letter);
     let marks = symbol.style.vector
         || (symbol.style.bar && sorted.single.is_some())
-        || reading.usage.is_vector(letter)
+        || (reading.usage.is_vector(letter) && !named)
         || used.component > 1 && sorted.single.is_some();
     let tensor = symbol.style.tensor || sorted.double.is_some();
     let shape = if tensor {
@@ -273,7 +275,11 @@ fn of_symbol(
     let entity = atoms.entity(
         &Owner::Symbol(format!("{key} {shape:?}")),
         shape,
-        !used.moving,
+        if named {
+            !reading.usage.moves(symbol)
+        } else {
+            !used.moving
+        },
         &latex,
     );
     match (shape, sorted.single, sorted.double) {

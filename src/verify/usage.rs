@@ -54,6 +54,8 @@ pub(super) struct Usage {
     letters: BTreeMap<Letter, Use>,
     /// Subscripts met on each letter.
     pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
+    /// Letters with subscripts that stand under a derivative in time.
+    moving: BTreeSet<(Letter, Vec<String>)>,
 }
 
 /// The index of an axis: `x`, `1` → 0 and so on.
@@ -114,6 +116,12 @@ impl Usage {
         self.letters.get(letter).is_some_and(|u| u.vector > 0)
     }
 
+    /// Whether this symbol, subscripts and all, is differentiated in time somewhere.
+    pub(super) fn moves(&self, symbol: &Symbol) -> bool {
+        self.moving
+            .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
+    }
+
     fn line(&mut self, line: &Line) {
         for side in &line.sides {
             self.node(side);
@@ -153,7 +161,8 @@ impl Usage {
                     self.node(&factor.node);
                 }
             }
-            _ => children(node)
+            _ => node
+                .children()
                 .into_iter()
                 .for_each(|child| self.node(child)),
         }
@@ -162,6 +171,8 @@ impl Usage {
     fn moving(&mut self, operand: &Node) {
         if let Kind::Symbol(symbol) = &inner(operand).kind {
             self.letters.entry(Letter::of(symbol)).or_default().moving = true;
+            self.moving
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
     }
 
@@ -201,53 +212,10 @@ pub(super) fn inner(node: &Node) -> &Node {
     }
 }
 
-/// The nodes right below a node.
-pub(super) fn children(node: &Node) -> Vec<&Node> {
-    match &node.kind {
-        Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
-            vec![]
-        }
-        Kind::Negate(a)
-        | Kind::Transpose(a)
-        | Kind::Skew(a)
-        | Kind::Group(_, a)
-        | Kind::Norm(a)
-        | Kind::Function(_, a)
-        | Kind::InFrame(a, _)
-        | Kind::PlusMinus(a)
-        | Kind::WithUnit(a, _)
-        | Kind::TimeDerivative { operand: a, .. } => vec![a],
-        Kind::Quotient(a, b) | Kind::Power(a, b) => vec![a, b],
-        Kind::Sum(terms) => terms.iter().map(|t| &t.node).collect(),
-        Kind::Product(factors) => factors.iter().map(|f| &f.node).collect(),
-        Kind::Tuple(entries) => entries.iter().collect(),
-        Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().collect(),
-        Kind::Derivative {
-            operand, variables, ..
-        } => std::iter::once(&**operand).chain(variables).collect(),
-        Kind::Call(head, arguments) => std::iter::once(&**head).chain(arguments).collect(),
-        Kind::Integral {
-            integrand,
-            variable,
-            limits,
-        } => {
-            let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
-            [&**integrand, &**variable]
-                .into_iter()
-                .chain(limits)
-                .collect()
-        }
-        Kind::IndexedSum { limits, body, .. } => {
-            let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
-            std::iter::once(&**body).chain(limits).collect()
-        }
-    }
-}
-
 /// All symbols of a node, from left to right.
 pub(super) fn symbols(node: &Node) -> Vec<&Symbol> {
     match &node.kind {
         Kind::Symbol(symbol) => vec![symbol],
-        _ => children(node).into_iter().flat_map(symbols).collect(),
+        _ => node.children().into_iter().flat_map(symbols).collect(),
     }
 }
