@@ -20,7 +20,9 @@
 //! # Ok::<(), polhode::motion::MotionError>(())
 //! ```
 
+mod body;
 mod error;
+mod free_body;
 mod number;
 mod quaternion;
 mod rk4;
@@ -31,7 +33,9 @@ mod torque;
 
 pub mod jacobian;
 
+pub use body::Body;
 pub use error::MotionError;
+pub use free_body::FreeBody;
 pub use number::Number;
 pub use quaternion::Quaternion;
 pub use rk4::Rk4;

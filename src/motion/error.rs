@@ -1,5 +1,6 @@
 //! What can be wrong with a motion that is asked for.
 
+use crate::mechanics::ImpossibleInertia;
 use std::{error::Error, fmt};
 
 /// Why a motion cannot be computed. Each message names the number and the rule that it breaks.
@@ -14,11 +15,8 @@ pub enum MotionError {
     },
     /// The attitude is the quaternion 0, which has no direction.
     ZeroAttitude,
-    /// The inertia tensor has no inverse that is finite.
-    SingularInertia {
-        /// Its determinant, kg³ m⁶.
-        determinant: f64,
-    },
+    /// The inertia tensor is that of no body.
+    Inertia(ImpossibleInertia),
     /// The step is zero, negative or no number.
     Step {
         /// The step, s.
@@ -53,10 +51,7 @@ impl fmt::Display for MotionError {
                 f,
                 "the attitude quaternion is 0, and has to have a direction"
             ),
-            Self::SingularInertia { determinant } => write!(
-                f,
-                "the inertia tensor has the determinant {determinant:e}, and has to be positive definite"
-            ),
+            Self::Inertia(reason) => reason.fmt(f),
             Self::Step { step } => {
                 write!(f, "the step is {step} s, and has to be positive and finite")
             }

@@ -120,6 +120,37 @@ impl Quaternion<f64> {
         }
     }
 
+    /// The unit quaternion of a rotation matrix, by its largest component (Shepperd 1978).
+    pub fn of_matrix(r: &Matrix3<f64>) -> Self {
+        let squares = [
+            1.0 + r[(0, 0)] + r[(1, 1)] + r[(2, 2)],
+            1.0 + r[(0, 0)] - r[(1, 1)] - r[(2, 2)],
+            1.0 - r[(0, 0)] + r[(1, 1)] - r[(2, 2)],
+            1.0 - r[(0, 0)] - r[(1, 1)] + r[(2, 2)],
+        ];
+        let [x, y, z] = [
+            r[(2, 1)] - r[(1, 2)],
+            r[(0, 2)] - r[(2, 0)],
+            r[(1, 0)] - r[(0, 1)],
+        ];
+        let [xy, xz, yz] = [
+            r[(0, 1)] + r[(1, 0)],
+            r[(0, 2)] + r[(2, 0)],
+            r[(1, 2)] + r[(2, 1)],
+        ];
+        let largest = squares.iter().fold(squares[0], |m, s| m.max(*s));
+        let row = if squares[0] >= largest {
+            [squares[0], x, y, z]
+        } else if squares[1] >= largest {
+            [x, squares[1], xy, xz]
+        } else if squares[2] >= largest {
+            [y, xy, squares[2], yz]
+        } else {
+            [z, xz, yz, squares[3]]
+        };
+        Self::new(row).normalised()
+    }
+
     /// The rotation vector θ with |θ| ≤ π whose exponential is this unit quaternion or its negative.
     pub fn log(&self) -> Vector3<f64> {
         let sine = self.v.norm();
@@ -183,6 +214,8 @@ mod tests {
         fn the_product_composes_rotations(a in prop::array::uniform3(-3.0_f64..3.0), b in prop::array::uniform3(-3.0_f64..3.0)) {
             let (a, b) = (Quaternion::exp(&a.into()), Quaternion::exp(&b.into()));
             prop_assert!(((a * b).matrix() - a.matrix() * b.matrix()).norm() < 1e-14);
+            let back = Quaternion::of_matrix(&(a * b).matrix());
+            prop_assert!((back.conjugate() * a * b).log().norm() < 1e-14);
             prop_assert!((a.matrix().transpose() - a.conjugate().matrix()).norm() < 1e-14);
         }
     }

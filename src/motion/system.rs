@@ -1,6 +1,6 @@
 //! A body and the torque on it.
 
-use crate::mechanics::{adjugate, angular_momentum, apply, cross};
+use crate::mechanics::{adjugate, angular_momentum, apply, cross, possible_body};
 use crate::motion::{Frame, MotionError, Number, Rates, State, TorqueLaw, torque::in_body};
 use nalgebra::{Matrix3, Vector3};
 
@@ -17,16 +17,10 @@ impl<L: TorqueLaw<f64>> System<f64, L> {
     /// The system of an inertia tensor (kg m², body axes, the tensor's own entries) and a law of torque.
     ///
     /// # Errors
-    /// A tensor that has no finite inverse. Whether it is that of a possible body is not looked at here.
+    /// A tensor that no body has.
     pub fn new(inertia: Matrix3<f64>, law: L) -> Result<Self, MotionError> {
-        let system = Self::over(inertia, law, Vector3::zeros());
-        if system.inverse.iter().all(|entry| entry.is_finite()) {
-            Ok(system)
-        } else {
-            Err(MotionError::SingularInertia {
-                determinant: inertia.determinant(),
-            })
-        }
+        possible_body(&inertia).map_err(MotionError::Inertia)?;
+        Ok(Self::over(inertia, law, Vector3::zeros()))
     }
 }
 

@@ -1,0 +1,113 @@
+//! Free motion to some thirty digits: Taylor series in double-double arithmetic, which shares nothing with the library.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The unevaluated sum of two doubles (Dekker 1971).
+#[derive(Clone, Copy, Debug)]
+pub struct Double(pub f64, pub f64);
+
+fn two_sum(a: f64, b: f64) -> Double {
+    let s = a + b;
+    let t = s - a;
+    Double(s, (a - (s - t)) + (b - t))
+}
+
+impl Double {
+    pub const ZERO: Self = Self(0.0, 0.0);
+
+    pub fn of(x: f64) -> Self {
+        Self(x, 0.0)
+    }
+
+    pub fn value(self) -> f64 {
+        self.0 + self.1
+    }
+}
+
+impl Add for Double {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        let s = two_sum(self.0, o.0);
+        let t = two_sum(self.1, o.1);
+        let u = two_sum(s.0, s.1 + t.0);
+        two_sum(u.0, u.1 + t.1)
+    }
+}
+
+impl Neg for Double {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0, -self.1)
+    }
+}
+
+impl Sub for Double {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        self + -o
+    }
+}
+
+impl Mul for Double {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        let p = self.0 * o.0;
+        let e = self.0.mul_add(o.0, -p) + (self.0 * o.1 + self.1 * o.0);
+        two_sum(p, e)
+    }
+}
+
+impl Div for Double {
+    type Output = Self;
+    fn div(self, o: Self) -> Self {
+        let q = Self::of(self.0 / o.0);
+        let r = self - q * o;
+        let q2 = Self::of(r.0 / o.0);
+        let r2 = r - q2 * o;
+        q + q2 + Self::of(r2.0 / o.0)
+    }
+}
+
+/// ω₁ ω₂ ω₃ and q (w, x, y, z).
+pub type Free = [Double; 7];
+
+const ORDER: usize = 30;
+
+/// The free motion along principal axes with `moments`, from `start`, for `time`, in `steps` equal steps.
+pub fn free_motion(moments: [f64; 3], start: [f64; 7], time: f64, steps: u32) -> Free {
+    let [a, b, c] = moments.map(Double::of);
+    let ratios = [(b - c) / a, (c - a) / b, (a - b) / c];
+    let h = Double::of(time) / Double::of(f64::from(steps));
+    (0..steps).fold(start.map(Double::of), |state, _| step(&ratios, &state, h))
+}
+
+fn step(ratios: &[Double; 3], state: &Free, h: Double) -> Free {
+    let mut s = [[Double::ZERO; ORDER + 1]; 7];
+    for (series, value) in s.iter_mut().zip(state) {
+        series[0] = *value;
+    }
+    for n in 0..ORDER {
+        let over = Double::of(1.0) / Double::of((n + 1) as f64);
+        let product =
+            |i: usize, j: usize| (0..=n).fold(Double::ZERO, |sum, m| sum + s[i][m] * s[j][n - m]);
+        let mut next = [Double::ZERO; 7];
+        for i in 0..3 {
+            next[i] = ratios[i] * product((i + 1) % 3, (i + 2) % 3) * over;
+        }
+        let half = over * Double::of(0.5);
+        // q̇ = ½ q (0, ω).
+        next[3] = -(product(4, 0) + product(5, 1) + product(6, 2)) * half;
+        next[4] = (product(3, 0) + product(5, 2) - product(6, 1)) * half;
+        next[5] = (product(3, 1) + product(6, 0) - product(4, 2)) * half;
+        next[6] = (product(3, 2) + product(4, 1) - product(5, 0)) * half;
+        for (series, value) in s.iter_mut().zip(next) {
+            series[n + 1] = value;
+        }
+    }
+    s.map(|series| {
+        series
+            .iter()
+            .rev()
+            .fold(Double::ZERO, |sum, c| sum * h + *c)
+    })
+}
