@@ -1,5 +1,6 @@
 //! The exact free body against thirty-digit series, in every regime.
 
+#[path = "reference/double_double.rs"]
 mod reference;
 
 use nalgebra::{Matrix3, Vector3};

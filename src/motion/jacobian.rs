@@ -8,6 +8,8 @@
 //! the law, in the axes that the law names. The inertia is the tensor's own entries xx, yy, zz, xy, xz, yz (an
 //! off-diagonal entry and its mirror image move together), at constant ω.
 
+pub(crate) mod runge_kutta;
+
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use num_dual::DualSVec64;
@@ -27,25 +29,25 @@ pub struct StepJacobian<const N: usize> {
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
-/// use polhode::motion::{Rk4, State, Torque, jacobian};
+/// use polhode::motion::{Rk4, State, System, Torque, jacobian};
 ///
-/// let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0));
+/// let system = System::new(Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)), Torque::None)?;
 /// let start = State::at_rest().turning(Vector3::new(0.0, 3.0, 1e-3));
-/// let step = jacobian::by_dual_numbers::<16, _, _>(&Rk4, &inertia, &Torque::None, 0.0, &start, 0.01);
+/// let step = jacobian::by_dual_numbers::<16, _, _>(&Rk4, &system, 0.0, &start, 0.01);
 /// // A free body does not know its attitude.
 /// assert!(step.matrix.fixed_view::<3, 3>(3, 0).norm() == 0.0);
+/// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
 pub fn by_dual_numbers<const N: usize, S, L>(
     scheme: &S,
-    inertia: &Matrix3<f64>,
-    law: &L,
+    system: &System<f64, L>,
     time: f64,
     state: &State<f64>,
     step: f64,
 ) -> StepJacobian<N>
 where
-    S: Scheme,
-    L: Copy + TorqueLaw<DualSVec64<N>>,
+    S: Scheme + ?Sized,
+    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
     DualSVec64<N>: Number,
 {
     let seed = Seed::<DualSVec64<N>>::new(
@@ -57,11 +59,12 @@ where
                 number
             }
         },
-        inertia,
+        system.inertia(),
         state,
         step,
     );
-    let system = System::over(seed.inertia, *law, seed.added);
+    let added = seed.added + system.added().map(Number::of);
+    let system = System::over(seed.inertia, *system.law(), added);
     let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
     read(&end)
 }

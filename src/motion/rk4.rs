@@ -1,6 +1,9 @@
 //! The classical Runge–Kutta method.
 
-use crate::motion::{Number, Scheme, State, System, TorqueLaw};
+use crate::motion::{
+    Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
+};
+use num_dual::DualSVec64;
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
 /// made unit after the step. It conserves neither energy nor momentum: both drift as t h⁴.
@@ -32,5 +35,29 @@ impl Scheme for Rk4 {
             attitude: end.attitude.normalised(),
             ..end
         }
+    }
+
+    /// Backwards through the stages where the torque does not look at the attitude, else by dual numbers.
+    #[inline]
+    fn step_with_jacobian<const N: usize, L>(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+    ) -> StepJacobian<N>
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
+    {
+        let added = system.added();
+        let law = |time: f64, omega: &_| {
+            let mut torque = TorqueLaw::<f64>::without_attitude(system.law(), time, omega)?;
+            torque.torque += added;
+            Some(torque)
+        };
+        let (inertia, inverse) = (system.inertia(), system.inverse());
+        runge_kutta::step_with_jacobian(inertia, inverse, law, time, state, step)
+            .unwrap_or_else(|| jacobian::by_dual_numbers(self, system, time, state, step))
     }
 }

@@ -1,6 +1,7 @@
 //! One interface to every way of moving a body through time.
 
-use crate::motion::{MotionError, Number, State, System, TorqueLaw};
+use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
+use num_dual::DualSVec64;
 
 /// A method that takes one step of a given length, over any number: on dual numbers the step is its own
 /// Jacobian.
@@ -16,6 +17,22 @@ pub trait Scheme {
         state: &State<T>,
         step: T,
     ) -> State<T>;
+
+    /// The step and its Jacobian: the derivative of the numerical map itself, columns as in
+    /// [`jacobian`](crate::motion::jacobian).
+    fn step_with_jacobian<const N: usize, L>(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+    ) -> StepJacobian<N>
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
+    {
+        jacobian::by_dual_numbers(self, system, time, state, step)
+    }
 }
 
 /// A motion that can be moved on in time.

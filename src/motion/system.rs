@@ -41,6 +41,16 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
         &self.inertia
     }
 
+    /// Its inverse.
+    pub(crate) fn inverse(&self) -> &Matrix3<T> {
+        &self.inverse
+    }
+
+    /// The torque added to the law.
+    pub(crate) fn added(&self) -> &Vector3<T> {
+        &self.added
+    }
+
     /// The law of torque.
     pub fn law(&self) -> &L {
         &self.law

@@ -1,7 +1,7 @@
 //! Laws of torque.
 
 use crate::motion::{Number, Quaternion, State};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// The axes that a vector is given in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +41,23 @@ pub trait TorqueLaw<T: Number> {
     fn added_in(&self) -> Frame {
         Frame::Body
     }
+
+    /// The torque with its derivatives, if it does not look at the attitude: then the fast Jacobians can be
+    /// taken. Must agree with [`torque`](Self::torque).
+    fn without_attitude(&self, _time: f64, _angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
+        None
+    }
+}
+
+/// A torque in body axes and its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyTorque {
+    /// N m.
+    pub torque: Vector3<f64>,
+    /// Row: component of the torque; column: component of ω.
+    pub by_angular_velocity: Matrix3<f64>,
+    /// The partial derivative in time.
+    pub by_time: Vector3<f64>,
 }
 
 impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
@@ -114,6 +131,44 @@ impl<T: Number> TorqueLaw<T> for Torque {
         match self {
             Self::Constant { frame, .. } | Self::Sinusoid { frame, .. } => *frame,
             _ => Frame::Body,
+        }
+    }
+
+    #[inline]
+    fn without_attitude(&self, time: f64, angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
+        let still = BodyTorque {
+            torque: Vector3::zeros(),
+            by_angular_velocity: Matrix3::zeros(),
+            by_time: Vector3::zeros(),
+        };
+        match *self {
+            Self::None => Some(still),
+            Self::Constant {
+                frame: Frame::Body,
+                value,
+            } => Some(BodyTorque {
+                torque: value,
+                ..still
+            }),
+            Self::Damping { coefficient } => Some(BodyTorque {
+                torque: angular_velocity * -coefficient,
+                by_angular_velocity: Matrix3::from_diagonal_element(-coefficient),
+                ..still
+            }),
+            Self::Sinusoid {
+                frame: Frame::Body,
+                amplitude,
+                angular_frequency,
+                phase,
+            } => {
+                let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
+                Some(BodyTorque {
+                    torque: amplitude * sine,
+                    by_time: amplitude * (cosine * angular_frequency),
+                    ..still
+                })
+            }
+            _ => None,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum of two doubles (Dekker 1971).
 #[derive(Clone, Copy, Debug)]
-pub struct Double(pub f64, pub f64);
+pub(crate) struct Double(f64, f64);
 
 fn two_sum(a: f64, b: f64) -> Double {
     let s = a + b;
@@ -13,13 +13,13 @@ fn two_sum(a: f64, b: f64) -> Double {
 }
 
 impl Double {
-    pub const ZERO: Self = Self(0.0, 0.0);
+    pub(crate) const ZERO: Self = Self(0.0, 0.0);
 
-    pub fn of(x: f64) -> Self {
+    pub(crate) fn of(x: f64) -> Self {
         Self(x, 0.0)
     }
 
-    pub fn value(self) -> f64 {
+    pub(crate) fn value(self) -> f64 {
         self.0 + self.1
     }
 }
@@ -69,12 +69,12 @@ impl Div for Double {
 }
 
 /// ω₁ ω₂ ω₃ and q (w, x, y, z).
-pub type Free = [Double; 7];
+pub(crate) type Free = [Double; 7];
 
 const ORDER: usize = 30;
 
 /// The free motion along principal axes with `moments`, from `start`, for `time`, in `steps` equal steps.
-pub fn free_motion(moments: [f64; 3], start: [f64; 7], time: f64, steps: u32) -> Free {
+pub(crate) fn free_motion(moments: [f64; 3], start: [f64; 7], time: f64, steps: u32) -> Free {
     let [a, b, c] = moments.map(Double::of);
     let ratios = [(b - c) / a, (c - a) / b, (a - b) / c];
     let h = Double::of(time) / Double::of(f64::from(steps));
