@@ -83,6 +83,9 @@ impl<'a> Lexer<'a> {
     }
 
     fn number(&mut self, start: usize) {
+        if self.fraction_of_digits(start) {
+            return;
+        }
         let digits = |s: &str| s.bytes().take_while(u8::is_ascii_digit).count();
         self.at += digits(self.rest());
         if !self.text[start..].starts_with('.') && self.rest().starts_with('.') {
@@ -93,6 +96,24 @@ impl<'a> Lexer<'a> {
         }
         self.exponent();
         self.push(Lexeme::Number(&self.text[start..self.at]), start);
+    }
+
+    /// `\frac12`: a command takes one digit for an argument, as in TeX.
+    fn fraction_of_digits(&mut self, start: usize) -> bool {
+        let after_fraction = matches!(
+            self.out.last().map(|token| token.kind),
+            Some(Lexeme::Command("frac" | "tfrac" | "dfrac" | "cfrac"))
+        );
+        let mut digits = self.text[start..].bytes().take(2);
+        let two = digits.len() == 2 && digits.all(|b| b.is_ascii_digit());
+        if !after_fraction || !two {
+            return false;
+        }
+        for start in [start, start + 1] {
+            self.at = start + 1;
+            self.push(Lexeme::Number(&self.text[start..self.at]), start);
+        }
+        true
     }
 
     /// `1.5e-3`, in plain text only, where `e` is not the number e.
