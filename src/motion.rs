@@ -29,6 +29,7 @@ mod rk4;
 mod state;
 mod stepper;
 mod system;
+mod taylor;
 mod torque;
 
 pub mod jacobian;
@@ -43,4 +44,5 @@ pub use rk4::Rk4;
 pub use state::{Rates, State};
 pub use stepper::{FixedStep, Scheme, Stepper};
 pub use system::System;
+pub use taylor::{Taylor, TaylorMotion};
 pub use torque::{BodyTorque, Frame, Torque, TorqueLaw};

@@ -5,7 +5,7 @@ use polhode::motion::{Frame, Quaternion, Rk4, Scheme, State, System, Torque, Tor
 use proptest::prelude::*;
 
 /// The step with its inputs moved by `amount` along column `column`.
-fn moved<S: Scheme>(scheme: &S, case: &Case, column: usize, amount: f64) -> State<f64> {
+fn moved<S: Scheme<Torque>>(scheme: &S, case: &Case, column: usize, amount: f64) -> State<f64> {
     let (mut inertia, mut added, mut step) = (case.inertia, Vector3::zeros(), case.step);
     let mut tangent = Vector6::zeros();
     match column {
@@ -24,7 +24,12 @@ fn moved<S: Scheme>(scheme: &S, case: &Case, column: usize, amount: f64) -> Stat
 }
 
 /// The central difference of one column over ±`width`.
-fn difference<S: Scheme>(scheme: &S, case: &Case, column: usize, width: f64) -> Vector6<f64> {
+fn difference<S: Scheme<Torque>>(
+    scheme: &S,
+    case: &Case,
+    column: usize,
+    width: f64,
+) -> Vector6<f64> {
     let base = moved(scheme, case, column, 0.0);
     let side = |amount| base.difference(&moved(scheme, case, column, amount));
     (side(width) - side(-width)) / (2.0 * width)
@@ -108,7 +113,7 @@ fn cases() -> impl Strategy<Value = Case> {
 
 /// One extrapolation of the central difference leaves an error of fourth order in the width: halving the
 /// width has to divide what is left by about 16, unless rounding (a few 1e-16 over the width) is reached.
-fn assert_matches<S: Scheme>(scheme: &S, case: &Case, exact: &SMatrix<f64, 6, 16>) {
+fn assert_matches<S: Scheme<Torque>>(scheme: &S, case: &Case, exact: &SMatrix<f64, 6, 16>) {
     let least = case.inertia.symmetric_eigenvalues().min();
     let end = moved(scheme, case, 0, 0.0).angular_velocity;
     let speed = 1.0 + end.amax() + case.state.angular_velocity.amax();
@@ -152,7 +157,7 @@ proptest! {
     #[test]
     fn the_fast_step_of_runge_kutta_is_the_dual_one_to_rounding(case in cases()) {
         let system = case.system();
-        let fast = Rk4.step_with_jacobian::<16, _>(&system, case.time, &case.state, case.step);
+        let fast = Rk4.step_with_jacobian::<16>(&system, case.time, &case.state, case.step);
         let dual = jacobian::by_dual_numbers::<16, _, _>(&Rk4, &system, case.time, &case.state, case.step);
         let least = case.inertia.symmetric_eigenvalues().min();
         // Rounding times the condition of the tensor, once for the moment and once for its derivative.
@@ -168,10 +173,10 @@ proptest! {
     #[test]
     fn fewer_columns_are_the_same_columns(case in cases()) {
         let system = case.system();
-        let all = Rk4.step_with_jacobian::<16, _>(&system, case.time, &case.state, case.step);
-        let most = Rk4.step_with_jacobian::<15, _>(&system, case.time, &case.state, case.step);
-        let some = Rk4.step_with_jacobian::<9, _>(&system, case.time, &case.state, case.step);
-        let state = Rk4.step_with_jacobian::<6, _>(&system, case.time, &case.state, case.step);
+        let all = Rk4.step_with_jacobian::<16>(&system, case.time, &case.state, case.step);
+        let most = Rk4.step_with_jacobian::<15>(&system, case.time, &case.state, case.step);
+        let some = Rk4.step_with_jacobian::<9>(&system, case.time, &case.state, case.step);
+        let state = Rk4.step_with_jacobian::<6>(&system, case.time, &case.state, case.step);
         prop_assert_eq!(all.matrix.fixed_columns::<15>(0).into_owned(), most.matrix);
         prop_assert_eq!(all.matrix.fixed_columns::<9>(0).into_owned(), some.matrix);
         prop_assert_eq!(all.matrix.fixed_columns::<6>(0).into_owned(), state.matrix);

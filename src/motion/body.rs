@@ -1,7 +1,7 @@
 //! A possible body and its principal axes.
 
 use crate::mechanics::{possible_body, principal_axes};
-use crate::motion::{MotionError, Quaternion};
+use crate::motion::{MotionError, Quaternion, State};
 use nalgebra::{Matrix3, Vector3};
 
 /// A body: its inertia tensor, checked, and what it looks like along its principal axes.
@@ -53,6 +53,22 @@ impl Body {
     /// The principal axes as columns: a rotation from principal to body components.
     pub fn axes(&self) -> &Matrix3<f64> {
         &self.axes
+    }
+
+    /// A state of the body, seen along its principal axes.
+    pub fn state_along(&self, state: &State<f64>) -> State<f64> {
+        State {
+            attitude: state.attitude * self.turn,
+            angular_velocity: self.axes.tr_mul(&state.angular_velocity),
+        }
+    }
+
+    /// A state along principal axes, seen in body axes again.
+    pub fn state_from(&self, principal: &State<f64>) -> State<f64> {
+        State {
+            attitude: principal.attitude * self.turn.conjugate(),
+            angular_velocity: self.axes * principal.angular_velocity,
+        }
     }
 
     /// The same rotation as a quaternion.

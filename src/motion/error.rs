@@ -22,6 +22,11 @@ pub enum MotionError {
         /// The step, s.
         step: f64,
     },
+    /// The tolerance cannot be met or means nothing.
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
+    },
     /// The time asked for is no number, or before the time reached.
     Time {
         /// The time asked for, s.
@@ -54,6 +59,12 @@ impl fmt::Display for MotionError {
             Self::Inertia(reason) => reason.fmt(f),
             Self::Step { step } => {
                 write!(f, "the step is {step} s, and has to be positive and finite")
+            }
+            Self::Tolerance { tolerance } => {
+                write!(
+                    f,
+                    "the tolerance is {tolerance:e}, and has to be between 1e-16 and 0.1"
+                )
             }
             Self::Time { asked, from } => {
                 write!(

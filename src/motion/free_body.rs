@@ -27,7 +27,7 @@ use series::Series;
 /// let handle = Body::new(&Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)))?;
 /// let start = State::at_rest().turning(Vector3::new(0.0, 3.0, 1e-3));
 /// let motion = FreeBody::new(&handle, &start);
-/// let flipped = motion.at(9.0)?;
+/// let flipped = motion.at(17.0)?;
 /// assert!(flipped.angular_velocity.y < -2.9);
 /// # Ok::<(), polhode::motion::MotionError>(())
 /// ```

@@ -46,7 +46,7 @@ pub fn by_dual_numbers<const N: usize, S, L>(
     step: f64,
 ) -> StepJacobian<N>
 where
-    S: Scheme + ?Sized,
+    S: Scheme<L> + ?Sized,
     L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
     DualSVec64<N>: Number,
 {

@@ -12,17 +12,16 @@ use num_dual::DualSVec64;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rk4;
 
-impl Scheme for Rk4 {
-    const ORDER: u32 = 4;
+impl<L> Scheme<L> for Rk4 {
+    fn order(&self) -> usize {
+        4
+    }
 
     #[inline]
-    fn step<T: Number, L: TorqueLaw<T>>(
-        &self,
-        system: &System<T, L>,
-        time: T,
-        state: &State<T>,
-        step: T,
-    ) -> State<T> {
+    fn step<T: Number>(&self, system: &System<T, L>, time: T, state: &State<T>, step: T) -> State<T>
+    where
+        L: TorqueLaw<T>,
+    {
         let half = step * T::of(0.5);
         let first = system.rates(time, state);
         let second = system.rates(time + half, &state.along(&first, half));
@@ -39,7 +38,7 @@ impl Scheme for Rk4 {
 
     /// Backwards through the stages where the torque does not look at the attitude, else by dual numbers.
     #[inline]
-    fn step_with_jacobian<const N: usize, L>(
+    fn step_with_jacobian<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,

@@ -5,22 +5,24 @@ use num_dual::DualSVec64;
 
 /// A method that takes one step of a given length, over any number: on dual numbers the step is its own
 /// Jacobian.
-pub trait Scheme {
+pub trait Scheme<L> {
     /// The order p: the error over a fixed span falls as hᵖ.
-    const ORDER: u32;
+    fn order(&self) -> usize;
 
     /// The state at `time + step`, from `state` at `time`.
-    fn step<T: Number, L: TorqueLaw<T>>(
+    fn step<T: Number>(
         &self,
         system: &System<T, L>,
         time: T,
         state: &State<T>,
         step: T,
-    ) -> State<T>;
+    ) -> State<T>
+    where
+        L: TorqueLaw<T>;
 
     /// The step and its Jacobian: the derivative of the numerical map itself, columns as in
     /// [`jacobian`](crate::motion::jacobian).
-    fn step_with_jacobian<const N: usize, L>(
+    fn step_with_jacobian<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,
@@ -80,7 +82,7 @@ pub struct FixedStep<S, L> {
     before: (f64, State<f64>),
 }
 
-impl<S: Scheme, L: TorqueLaw<f64>> FixedStep<S, L> {
+impl<S: Scheme<L>, L: TorqueLaw<f64>> FixedStep<S, L> {
     /// The motion of `system` from `state` at time 0, in steps of at most `step` (s).
     ///
     /// # Errors
@@ -129,7 +131,17 @@ pub(crate) fn positive(step: f64) -> Result<(), MotionError> {
     }
 }
 
-impl<S: Scheme, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
+/// The span to a time that is not before the one reached.
+pub(crate) fn onward(time: f64, from: f64) -> Result<f64, MotionError> {
+    let span = time - from;
+    if span >= 0.0 && span.is_finite() {
+        Ok(span)
+    } else {
+        Err(MotionError::Time { asked: time, from })
+    }
+}
+
+impl<S: Scheme<L>, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
     fn time(&self) -> f64 {
         self.time
     }
@@ -144,13 +156,8 @@ impl<S: Scheme, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
     }
 
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
-        let (start, span) = (self.time, time - self.time);
-        if !(span >= 0.0 && span.is_finite()) {
-            return Err(MotionError::Time {
-                asked: time,
-                from: start,
-            });
-        }
+        let start = self.time;
+        let span = onward(time, start)?;
         let needed = (span / self.longest).ceil();
         if needed > MOST_STEPS as f64 {
             return Err(MotionError::TooManySteps {

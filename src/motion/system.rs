@@ -1,7 +1,9 @@
 //! A body and the torque on it.
 
 use crate::mechanics::{adjugate, angular_momentum, apply, cross, possible_body};
-use crate::motion::{Frame, MotionError, Number, Rates, State, TorqueLaw, torque::in_body};
+use crate::motion::{
+    Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw, torque::in_body,
+};
 use nalgebra::{Matrix3, Vector3};
 
 /// A rigid body about its mass centre or a fixed point, and the law of the torque on it.
@@ -11,6 +13,8 @@ pub struct System<T, L> {
     inverse: Matrix3<T>,
     law: L,
     added: Vector3<T>,
+    /// Whether the products of inertia are known to be zero.
+    principal: bool,
 }
 
 impl<L: TorqueLaw<f64>> System<f64, L> {
@@ -24,6 +28,17 @@ impl<L: TorqueLaw<f64>> System<f64, L> {
     }
 }
 
+impl System<f64, Torque> {
+    /// The system of a body along its principal axes, the law turned with it.
+    pub fn principal(body: &Body, law: Torque) -> Self {
+        let inertia = Matrix3::from_diagonal(body.moments());
+        Self {
+            principal: true,
+            ..Self::over(inertia, law.along(body.axes()), Vector3::zeros())
+        }
+    }
+}
+
 impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// The system over any number, with a constant torque `added` to the law in the axes that the law names.
     /// A tensor without an inverse gives numbers that are not finite.
@@ -33,6 +48,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
             inertia,
             law,
             added,
+            principal: false,
         }
     }
 
@@ -64,6 +80,34 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
             Frame::Space => in_body(Frame::Space, &state.attitude, self.added),
         };
         self.law.torque(time, state) + added
+    }
+
+    /// ω̇ = I⁻¹ (M − ω × I ω) from the products (yz, zx, xy) and the squares (x², y², z²) of ω, or from the
+    /// same coefficient of their series. The moment differences are formed first: (Iω) × ω would lose what a
+    /// needle's moments have in common.
+    #[inline]
+    pub(crate) fn acceleration_of(
+        &self,
+        products: &Vector3<T>,
+        squares: impl FnOnce() -> Vector3<T>,
+        torque: &Vector3<T>,
+    ) -> Vector3<T> {
+        let (i, [yz, zx, xy]) = (&self.inertia, [products.x, products.y, products.z]);
+        let (xx, yy, zz) = (i[(0, 0)], i[(1, 1)], i[(2, 2)]);
+        let mut net = torque + Vector3::new((yy - zz) * yz, (zz - xx) * zx, (xx - yy) * xy);
+        if self.principal {
+            return Vector3::new(
+                net.x * self.inverse[(0, 0)],
+                net.y * self.inverse[(1, 1)],
+                net.z * self.inverse[(2, 2)],
+            );
+        }
+        let square = squares();
+        let (pxy, pxz, pyz) = (i[(0, 1)], i[(0, 2)], i[(1, 2)]);
+        net.x += pyz * (square.z - square.y) + pxy * zx - pxz * xy;
+        net.y += pxz * (square.x - square.z) + pyz * xy - pxy * yz;
+        net.z += pxy * (square.y - square.x) + pxz * yz - pyz * zx;
+        apply(&self.inverse, &net)
     }
 
     /// q̇ = ½ q ω, and ω̇ = I⁻¹ (M − ω × I ω) as in

@@ -173,6 +173,29 @@ impl<T: Number> TorqueLaw<T> for Torque {
     }
 }
 
+impl Torque {
+    /// The same law for axes whose columns in the body are `axes`: what stands in body axes is turned.
+    pub fn along(&self, axes: &Matrix3<f64>) -> Self {
+        let mut law = *self;
+        match &mut law {
+            Self::Constant {
+                frame: Frame::Body,
+                value: vector,
+            }
+            | Self::Gravity { arm: vector, .. }
+            | Self::Sinusoid {
+                frame: Frame::Body,
+                amplitude: vector,
+                ..
+            } => {
+                *vector = axes.tr_mul(vector);
+            }
+            _ => {}
+        }
+        law
+    }
+}
+
 /// A vector of doubles as constants of another number.
 #[inline]
 pub(crate) fn lift<T: Number>(v: &Vector3<f64>) -> Vector3<T> {

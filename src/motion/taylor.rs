@@ -1,0 +1,194 @@
+//! Taylor series of the motion.
+
+mod series;
+
+use crate::motion::{Body, MotionError, Number, Scheme, State, Stepper, System, Torque, stepper};
+use series::{MOST, Series};
+
+/// One step by the Taylor series of the motion, of order 2 to 30, for the laws of torque that have a recurrence
+/// ([`Torque`]). Energy and momentum drift by the truncation alone, below rounding from order 16 or so.
+///
+/// The right side is polynomial, so its coefficients are convolutions: the equation of motion on truncated
+/// power series, the dual number taken further. A vector that is constant in space is carried as γ = Rᵀ v with
+/// γ' = γ × ω, a sinusoid by its own recurrence of two terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Taylor {
+    order: usize,
+}
+
+impl Taylor {
+    /// The series to `order`, brought into 2 ..= 30.
+    pub fn of_order(order: usize) -> Self {
+        Self {
+            order: order.clamp(2, MOST),
+        }
+    }
+}
+
+impl Scheme<Torque> for Taylor {
+    fn order(&self) -> usize {
+        self.order
+    }
+
+    fn step<T: Number>(
+        &self,
+        system: &System<T, Torque>,
+        time: T,
+        state: &State<T>,
+        step: T,
+    ) -> State<T> {
+        Series::new(system, time, state, self.order).at(step)
+    }
+}
+
+/// A motion by Taylor series of an order and a step that follow from a tolerance, with the series themselves as dense
+/// output.
+///
+/// It runs along principal axes, where the moment differences are formed once: a needle loses nothing.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Body, State, Stepper, TaylorMotion, Torque};
+///
+/// let body = Body::new(&Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)))?;
+/// let top = Torque::Gravity { weight: 1.0, arm: Vector3::new(0.1, -0.2, 1.0) };
+/// let start = State::at_rest().turning(Vector3::new(1.0, -2.0, 8.0));
+/// let mut motion = TaylorMotion::new(&body, top, &start, 1e-12)?;
+/// motion.advance_to(10.0)?;
+/// assert!(motion.steps() < 150);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct TaylorMotion {
+    /// Along principal axes.
+    system: System<f64, Torque>,
+    body: Body,
+    order: usize,
+    tolerance: f64,
+    /// The series in use, its start and its end.
+    series: Series<f64>,
+    start: f64,
+    end: f64,
+    steps: u64,
+    time: f64,
+    state: State<f64>,
+}
+
+/// The most steps that one call takes.
+const MOST_STEPS: u64 = 1 << 32;
+
+impl TaylorMotion {
+    /// The motion of `body` under `torque` from `state` at time 0. `tolerance` bounds the last term of each
+    /// step, of the attitude in radians and of ω against |ω|: from 1e-16 to 0.1.
+    ///
+    /// # Errors
+    /// A tolerance outside of these bounds; a motion that is not finite from the start.
+    pub fn new(
+        body: &Body,
+        torque: Torque,
+        state: &State<f64>,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        if !(1e-16..=0.1).contains(&tolerance) {
+            return Err(MotionError::Tolerance { tolerance });
+        }
+        let order = ((-0.5 * tolerance.ln()).ceil() as usize + 2).clamp(4, MOST);
+        let system = System::principal(body, torque);
+        let inner = body.state_along(state);
+        let series = Series::new(&system, 0.0, &inner, order);
+        let mut motion = Self {
+            system,
+            body: *body,
+            order,
+            tolerance,
+            end: 0.0,
+            start: 0.0,
+            series,
+            steps: 0,
+            time: 0.0,
+            state: *state,
+        };
+        motion.end = motion.end_of_series()?;
+        Ok(motion)
+    }
+
+    /// How many steps were taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn end_of_series(&self) -> Result<f64, MotionError> {
+        let span = self.series.span(self.tolerance);
+        let end = self.start + span;
+        // A step that does not move the time is a motion that has run away, as is a NaN.
+        if end > self.start {
+            Ok(end)
+        } else {
+            Err(MotionError::Diverged { time: self.start })
+        }
+    }
+
+    /// Makes the series that holds from the end of the present one.
+    fn next_series(&mut self) -> Result<(), MotionError> {
+        let (time, inner) = (self.end, self.series.at(self.end - self.start));
+        self.restart(time, &inner)
+    }
+
+    fn restart(&mut self, time: f64, inner: &State<f64>) -> Result<(), MotionError> {
+        if !inner.is_finite() {
+            return Err(MotionError::Diverged { time: self.start });
+        }
+        self.series = Series::new(&self.system, time, inner, self.order);
+        self.start = time;
+        self.steps += 1;
+        self.end = self.end_of_series()?;
+        Ok(())
+    }
+
+    fn state_at(&self, time: f64) -> State<f64> {
+        self.body.state_from(&self.series.at(time - self.start))
+    }
+}
+
+impl Stepper for TaylorMotion {
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn state(&self) -> &State<f64> {
+        &self.state
+    }
+
+    fn step(&mut self, step: f64) -> Result<(), MotionError> {
+        stepper::positive(step)?;
+        self.advance_to(self.time + step)
+    }
+
+    fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
+        stepper::onward(time, self.time)?;
+        let first = self.steps;
+        while self.end < time {
+            if self.steps - first >= MOST_STEPS {
+                return Err(MotionError::TooManySteps {
+                    needed: f64::INFINITY,
+                    most: MOST_STEPS,
+                });
+            }
+            self.next_series()?;
+        }
+        self.time = time;
+        self.state = self.state_at(time);
+        Ok(())
+    }
+
+    fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
+        if (self.start..=self.end).contains(&time) {
+            Ok(self.state_at(time))
+        } else {
+            Err(MotionError::Time {
+                asked: time,
+                from: self.start,
+            })
+        }
+    }
+}
