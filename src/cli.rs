@@ -4,6 +4,7 @@ use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
 mod check;
+mod derive;
 mod input;
 mod output;
 
@@ -21,6 +22,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Options),
+    Derive(derive::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -33,6 +35,7 @@ pub fn run() -> ExitCode {
     };
     let code = match &arguments.command {
         Command::Check(options) => check::run(options, color),
+        Command::Derive(options) => derive::run(options, color),
     };
     ExitCode::from(code)
 }

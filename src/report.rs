@@ -1,10 +1,11 @@
-//! What is shown of a check: text for people, JSON for programs.
+//! What is shown: a check as text and as JSON, and the derivation itself.
 
 use crate::diagnostic::Diagnostic;
 use crate::notation::document::{Cell, Document};
 use crate::source::Span;
 use crate::verify::Report;
 
+pub mod derive;
 pub mod json;
 pub mod terminal;
 
