@@ -2,7 +2,7 @@
 
 use crate::algebra::{Letter, Place, Polynomial, Printer, Style, Variable};
 
-/// A formula in both styles; the Unicode one is empty where plain text has no way to name the frame of a rate.
+/// A formula in both styles.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Formula {
     pub(super) latex: String,

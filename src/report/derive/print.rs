@@ -90,8 +90,7 @@ enum JsonBlock<'a> {
 struct JsonLine {
     label: String,
     latex: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unicode: Option<String>,
+    unicode: String,
 }
 
 impl From<&Row> for JsonLine {
@@ -99,8 +98,7 @@ impl From<&Row> for JsonLine {
         Self {
             label: format!("({})", row.label),
             latex: format!("{} = {}", row.left.latex, row.right.latex),
-            unicode: (!row.right.unicode.is_empty())
-                .then(|| format!("{} = {}", row.left.unicode, row.right.unicode)),
+            unicode: format!("{} = {}", row.left.unicode, row.right.unicode),
         }
     }
 }
@@ -145,13 +143,10 @@ fn latex_rows(rows: &[Row]) -> String {
     rows.collect::<Vec<_>>().join(" \\\\\n")
 }
 
+/// Without labels, as a number in parentheses behind a line of plain text would be a factor.
 fn unicode_display(rows: &[Row]) -> String {
-    let written = rows.iter().filter(|row| !row.right.unicode.is_empty());
-    let lines = written.map(|row| {
-        format!(
-            "    {} = {}    ({})\n",
-            row.left.unicode, row.right.unicode, row.label
-        )
-    });
+    let lines = rows
+        .iter()
+        .map(|row| format!("    {} = {}\n", row.left.unicode, row.right.unicode));
     lines.collect()
 }
