@@ -181,5 +181,5 @@ fn what_cannot_be_is_an_error() {
     let mut still =
         TaylorMotion::new(&body, Torque::None, &State::at_rest(), 1e-9).expect("a motion");
     still.advance_to(1e9).expect("rest lasts");
-    assert_eq!(*still.state(), State::at_rest());
+    assert!(still.state().difference(&State::at_rest()).norm() < 1e-15);
 }

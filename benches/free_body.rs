@@ -1,0 +1,104 @@
+//! The exact free body and Taylor motion against DOP853 of `ode_solvers`.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use nalgebra::{Matrix3, Vector3};
+use ode_solvers::{Dop853, SVector, System as Equations};
+use polhode::motion::{Body, FreeBody, State, Stepper, TaylorMotion, Torque};
+use std::hint::black_box;
+
+type Vector7 = SVector<f64, 7>;
+
+/// The heavy top (free at weight 0) as a user writes it down for a solver.
+struct Rival {
+    weight: f64,
+    arm: Vector3<f64>,
+}
+
+impl Equations<f64, Vector7> for Rival {
+    fn system(&self, _: f64, y: &Vector7, dy: &mut Vector7) {
+        let (w, x, yq, z) = (y[3], y[4], y[5], y[6]);
+        let down = Vector3::new(
+            -2.0 * (x * z - w * yq),
+            -2.0 * (yq * z + w * x),
+            -(w * w - x * x - yq * yq + z * z),
+        ) * self.weight;
+        let m = self.arm.cross(&down);
+        dy[0] = (m.x - 0.2 * y[1] * y[2]) / 0.6;
+        dy[1] = (m.y + 0.4 * y[2] * y[0]) / 0.8;
+        dy[2] = m.z - 0.2 * y[0] * y[1];
+        dy[3] = -0.5 * (x * y[0] + yq * y[1] + z * y[2]);
+        dy[4] = 0.5 * (w * y[0] + yq * y[2] - z * y[1]);
+        dy[5] = 0.5 * (w * y[1] + z * y[0] - x * y[2]);
+        dy[6] = 0.5 * (w * y[2] + x * y[1] - yq * y[0]);
+    }
+}
+
+fn body() -> Body {
+    Body::new(&Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0))).expect("a body")
+}
+
+fn rival(weight: f64, omega: [f64; 3], tolerance: f64) -> Vector7 {
+    let equations = Rival {
+        weight,
+        arm: Vector3::new(0.1, -0.2, 1.0),
+    };
+    let start = Vector7::from_column_slice(&[omega[0], omega[1], omega[2], 1.0, 0.0, 0.0, 0.0]);
+    let mut solver = Dop853::new(equations, 0.0, 10.0, 10.0, start, tolerance, tolerance);
+    solver.integrate().expect("solved");
+    *solver.y_out().last().expect("an end")
+}
+
+fn free(c: &mut Criterion) {
+    let omega = [3.0, 0.5, -0.9];
+    let (body, start) = (body(), State::at_rest().turning(omega.into()));
+    let mut group = c.benchmark_group("free body to t = 10");
+    group.bench_function("exact, set up and one time", |b| {
+        b.iter(|| FreeBody::new(black_box(&body), black_box(&start)).at(10.0));
+    });
+    let motion = FreeBody::new(&body, &start);
+    group.bench_function("exact, one more time", |b| {
+        b.iter(|| motion.at(black_box(9.0)))
+    });
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        group.bench_function(format!("Taylor {tolerance:e}"), |b| {
+            b.iter(|| {
+                let mut motion =
+                    TaylorMotion::new(&body, Torque::None, black_box(&start), tolerance)
+                        .expect("a motion");
+                motion.advance_to(10.0).expect("finite");
+                *motion.state()
+            });
+        });
+        group.bench_function(format!("DOP853 of ode_solvers {tolerance:e}"), |b| {
+            b.iter(|| rival(0.0, black_box(omega), tolerance));
+        });
+    }
+    group.finish();
+}
+
+fn top(c: &mut Criterion) {
+    let omega = [1.0, -2.0, 8.0];
+    let (body, start) = (body(), State::at_rest().turning(omega.into()));
+    let law = Torque::Gravity {
+        weight: 1.0,
+        arm: Vector3::new(0.1, -0.2, 1.0),
+    };
+    let mut group = c.benchmark_group("heavy top to t = 10");
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        group.bench_function(format!("Taylor {tolerance:e}"), |b| {
+            b.iter(|| {
+                let mut motion =
+                    TaylorMotion::new(&body, law, black_box(&start), tolerance).expect("a motion");
+                motion.advance_to(10.0).expect("finite");
+                *motion.state()
+            });
+        });
+        group.bench_function(format!("DOP853 of ode_solvers {tolerance:e}"), |b| {
+            b.iter(|| rival(1.0, black_box(omega), tolerance));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, free, top);
+criterion_main!(benches);
