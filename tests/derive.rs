@@ -73,6 +73,11 @@ fn latex_is_proved() {
 }
 
 #[test]
+fn unicode_is_proved() {
+    assert_proved(Derivation::unicode, Format::Text);
+}
+
+#[test]
 fn json_holds_the_same_lines() {
     for options in every_option() {
         let derivation = derive(&options);

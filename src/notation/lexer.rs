@@ -57,7 +57,7 @@ impl<'a> Lexer<'a> {
             '{' => self.push(Lexeme::Open, start),
             '}' => self.push(Lexeme::Close, start),
             '^' => self.push(Lexeme::Superscript, start),
-            '_' => self.push(Lexeme::Subscript, start),
+            '_' => self.subscript(start),
             '&' => self.push(Lexeme::Ampersand, start),
             '~' => self.push(Lexeme::Space(6), start),
             '0'..='9' | '.' if c != '.' || self.digit_follows() => self.number(start),
@@ -221,6 +221,28 @@ impl<'a> Lexer<'a> {
             None if unicode::invisible(c) => {}
             None => self.push(Lexeme::Char(c), start),
         }
+    }
+
+    /// `_`; in plain text the letters and digits behind it are one subscript, as in `I_xx`.
+    fn subscript(&mut self, start: usize) {
+        self.push(Lexeme::Subscript, start);
+        let alphanumeric = |c: &char| c.is_ascii_alphanumeric();
+        let length = self.rest().chars().take_while(alphanumeric).count();
+        if self.letters == Letters::Single || length < 2 {
+            return;
+        }
+        let end = self.at + length;
+        self.push(Lexeme::Open, self.at);
+        while self.at < end {
+            let start = self.at;
+            self.at += 1;
+            let text = &self.text[start..self.at];
+            match text.chars().next() {
+                Some(c) if c.is_ascii_alphabetic() => self.push(Lexeme::Letter(c), start),
+                _ => self.push(Lexeme::Number(text), start),
+            }
+        }
+        self.push(Lexeme::Close, self.at);
     }
 
     /// A run of raised or lowered characters.

@@ -201,17 +201,17 @@ impl Page {
         let moment = || vector("\\Sigma \\vec{M}", "ΣM");
         self.rows(vec![(
             moment(),
-            vector("(\\dot{\\vec{L}})_{XYZ}", "(dL/dt)_{XYZ}"),
+            vector("(\\dot{\\vec{L}})_{XYZ}", "(dL/dt)_XYZ"),
         )]);
         self.words("Seen from the axes used, the transport theorem adds a cross product.");
         let right = match self.options.axes {
             Axes::Body => vector(
                 "(\\dot{\\vec{L}})_{xyz} + \\vec{\\omega} \\times \\vec{L}",
-                "(dL/dt)_{xyz} + ω × L",
+                "(dL/dt)_xyz + ω × L",
             ),
             Axes::Turning => vector(
                 "(\\dot{\\vec{L}})_{xyz} + \\vec{\\Omega} \\times \\vec{L}",
-                "(dL/dt)_{xyz} + Ω × L",
+                "(dL/dt)_xyz + Ω × L",
             ),
         };
         self.rows(vec![(moment(), right)]);
