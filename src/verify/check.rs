@@ -28,6 +28,16 @@ pub fn check(document: &Document) -> Report {
     checker.report()
 }
 
+/// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
+const LONGEST_SENTENCE: usize = 4_000;
+
+/// Drops the beginning of a text that is longer than `most` bytes.
+fn keep_end(text: &mut String, most: usize) {
+    let excess = text.len().saturating_sub(most);
+    let cut = (excess..text.len()).find(|&at| text.is_char_boundary(at));
+    text.drain(..cut.unwrap_or(0));
+}
+
 /// What is in force at a place of the document.
 pub(super) struct Checker<'a> {
     pub(super) document: &'a Document,
@@ -282,6 +292,7 @@ impl<'a> Checker<'a> {
             .filter(|c| c.is_alphanumeric() || *c == ' ')
             .collect();
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
+        keep_end(&mut self.sentence, LONGEST_SENTENCE);
         let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
         let inside = inside
             .rfind("\\end{")
