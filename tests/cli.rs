@@ -291,6 +291,20 @@ fn a_reader_that_leaves_early_is_no_panic() {
 }
 
 #[test]
+fn a_derivation_that_is_printed_can_be_checked() {
+    let folder = folder();
+    let output = polhode(folder.path(), &["derive", "--out", "derived.md"]);
+    assert_eq!((code(&output), stdout(&output).as_str()), (0, ""));
+    assert_eq!(code(&polhode(folder.path(), &["check", "derived.md"])), 0);
+    let output = polhode(folder.path(), &["derive", "--body", "dumpling"]);
+    assert_eq!(code(&output), 2);
+    assert!(
+        stderr(&output).contains("one-plane"),
+        "the values are listed"
+    );
+}
+
+#[test]
 fn help_gives_an_example() {
     let folder = folder();
     let output = polhode(folder.path(), &["check", "--help"]);

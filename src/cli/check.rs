@@ -100,18 +100,10 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
             }
         },
     };
-    if let Err(error) = output::write(&text, options.out.as_deref(), color) {
-        let target = options
-            .out
-            .as_deref()
-            .map_or("standard output".to_owned(), input::name);
-        eprintln!("error: {target}: {error}");
-        return 2;
-    }
-    if failures.is_empty() {
-        code(&checked)
-    } else {
-        2
+    match output::deliver(&text, options.out.as_deref(), color) {
+        0 if failures.is_empty() => code(&checked),
+        0 => 2,
+        failed => failed,
     }
 }
 

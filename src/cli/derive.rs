@@ -1,6 +1,6 @@
 //! `polhode derive`.
 
-use crate::cli::{input, output};
+use crate::cli::output;
 use crate::report::derive::{Axes, Body, Component, DeriveOptions, derive};
 use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
@@ -107,15 +107,5 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
             }
         },
     };
-    match output::write(&text, options.out.as_deref(), color) {
-        Ok(()) => 0,
-        Err(error) => {
-            let target = options
-                .out
-                .as_deref()
-                .map_or("standard output".to_owned(), input::name);
-            eprintln!("error: {target}: {error}");
-            2
-        }
-    }
+    output::deliver(&text, options.out.as_deref(), color)
 }

@@ -1,15 +1,28 @@
 //! Writes a result to the terminal, or to a file in one piece.
 
+use crate::cli::input;
 use anstream::{AutoStream, ColorChoice};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+/// Writes as [`write`] does; says what went wrong and returns the exit code for it, or 0.
+pub(super) fn deliver(text: &str, out: Option<&Path>, color: ColorChoice) -> u8 {
+    match write(text, out, color) {
+        Ok(()) => 0,
+        Err(error) => {
+            let target = out.map_or("standard output".to_owned(), input::name);
+            eprintln!("error: {target}: {error}");
+            2
+        }
+    }
+}
+
 /// Writes a text with terminal colours to `out`, where they are taken off, or to standard output, where `color` rules.
 ///
 /// A file is complete or not there at all: the text goes to a new file beside it, which then takes its name. A reader
 /// of standard output that has heard enough is no error.
-pub(super) fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
+fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
     let Some(path) = out else {
         let mut stream = AutoStream::new(io::stdout().lock(), color);
         let done = stream
