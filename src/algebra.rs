@@ -4,6 +4,7 @@
 
 mod certificate;
 mod combination;
+mod composition;
 mod fraction;
 mod groebner;
 mod linear;
@@ -16,6 +17,7 @@ mod substitute;
 
 pub use certificate::Certificate;
 pub use combination::Budget;
+pub use composition::{TooLarge, compose};
 pub use fraction::Fraction;
 pub use linear::{LinearError, LinearSolution, solve_linear};
 pub use monomial::{Monomial, Variable};

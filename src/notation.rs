@@ -118,6 +118,14 @@ pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
     parse::rows::rows(&tokens)
 }
 
+/// Reads a formula of a document of some format anew, spans counted from its own first byte.
+pub fn reread(format: Format, text: &str) -> Vec<Row> {
+    match format {
+        Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)),
+        _ => read_formula(text, 0, &Macros::default()),
+    }
+}
+
 fn unreadable(message: &str, span: Span) -> Row {
     Row::Unreadable {
         message: message.into(),

@@ -80,6 +80,9 @@ pub(super) struct Atoms {
     atoms: Vec<Atom>,
     parts: HashMap<(Entity, u8, u8), Variable>,
     named: HashMap<String, Variable>,
+    spelled: HashMap<(Entity, u8), String>,
+    /// Whether the document numbers its axes.
+    pub numbered: bool,
 }
 
 impl Atoms {
@@ -116,6 +119,16 @@ impl Atoms {
     /// What is known of an entity.
     pub(super) fn info(&self, entity: Entity) -> &EntityInfo {
         &self.entities[entity.0 as usize]
+    }
+
+    /// Notes how the document writes a component; the first spelling stays.
+    pub(super) fn spell(&mut self, entity: Entity, component: u8, latex: String) {
+        self.spelled.entry((entity, component)).or_insert(latex);
+    }
+
+    /// How the document writes a component.
+    pub(super) fn spelling(&self, entity: Entity, component: u8) -> Option<&str> {
+        self.spelled.get(&(entity, component)).map(String::as_str)
     }
 
     /// Changes what is known of an entity.

@@ -4,6 +4,7 @@ use crate::algebra::Fraction;
 use crate::notation::ast::Node;
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
+use crate::verify::carried::Slip;
 use crate::verify::convention::convention;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
@@ -12,6 +13,7 @@ use crate::verify::prose::{Said, said, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::role::role;
+use crate::verify::spelling::spell;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::{Premise, Taken, Theory};
 use crate::verify::usage::{Letter, symbols};
@@ -51,6 +53,8 @@ pub(super) struct Checker<'a> {
     /// The last side of the line before, for lines that go on.
     pub(super) last_side: Option<Node>,
     pub(super) findings: Vec<Finding>,
+    /// False lines so far.
+    pub(super) slips: Vec<Slip>,
     sentence: String,
     /// Whether a paragraph ended since the last words or formula.
     broken: bool,
@@ -59,7 +63,7 @@ pub(super) struct Checker<'a> {
     scopes: Vec<(String, u8)>,
     level: u8,
     axes_before: Axes,
-    convention: Convention,
+    pub(super) convention: Convention,
     from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
@@ -92,6 +96,7 @@ impl<'a> Checker<'a> {
             dots_on_body: false,
             last_side: None,
             findings: vec![],
+            slips: vec![],
             sentence: String::new(),
             broken: false,
             mark: None,
@@ -103,6 +108,7 @@ impl<'a> Checker<'a> {
             passed: vec![],
             reading,
         };
+        spell(document, &checker.reading, &mut checker.theory.atoms);
         checker.single_moments();
         checker
     }

@@ -86,6 +86,7 @@ impl Checker<'_> {
                 finding.reason = Some("the sides differ".to_owned());
                 finding.counterexample = Some(*witness);
                 finding.residual = self.residual(read);
+                self.carry(&read.equations, finding);
             }
             Decision::True => {}
         }
@@ -100,6 +101,7 @@ impl Checker<'_> {
             .collect::<Vec<_>>();
         entries.iter().find_map(|entry| {
             let reduced = self.theory.normal(entry);
+            let entry = &self.theory.kernels_reduced(entry.clone());
             let shown = if entry.numerator().len() <= reduced.numerator().len() {
                 entry
             } else {

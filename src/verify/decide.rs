@@ -80,7 +80,11 @@ pub(super) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
             .iter()
             .all(|entry| theory.normal(entry).is_zero())
         {
-            return Decision::Open("equal in every trial, and no proof was found".to_owned());
+            let reason = match std::mem::take(&mut theory.exhausted) {
+                true => "budget: equal in every trial, and the proof grew beyond the terms allowed",
+                false => "equal in every trial, and no proof was found",
+            };
+            return Decision::Open(reason.to_owned());
         }
     }
     Decision::True
@@ -196,7 +200,11 @@ pub(super) fn component(value: &Value, place: usize) -> Option<String> {
 
 /// The smallest set of named laws and premises that the equations need, found by leaving each out in turn.
 pub(super) fn needed(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
-    let names = reached(theory, equations);
+    let residuals: Vec<Fraction> = equations
+        .iter()
+        .flat_map(|e| e.residual.entries.clone())
+        .collect();
+    let names = reached(theory, &residuals);
     let mut dropped: BTreeSet<Name> = theory.left_out.clone();
     let mut kept = vec![];
     for name in names {
@@ -216,14 +224,10 @@ pub(super) fn needed(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
     kept
 }
 
-/// The names of all laws and premises that the variables of the equations lead to; document premises first, so that
+/// The names of all laws and premises that the variables of some fractions lead to; document premises first, so that
 /// they are the first that are tried to be left out.
-fn reached(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
-    let mut open: Vec<u32> = equations
-        .iter()
-        .flat_map(|e| &e.residual.entries)
-        .flat_map(Fraction::variables)
-        .collect();
+pub(super) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> {
+    let mut open: Vec<u32> = fractions.iter().flat_map(Fraction::variables).collect();
     let (mut seen, mut names) = (BTreeSet::new(), BTreeSet::new());
     while let Some(variable) = open.pop() {
         if !seen.insert(variable) {

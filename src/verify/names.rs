@@ -14,8 +14,11 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
             component,
             order,
         } => {
+            if let Some(text) = atoms.spelling(*entity, *component) {
+                return dotted(text, *order);
+            }
             let info = atoms.info(*entity);
-            let index = index(info.shape, &info.owner, *component);
+            let index = index(info.shape, &info.owner, *component, atoms.numbered);
             let letter = dotted(&info.latex, *order);
             if index.is_empty() {
                 letter
@@ -43,12 +46,21 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
     }
 }
 
+/// A letter with dots: `\dot L_x`, `\dot\omega_x`, `\dot{\mathcal{L}}`.
 fn dotted(letter: &str, order: u8) -> String {
-    match order {
-        0 => letter.to_owned(),
-        1 => format!("\\dot{{{letter}}}"),
-        2 => format!("\\ddot{{{letter}}}"),
-        n => format!("{letter}^{{({n})}}"),
+    let mark = match order {
+        0 => return letter.to_owned(),
+        1 => "\\dot",
+        2 => "\\ddot",
+        n => return format!("{letter}^{{({n})}}"),
+    };
+    let (head, rest) = letter.split_at(letter.find('_').unwrap_or(letter.len()));
+    match head.strip_prefix('\\') {
+        Some(command) if command.chars().all(char::is_alphanumeric) => {
+            format!("{mark}{head}{rest}")
+        }
+        None if head.chars().count() == 1 => format!("{mark} {head}{rest}"),
+        _ => format!("{mark}{{{head}}}{rest}"),
     }
 }
 
@@ -56,12 +68,18 @@ fn dotted(letter: &str, order: u8) -> String {
 fn subscripted(letter: &str, index: &str) -> String {
     match letter.strip_suffix('}') {
         Some(open) if open.contains("_{") => format!("{open},{index}}}"),
+        _ if index.chars().count() == 1 => format!("{letter}_{index}"),
         _ => format!("{letter}_{{{index}}}"),
     }
 }
 
-fn index(shape: Shape, owner: &Owner, component: u8) -> String {
-    let axis = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
+fn index(shape: Shape, owner: &Owner, component: u8, numbered: bool) -> String {
+    let family = if numbered {
+        ["1", "2", "3"]
+    } else {
+        ["x", "y", "z"]
+    };
+    let axis = |i: u8| family[usize::from(i) % 3];
     let of = |text: String| match owner {
         Owner::Quantity(_, variant) if !variant.is_empty() => format!("{variant},{text}"),
         _ => text,
@@ -73,7 +91,9 @@ fn index(shape: Shape, owner: &Owner, component: u8) -> String {
         },
         Shape::Vector => of(axis(component).to_owned()),
         Shape::Symmetric => {
-            ["xx", "yy", "zz", "xy", "xz", "yz"][usize::from(component) % 6].to_owned()
+            let (row, column) =
+                [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)][usize::from(component) % 6];
+            format!("{}{}", axis(row), axis(column))
         }
         Shape::Matrix => format!("{}{}", axis(component / 3), axis(component)),
     }
@@ -105,6 +125,7 @@ pub(super) fn polynomial(atoms: &Atoms, polynomial: &Polynomial) -> String {
             .iter()
             .map(|&(v, e)| match (latex(atoms, v), e) {
                 (name, 1) => name,
+                (name, e) if e < 10 => format!("{name}^{e}"),
                 (name, e) => format!("{name}^{{{e}}}"),
             })
             .collect();

@@ -98,6 +98,18 @@ impl Theory {
         {
             return None;
         }
+        // Solved for ω with ω̇ on the other side, a rule would lead from each derivative to a higher one, without end.
+        let higher = |v: &Variable| match *self.atoms.atom(*v) {
+            Atom::Part {
+                entity: e,
+                order: o,
+                ..
+            } => e == entity && o > order,
+            _ => false,
+        };
+        if polynomial.variables().iter().any(higher) {
+            return None;
+        }
         let coefficient = polynomial.coefficient_of(variable, 1);
         let rest = polynomial.coefficient_of(variable, 0);
         let constant = coefficient.is_constant().is_some();

@@ -3,7 +3,7 @@
 //! Together they form a triangular set (Ritt, Wu): every rule gives one variable in terms of others, and a
 //! formula is brought to normal form by putting all rules in.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::law::{Setting, law};
@@ -49,6 +49,9 @@ pub(super) enum Taken {
     Contradiction,
 }
 
+/// Terms that a product in a normal form may have: a budget, so that every check ends.
+const MOST_TERMS: usize = 40_000;
+
 /// Laws and premises in force.
 #[derive(Clone, Debug)]
 pub(super) struct Theory {
@@ -64,6 +67,8 @@ pub(super) struct Theory {
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
     open: BTreeSet<Variable>,
+    /// Whether some normal form was given up because it grew beyond the budget.
+    pub exhausted: bool,
 }
 
 impl Theory {
@@ -78,6 +83,7 @@ impl Theory {
             rules: HashMap::new(),
             normals: HashMap::new(),
             open: BTreeSet::new(),
+            exhausted: false,
         }
     }
 
@@ -232,9 +238,13 @@ impl Theory {
         {
             return self.kernels_reduced(Fraction::from(polynomial.clone()));
         }
-        let image = |v: Variable| images.get(&v).cloned().unwrap_or_else(Fraction::zero);
-        let value = polynomial.evaluate(image, |c| Fraction::from(Polynomial::constant(c.clone())));
-        self.kernels_reduced(value)
+        match compose(polynomial, &images, MOST_TERMS) {
+            Ok(value) => self.kernels_reduced(value),
+            Err(TooLarge) => {
+                self.exhausted = true;
+                Fraction::from(polynomial.clone())
+            }
+        }
     }
 
     fn normal_variable(&mut self, variable: Variable) -> Fraction {
@@ -255,7 +265,7 @@ impl Theory {
     }
 
     /// Puts the relations of kernels in: s² = 1 − c², r² = x.
-    fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
+    pub(super) fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
         let mut value = fraction;
         for variable in value.numerator().variables() {
             let Some(square) = self.kernel_square(variable) else {

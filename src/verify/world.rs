@@ -60,6 +60,9 @@ impl Substance for Rational {
     }
 }
 
+/// Derivatives beyond this order have no value: rules that lead from each to a higher one must end.
+const HIGHEST_ORDER: u8 = 6;
+
 /// A value for every variable that is asked for.
 pub(super) struct World<'a, T> {
     theory: &'a mut Theory,
@@ -105,6 +108,10 @@ impl<'a, T: Substance> World<'a, T> {
     pub(super) fn variable(&mut self, variable: Variable) -> Option<T> {
         if let Some(value) = self.values.get(&variable) {
             return Some(value.clone());
+        }
+        if matches!(self.theory.atoms.atom(variable), Atom::Part { order, .. } if *order > HIGHEST_ORDER)
+        {
+            return None;
         }
         let ruled = if self.open.insert(variable) {
             self.theory.rule(variable)

@@ -1,0 +1,165 @@
+//! Fractions put in for the variables of a polynomial, over one common denominator.
+//!
+//! Adding term by term would multiply denominators again and again; here each denominator stands below once, in the
+//! highest power that any term needs.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use num_traits::One;
+use std::collections::HashMap;
+
+/// Why nothing was put in: a product would have had more terms than allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLarge;
+
+impl std::fmt::Display for TooLarge {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("a product grew beyond the number of terms that is allowed")
+    }
+}
+
+impl std::error::Error for TooLarge {}
+
+/// The polynomial with each variable replaced by its image; variables without one stay.
+///
+/// # Errors
+///
+/// [`TooLarge`] where a product of intermediate results could have more than `most` terms.
+pub fn compose(
+    polynomial: &Polynomial,
+    images: &HashMap<Variable, Fraction>,
+    most: usize,
+) -> Result<Fraction, TooLarge> {
+    let mut below = Denominators::of(polynomial, images);
+    let mut powers: HashMap<Variable, Vec<Polynomial>> = HashMap::new();
+    let mut sum = Polynomial::default();
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut product = Polynomial::constant(coefficient.clone());
+        let mut used = vec![0; below.distinct.len()];
+        for (variable, exponent) in monomial.powers() {
+            let image = images.get(&variable);
+            let known = powers.entry(variable).or_insert_with(|| {
+                let base =
+                    image.map_or_else(|| Polynomial::variable(variable), |f| f.numerator().clone());
+                vec![Polynomial::one(), base]
+            });
+            raise(known, exponent as usize, most)?;
+            product = product
+                .product_within(&known[exponent as usize], most)
+                .ok_or(TooLarge)?;
+            if let Some(&class) = below.class.get(&variable) {
+                used[class] += exponent;
+            }
+        }
+        for (class, used) in used.into_iter().enumerate() {
+            let missing = (below.highest[class] - used) as usize;
+            raise(&mut below.distinct[class], missing, most)?;
+            product = product
+                .product_within(&below.distinct[class][missing], most)
+                .ok_or(TooLarge)?;
+        }
+        sum = sum + product;
+        if sum.len() > most {
+            return Err(TooLarge);
+        }
+    }
+    let mut denominator = Polynomial::one();
+    for (class, &power) in below.highest.iter().enumerate() {
+        raise(&mut below.distinct[class], power as usize, most)?;
+        denominator = denominator
+            .product_within(&below.distinct[class][power as usize], most)
+            .ok_or(TooLarge)?;
+    }
+    Ok(Fraction::from(sum) / Fraction::from(denominator))
+}
+
+/// The different denominators of the images, with their powers, and the highest power that is needed.
+struct Denominators {
+    distinct: Vec<Vec<Polynomial>>,
+    highest: Vec<u32>,
+    class: HashMap<Variable, usize>,
+}
+
+impl Denominators {
+    fn of(polynomial: &Polynomial, images: &HashMap<Variable, Fraction>) -> Self {
+        let mut all = Self {
+            distinct: vec![],
+            highest: vec![],
+            class: HashMap::new(),
+        };
+        for variable in polynomial.variables() {
+            let Some(image) = images.get(&variable) else {
+                continue;
+            };
+            let below = image.denominator();
+            if below.is_one() {
+                continue;
+            }
+            let place = all
+                .distinct
+                .iter()
+                .position(|known| known[1] == *below)
+                .unwrap_or_else(|| {
+                    all.distinct.push(vec![Polynomial::one(), below.clone()]);
+                    all.highest.push(0);
+                    all.distinct.len() - 1
+                });
+            all.class.insert(variable, place);
+        }
+        for (monomial, _) in polynomial.terms() {
+            let mut used = vec![0; all.distinct.len()];
+            for (variable, exponent) in monomial.powers() {
+                if let Some(&class) = all.class.get(&variable) {
+                    used[class] += exponent;
+                }
+            }
+            for (highest, used) in all.highest.iter_mut().zip(used) {
+                *highest = (*highest).max(used);
+            }
+        }
+        all
+    }
+}
+
+/// Makes the powers of a polynomial known up to an exponent.
+fn raise(known: &mut Vec<Polynomial>, exponent: usize, most: usize) -> Result<(), TooLarge> {
+    while known.len() <= exponent {
+        let next = known[known.len() - 1]
+            .product_within(&known[1], most)
+            .ok_or(TooLarge)?;
+        known.push(next);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variable(v: Variable) -> Polynomial {
+        Polynomial::variable(v)
+    }
+
+    #[test]
+    fn a_common_denominator_stands_below_once() {
+        // x² + x y with x = a/c, y = b/c is (a² + a b)/c².
+        let [x, y, a, b, c] = [0, 1, 2, 3, 4].map(variable);
+        let quotient = |top: &Polynomial| Fraction::from(top.clone()) / Fraction::from(c.clone());
+        let images = HashMap::from([(0, quotient(&a)), (1, quotient(&b))]);
+        let value = compose(&(x.clone() * x.clone() + x * y), &images, 100);
+        let expected = Fraction::new(a.clone() * a.clone() + a.clone() * b, c.clone() * c.clone());
+        assert_eq!(value.ok(), expected);
+    }
+
+    #[test]
+    fn growth_is_bounded() {
+        let x = variable(0);
+        let wide = (1..40)
+            .map(variable)
+            .fold(Polynomial::default(), |sum, v| sum + v);
+        let images = HashMap::from([(0, Fraction::from(wide))]);
+        assert_eq!(
+            compose(&(x.clone() * x.clone() * x), &images, 2_000),
+            Err(TooLarge)
+        );
+    }
+}

@@ -1,0 +1,451 @@
+//! The cheapest change that makes a false line provable: where it stands, what it is, and the line as it should be.
+
+use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::notation::reread;
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::convention_slips::sign_flips;
+use crate::verify::decide::{Decision, decide, passes_filter};
+use crate::verify::edit::{Edit, edited};
+use crate::verify::frame::{Frame, frame};
+use crate::verify::line::Read;
+use crate::verify::names;
+use crate::verify::quantity::Quantity;
+use crate::verify::slips::Slips;
+use crate::verify::usage::Letter;
+use crate::verify::value::Value;
+use crate::verify::verdict::{Diagnosis, Finding};
+use num_traits::Zero;
+
+/// Texts that are tried for one line at most.
+const CANDIDATES: usize = 3000;
+/// Edits that are tried two at a time.
+const PAIRED: usize = 40;
+
+impl Checker<'_> {
+    /// Says what is wrong with a refuted line, if a change of one or two places, or a lost term, makes it true.
+    pub(super) fn diagnose(&mut self, line: &Line, finding: &mut Finding) {
+        if line.span.end - line.span.start > 2000 {
+            return;
+        }
+        let slips = Slips::new(&self.document.source, &self.reading, self.frame_labels());
+        let inside =
+            |edit: &Edit| line.span.start <= edit.span.start && edit.span.end <= line.span.end;
+        let mut edits: Vec<Edit> = slips.of(&line.sides).into_iter().filter(inside).collect();
+        edits.extend(self.lost_transport(line));
+        edits.sort_by_key(|edit| (edit.cost, edit.span));
+        let mut search = Search {
+            line,
+            left: CANDIDATES,
+        };
+        finding.diagnosis = self
+            .convention_slip(line, &mut search)
+            .or_else(|| self.single(&edits, &mut search))
+            .or_else(|| self.alike(&edits, &mut search))
+            .or_else(|| self.by_component(&edits, &mut search))
+            .or_else(|| self.lost_term(line, &mut search))
+            .or_else(|| self.pairs(&edits, &mut search));
+    }
+
+    fn single(&mut self, edits: &[Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+        edits.iter().find_map(|edit| self.tried(&[edit], search))
+    }
+
+    /// One slip made throughout the line: every square lost, every sign.
+    fn alike(&mut self, edits: &[Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+        let mut classes: Vec<(&'static str, &str)> = vec![];
+        let once = |edit: &&Edit| {
+            !matches!(
+                edit.kind,
+                "missing-dot" | "extra-dot" | "frame" | "extra-term"
+            )
+        };
+        for edit in edits.iter().filter(once) {
+            let class = (edit.kind, edit.message.as_str());
+            if !classes.contains(&class) {
+                classes.push(class);
+            }
+        }
+        classes.into_iter().find_map(|(kind, message)| {
+            let mut all: Vec<&Edit> = vec![];
+            for edit in edits
+                .iter()
+                .filter(|e| e.kind == kind && e.message == message)
+            {
+                if all.iter().all(|other| apart(other.span, edit.span)) {
+                    all.push(edit);
+                }
+            }
+            (all.len() > 1).then(|| self.tried(&all, search)).flatten()
+        })
+    }
+
+    /// The same slip in each component of a vector equation, found one component at a time.
+    fn by_component(&mut self, edits: &[Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+        let wrong = self.mask(&[], search)?;
+        if wrong.len() < 2 || wrong.iter().filter(|w| **w).count() < 2 {
+            return None;
+        }
+        let mut chosen: Vec<Option<&Edit>> = vec![None; wrong.len()];
+        for edit in edits {
+            let Some(mask) = self.mask(&[edit], search) else {
+                continue;
+            };
+            if mask.len() != wrong.len()
+                || mask.iter().zip(&wrong).any(|(now, before)| *now && !before)
+            {
+                continue;
+            }
+            for (slot, (now, before)) in chosen.iter_mut().zip(mask.iter().zip(&wrong)) {
+                if *before && !now && slot.is_none() {
+                    *slot = Some(edit);
+                }
+            }
+        }
+        let mut all: Vec<&Edit> = vec![];
+        for (slot, before) in chosen.iter().zip(&wrong) {
+            let edit = match (slot, before) {
+                (Some(edit), true) => *edit,
+                (None, true) => return None,
+                _ => continue,
+            };
+            if !all.contains(&edit) {
+                all.push(edit);
+            }
+        }
+        self.tried(&all, search)
+    }
+
+    fn pairs(&mut self, edits: &[Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+        let few = &edits[..edits.len().min(PAIRED)];
+        for (i, first) in few.iter().enumerate() {
+            for second in few[i + 1..]
+                .iter()
+                .filter(|second| apart(first.span, second.span))
+            {
+                if let Some(found) = self.tried(&[first, second], search) {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    /// The line with some edits, if that is true.
+    fn tried(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+        let text = self.proved_with(edits, search)?;
+        let first = edits.iter().min_by_key(|edit| edit.span)?;
+        let mut kinds: Vec<&'static str> = edits.iter().map(|edit| edit.kind).collect();
+        kinds.dedup();
+        let message = match (edits.len(), kinds.as_slice()) {
+            (1, _) => first.message.clone(),
+            (n, [_]) => format!("{}, in {n} places", first.message),
+            _ => edits
+                .iter()
+                .map(|e| e.message.clone())
+                .collect::<Vec<_>>()
+                .join("; and "),
+        };
+        Some(Diagnosis {
+            kind: first.kind,
+            message,
+            suggestion: Some(text),
+            place: Some(first.span),
+        })
+    }
+
+    /// The text with the edits, if it is read as one line, says something, and is proved.
+    fn proved_with(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<String> {
+        let text = self.edited_text(edits, search)?;
+        let reads = self.reads(&text, search)?;
+        for read in reads {
+            let holds = read
+                .equations
+                .iter()
+                .all(|e| passes_filter(&mut self.theory, &e.residual) == Some(true));
+            if holds
+                && !self.says_nothing(&read)
+                && matches!(decide(&mut self.theory, &read.equations), Decision::True)
+            {
+                return Some(without_alignment(text.trim()));
+            }
+        }
+        None
+    }
+
+    /// Both sides vanish, and neither is written as zero.
+    fn says_nothing(&mut self, read: &Read) -> bool {
+        read.equations.iter().any(|e| {
+            let written = e.left.is_zero() || e.right.is_zero();
+            !written && passes_filter(&mut self.theory, &e.left) == Some(true)
+        })
+    }
+
+    fn edited_text(&self, edits: &[&Edit], search: &mut Search<'_>) -> Option<String> {
+        search.left = search.left.checked_sub(1)?;
+        let text = self.document.source.slice(search.line.span);
+        edited(text, search.line.span.start, edits)
+    }
+
+    /// The equations of a text that stands in the place of the line.
+    fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
+        let rows = reread(self.document.format, text);
+        let [Row::Line(line)] = rows.as_slice() else {
+            return None;
+        };
+        let mut sides: Vec<Node> = line.sides.clone();
+        if line.continues {
+            sides.insert(0, self.last_side.clone()?);
+        }
+        let relations = search.line.relations.len();
+        if line.relations.len() != relations || tautology(&sides, text) {
+            return None;
+        }
+        self.readings(&sides).ok()
+    }
+
+    /// Which components of the equation differ, with some edits.
+    fn mask(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<Vec<bool>> {
+        let text = self.edited_text(edits, search)?;
+        let reads = self.reads(&text, search)?;
+        let [equation] = reads.first()?.equations.as_slice() else {
+            return None;
+        };
+        let entry = |i: usize| Value::scalar(equation.residual.entries[i].clone());
+        let count = equation.residual.entries.len();
+        (0..count)
+            .map(|i| Some(!passes_filter(&mut self.theory, &entry(i))?))
+            .collect()
+    }
+
+    /// Every product of inertia with the other sign, if that makes the line true.
+    fn convention_slip(&mut self, line: &Line, search: &mut Search<'_>) -> Option<Diagnosis> {
+        let edits = sign_flips(&line.sides, &self.reading);
+        let all: Vec<&Edit> = edits.iter().collect();
+        let before = |f: &Finding| f.diagnosis.as_ref().is_some_and(|d| d.kind == "convention");
+        // One flipped sign alone is a slip of sign, unless the document has shown the other convention before.
+        if all.is_empty() || (all.len() == 1 && !self.findings.iter().any(before)) {
+            return None;
+        }
+        let text = self.proved_with(&all, search)?;
+        Some(Diagnosis {
+            kind: "convention",
+            message: format!(
+                "the products of inertia have the sign of the other convention; this document uses {}",
+                self.convention.name
+            ),
+            suggestion: Some(text),
+            place: edits.first().map(|edit| edit.span),
+        })
+    }
+
+    /// `+ ω × L` at the end of a side, in the letters of the document.
+    fn lost_transport(&self, line: &Line) -> Vec<Edit> {
+        let rate = self
+            .spelled_vector(Quantity::FrameRate)
+            .or_else(|| self.spelled_vector(Quantity::AngularVelocity));
+        let (Some(rate), Some(momentum)) = (rate, self.spelled_vector(Quantity::Momentum)) else {
+            return vec![];
+        };
+        let times = if rate.is_ascii() { "\\times " } else { "× " };
+        line.sides
+            .last()
+            .map(|side| Edit {
+                span: Span {
+                    start: side.span.end,
+                    end: side.span.end,
+                },
+                text: format!(" + {rate} {times}{momentum}"),
+                kind: "missing-term",
+                message: format!("the term {rate} {times}{momentum} is missing"),
+                cost: 13,
+            })
+            .into_iter()
+            .collect()
+    }
+
+    /// A vector quantity as the document first writes it.
+    fn spelled_vector(&self, quantity: Quantity) -> Option<String> {
+        let letters: Vec<&Letter> = self
+            .reading
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q == quantity)
+            .map(|(l, _)| l)
+            .collect();
+        let vector = |s: &Symbol| {
+            letters.contains(&&Letter::of(s))
+                && s.subscripts.is_empty()
+                && self.reading.usage.is_vector(&Letter::of(s))
+        };
+        let marked = first_symbol(self.document, &|s| {
+            vector(s) && (s.style.vector || s.style.bar)
+        });
+        let node = marked.or_else(|| first_symbol(self.document, &vector))?;
+        Some(self.document.source.slice(node).to_owned())
+    }
+
+    /// What the right side lacks, written in the author's letters, where it is short.
+    fn lost_term(&mut self, line: &Line, search: &mut Search<'_>) -> Option<Diagnosis> {
+        let sides = match (line.continues, self.last_side.clone()) {
+            (true, Some(side)) => [vec![side], line.sides.clone()].concat(),
+            _ => line.sides.clone(),
+        };
+        let reads = self.readings(&sides).ok()?;
+        let (equations, last) = (&reads.first()?.equations, line.sides.last()?);
+        let [equation] = equations.as_slice() else {
+            return None;
+        };
+        let cells = cells(last, equation.residual.entries.len())?;
+        let mut edits = vec![];
+        for (cell, entry) in cells.iter().zip(&equation.residual.entries) {
+            let reduced = self.theory.normal(entry);
+            if reduced.is_zero() {
+                continue;
+            }
+            if !reduced.is_polynomial() || reduced.numerator().len() > 3 {
+                return None;
+            }
+            let text = names::fraction(&self.theory.atoms, &reduced);
+            let joined = if text.starts_with('-') {
+                format!(" - {}", &text[1..])
+            } else {
+                format!(" + {text}")
+            };
+            let message = format!("a term is missing:{joined}");
+            let zero = matches!(&cell.kind, Kind::Number(n) if n.value.is_zero());
+            let span = if zero {
+                cell.span
+            } else {
+                Span {
+                    start: cell.span.end,
+                    end: cell.span.end,
+                }
+            };
+            let text = if zero { text } else { joined };
+            edits.push(Edit {
+                span,
+                text,
+                kind: "missing-term",
+                message,
+                cost: 30,
+            });
+        }
+        let all: Vec<&Edit> = edits.iter().collect();
+        (!all.is_empty())
+            .then(|| self.tried(&all, search))
+            .flatten()
+    }
+
+    /// The labels that the document writes for the space frame and for the moving one.
+    fn frame_labels(&self) -> [String; 2] {
+        let mut found: [Option<String>; 2] = [None, None];
+        let mut look = |label: &FrameLabel| {
+            let slot = match frame(label) {
+                Some(Frame::Space) => &mut found[0],
+                Some(Frame::Moving) => &mut found[1],
+                None => return,
+            };
+            slot.get_or_insert_with(|| {
+                self.document
+                    .source
+                    .slice(label.span)
+                    .trim_matches(['{', '}'])
+                    .to_owned()
+            });
+        };
+        lines(self.document)
+            .flat_map(|l| &l.sides)
+            .for_each(|side| labels(side, &mut look));
+        let [space, moving] = found;
+        [
+            space.unwrap_or_else(|| "XYZ".into()),
+            moving.unwrap_or_else(|| "xyz".into()),
+        ]
+    }
+}
+
+/// The line that is repaired, and how many texts may still be tried.
+struct Search<'a> {
+    line: &'a Line,
+    left: usize,
+}
+
+/// Marks of alignment mean nothing outside the environment that the line stands in.
+fn without_alignment(text: &str) -> String {
+    match text.contains("\\begin") {
+        true => text.to_owned(),
+        false => text.replace('&', ""),
+    }
+}
+
+fn apart(a: Span, b: Span) -> bool {
+    a.end <= b.start || b.end <= a.start
+}
+
+/// Two sides that are written alike say nothing.
+fn tautology(sides: &[Node], text: &str) -> bool {
+    let written = |node: &Node| -> String {
+        text.get(node.span.range())
+            .unwrap_or("")
+            .chars()
+            .filter(|c| !c.is_whitespace())
+            .collect()
+    };
+    sides
+        .windows(2)
+        .any(|pair| pair[0].span != pair[1].span && written(&pair[0]) == written(&pair[1]))
+}
+
+/// The cells of a written column, or the whole side for a scalar.
+fn cells(side: &Node, count: usize) -> Option<Vec<&Node>> {
+    match &side.kind {
+        _ if count == 1 => Some(vec![side]),
+        Kind::Matrix(rows) if rows.iter().flatten().count() == count => {
+            Some(rows.iter().flatten().collect())
+        }
+        Kind::Tuple(entries) if entries.len() == count => Some(entries.iter().collect()),
+        Kind::Transpose(inner) => cells(inner, count),
+        _ => None,
+    }
+}
+
+fn lines(document: &Document) -> impl Iterator<Item = &Line> {
+    let formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(formula),
+        _ => None,
+    });
+    formulas.flat_map(|f| &f.rows).filter_map(|row| match row {
+        Row::Line(line) => Some(line),
+        _ => None,
+    })
+}
+
+fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
+    match &node.kind {
+        Kind::TimeDerivative {
+            frame: Some(label), ..
+        }
+        | Kind::InFrame(_, label) => look(label),
+        _ => {}
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| labels(child, look));
+}
+
+fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
+    fn find(node: &Node, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
+        match &node.kind {
+            Kind::Symbol(symbol) if wanted(symbol) => Some(node.span),
+            _ => node
+                .children()
+                .into_iter()
+                .find_map(|child| find(child, wanted)),
+        }
+    }
+    lines(document)
+        .flat_map(|l| &l.sides)
+        .find_map(|side| find(side, wanted))
+}
