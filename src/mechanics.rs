@@ -4,7 +4,7 @@
 //! Each function is the formula of its doc and nothing else. None knows which scalar it runs on, none branches
 //! on a value: run them on `f64` and they compute, on polynomials and they prove.
 //!
-//! Two things are for `f64` alone, as they need an order: [`principal_axes`] and [`possible_body`].
+//! Two things are for `f64` alone, as they need an order: [`principal_axes()`] and [`possible_body()`].
 //!
 //! Vectors are columns of components along the axes named in each doc; SI units throughout.
 //!

@@ -20,6 +20,7 @@ mod integral;
 mod kernel;
 mod law;
 mod line;
+mod lost_terms;
 mod lower;
 mod matrix;
 mod names;

@@ -57,7 +57,7 @@ pub fn compose(
                 .product_within(&below.distinct[class][missing], most)
                 .ok_or(TooLarge)?;
         }
-        sum = sum + product;
+        sum += product;
         if sum.len() > most {
             return Err(TooLarge);
         }

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes as [`write`] does; says what went wrong and returns the exit code for it, or 0.
+/// Writes as [`write()`] does; says what went wrong and returns the exit code for it, or 0.
 pub(super) fn deliver(text: &str, out: Option<&Path>, color: ColorChoice) -> u8 {
     match write(text, out, color) {
         Ok(()) => 0,

@@ -21,7 +21,7 @@ pub trait Scheme<L> {
         L: TorqueLaw<T>;
 
     /// The step and its Jacobian: the derivative of the numerical map itself, columns as in
-    /// [`jacobian`](crate::motion::jacobian).
+    /// [`jacobian`].
     fn step_with_jacobian<const N: usize>(
         &self,
         system: &System<f64, L>,

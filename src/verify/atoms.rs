@@ -1,4 +1,4 @@
-//! The variables of the polynomials: what each number in a [`Polynomial`](crate::algebra::Polynomial)
+//! The variables of the polynomials: what each number in a [`Polynomial`]
 //! stands for.
 //!
 //! An *entity* is a quantity or a symbol of the document; an *atom* is one component of it, or of one of its

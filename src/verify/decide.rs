@@ -49,6 +49,9 @@ pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<boo
         let mut world: World<Prime> = World::new(theory, seed);
         let values: Option<Vec<Prime>> =
             residual.entries.iter().map(|e| world.fraction(e)).collect();
+        if std::mem::take(&mut theory.exhausted) {
+            return None;
+        }
         let Some(values) = values else { continue };
         if values.iter().any(|v| !v.is_zero()) {
             return Some(false);

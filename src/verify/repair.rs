@@ -10,13 +10,9 @@ use crate::verify::decide::{Decision, decide, passes_filter};
 use crate::verify::edit::{Edit, edited};
 use crate::verify::frame::{Frame, frame};
 use crate::verify::line::Read;
-use crate::verify::names;
-use crate::verify::quantity::Quantity;
 use crate::verify::slips::Slips;
-use crate::verify::usage::Letter;
 use crate::verify::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding};
-use num_traits::Zero;
 
 /// Texts that are tried for one line at most.
 const CANDIDATES: usize = 3000;
@@ -133,7 +129,7 @@ impl Checker<'_> {
     }
 
     /// The line with some edits, if that is true.
-    fn tried(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
+    pub(super) fn tried(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<Diagnosis> {
         let text = self.proved_with(edits, search)?;
         let first = edits.iter().min_by_key(|edit| edit.span)?;
         let mut kinds: Vec<&'static str> = edits.iter().map(|edit| edit.kind).collect();
@@ -240,104 +236,6 @@ impl Checker<'_> {
         })
     }
 
-    /// `+ ω × L` at the end of a side, in the letters of the document.
-    fn lost_transport(&self, line: &Line) -> Vec<Edit> {
-        let rate = self
-            .spelled_vector(Quantity::FrameRate)
-            .or_else(|| self.spelled_vector(Quantity::AngularVelocity));
-        let (Some(rate), Some(momentum)) = (rate, self.spelled_vector(Quantity::Momentum)) else {
-            return vec![];
-        };
-        let times = if rate.is_ascii() { "\\times " } else { "× " };
-        line.sides
-            .last()
-            .map(|side| Edit {
-                span: Span {
-                    start: side.span.end,
-                    end: side.span.end,
-                },
-                text: format!(" + {rate} {times}{momentum}"),
-                kind: "missing-term",
-                message: format!("the term {rate} {times}{momentum} is missing"),
-                cost: 13,
-            })
-            .into_iter()
-            .collect()
-    }
-
-    /// A vector quantity as the document first writes it.
-    fn spelled_vector(&self, quantity: Quantity) -> Option<String> {
-        let letters: Vec<&Letter> = self
-            .reading
-            .quantities
-            .iter()
-            .filter(|(_, q)| **q == quantity)
-            .map(|(l, _)| l)
-            .collect();
-        let vector = |s: &Symbol| {
-            letters.contains(&&Letter::of(s))
-                && s.subscripts.is_empty()
-                && self.reading.usage.is_vector(&Letter::of(s))
-        };
-        let marked = first_symbol(self.document, &|s| {
-            vector(s) && (s.style.vector || s.style.bar)
-        });
-        let node = marked.or_else(|| first_symbol(self.document, &vector))?;
-        Some(self.document.source.slice(node).to_owned())
-    }
-
-    /// What the right side lacks, written in the author's letters, where it is short.
-    fn lost_term(&mut self, line: &Line, search: &mut Search<'_>) -> Option<Diagnosis> {
-        let sides = match (line.continues, self.last_side.clone()) {
-            (true, Some(side)) => [vec![side], line.sides.clone()].concat(),
-            _ => line.sides.clone(),
-        };
-        let reads = self.readings(&sides).ok()?;
-        let (equations, last) = (&reads.first()?.equations, line.sides.last()?);
-        let [equation] = equations.as_slice() else {
-            return None;
-        };
-        let cells = cells(last, equation.residual.entries.len())?;
-        let mut edits = vec![];
-        for (cell, entry) in cells.iter().zip(&equation.residual.entries) {
-            let reduced = self.theory.normal(entry);
-            if reduced.is_zero() {
-                continue;
-            }
-            if !reduced.is_polynomial() || reduced.numerator().len() > 3 {
-                return None;
-            }
-            let text = names::fraction(&self.theory.atoms, &reduced);
-            let joined = if text.starts_with('-') {
-                format!(" - {}", &text[1..])
-            } else {
-                format!(" + {text}")
-            };
-            let message = format!("a term is missing:{joined}");
-            let zero = matches!(&cell.kind, Kind::Number(n) if n.value.is_zero());
-            let span = if zero {
-                cell.span
-            } else {
-                Span {
-                    start: cell.span.end,
-                    end: cell.span.end,
-                }
-            };
-            let text = if zero { text } else { joined };
-            edits.push(Edit {
-                span,
-                text,
-                kind: "missing-term",
-                message,
-                cost: 30,
-            });
-        }
-        let all: Vec<&Edit> = edits.iter().collect();
-        (!all.is_empty())
-            .then(|| self.tried(&all, search))
-            .flatten()
-    }
-
     /// The labels that the document writes for the space frame and for the moving one.
     fn frame_labels(&self) -> [String; 2] {
         let mut found: [Option<String>; 2] = [None, None];
@@ -367,7 +265,7 @@ impl Checker<'_> {
 }
 
 /// The line that is repaired, and how many texts may still be tried.
-struct Search<'a> {
+pub(super) struct Search<'a> {
     line: &'a Line,
     left: usize,
 }
@@ -398,20 +296,7 @@ fn tautology(sides: &[Node], text: &str) -> bool {
         .any(|pair| pair[0].span != pair[1].span && written(&pair[0]) == written(&pair[1]))
 }
 
-/// The cells of a written column, or the whole side for a scalar.
-fn cells(side: &Node, count: usize) -> Option<Vec<&Node>> {
-    match &side.kind {
-        _ if count == 1 => Some(vec![side]),
-        Kind::Matrix(rows) if rows.iter().flatten().count() == count => {
-            Some(rows.iter().flatten().collect())
-        }
-        Kind::Tuple(entries) if entries.len() == count => Some(entries.iter().collect()),
-        Kind::Transpose(inner) => cells(inner, count),
-        _ => None,
-    }
-}
-
-fn lines(document: &Document) -> impl Iterator<Item = &Line> {
+pub(super) fn lines(document: &Document) -> impl Iterator<Item = &Line> {
     let formulas = document.items.iter().filter_map(|item| match item {
         Item::Formula(formula) => Some(formula),
         _ => None,
@@ -435,7 +320,7 @@ fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
         .for_each(|child| labels(child, look));
 }
 
-fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
+pub(super) fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
     fn find(node: &Node, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
         match &node.kind {
             Kind::Symbol(symbol) if wanted(symbol) => Some(node.span),

@@ -228,7 +228,7 @@ impl<'a> Slips<'a> {
             } else {
                 whole
             };
-            if terms.len() > 1 && !(i == 0 && !term.negative) {
+            if terms.len() > 1 && (i != 0 || term.negative) {
                 self.push(
                     whole,
                     "",

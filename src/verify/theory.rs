@@ -51,6 +51,10 @@ pub(super) enum Taken {
 
 /// Terms that a product in a normal form may have: a budget, so that every check ends.
 const MOST_TERMS: usize = 40_000;
+/// Terms of a value whose rate is still taken.
+const MOST_TERMS_OF_A_RATE: usize = 400;
+/// The highest order of a rate that a premise is differentiated for.
+const HIGHEST_ORDER: u8 = 6;
 
 /// Laws and premises in force.
 #[derive(Clone, Debug)]
@@ -192,6 +196,11 @@ impl Theory {
                 {
                     let mut value = rule.value;
                     for _ in ruled..order {
+                        // Rules that lead from each rate to a higher one would go on without end.
+                        if order > HIGHEST_ORDER || value.numerator().len() > MOST_TERMS_OF_A_RATE {
+                            self.exhausted = true;
+                            return None;
+                        }
                         value = self.atoms.derivative(&value);
                     }
                     return Some(Rule {

@@ -222,7 +222,7 @@ impl Value {
         Ok(Self::column([minor(1, 2), minor(2, 0), minor(0, 1)]))
     }
 
-    /// The matrix [a]× with [a]× b = a × b.
+    /// The matrix \[a\]× with \[a\]× b = a × b.
     pub(super) fn skew(&self) -> Result<Self, ShapeMismatch> {
         if self.entries.len() != 3 {
             return Err(ShapeMismatch(format!(

@@ -60,9 +60,6 @@ impl Substance for Rational {
     }
 }
 
-/// Derivatives beyond this order have no value: rules that lead from each to a higher one must end.
-const HIGHEST_ORDER: u8 = 6;
-
 /// A value for every variable that is asked for.
 pub(super) struct World<'a, T> {
     theory: &'a mut Theory,
@@ -109,10 +106,6 @@ impl<'a, T: Substance> World<'a, T> {
         if let Some(value) = self.values.get(&variable) {
             return Some(value.clone());
         }
-        if matches!(self.theory.atoms.atom(variable), Atom::Part { order, .. } if *order > HIGHEST_ORDER)
-        {
-            return None;
-        }
         let ruled = if self.open.insert(variable) {
             self.theory.rule(variable)
         } else {
@@ -123,6 +116,9 @@ impl<'a, T: Substance> World<'a, T> {
             None => self.free(variable),
         };
         self.open.remove(&variable);
+        if self.theory.exhausted {
+            return None;
+        }
         let value = value?;
         self.values.insert(variable, value.clone());
         Some(value)
