@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Matrix3, Vector3};
 use ode_solvers::{Dop853, SVector, System as Equations};
-use polhode::motion::{Body, FreeBody, State, Stepper, TaylorMotion, Torque};
+use polhode::motion::{Body, Dop853Motion, FreeBody, State, Stepper, System, TaylorMotion, Torque};
 use std::hint::black_box;
 
 type Vector7 = SVector<f64, 7>;
@@ -48,6 +48,14 @@ fn rival(weight: f64, omega: [f64; 3], tolerance: f64) -> Vector7 {
     *solver.y_out().last().expect("an end")
 }
 
+fn by_dop853(body: &Body, law: Torque, start: &State<f64>, tolerance: f64) -> State<f64> {
+    let system = System::principal(body, law);
+    let mut motion =
+        Dop853Motion::new(system, &body.state_along(start), tolerance).expect("a motion");
+    motion.advance_to(10.0).expect("finite");
+    body.state_from(motion.state())
+}
+
 fn free(c: &mut Criterion) {
     let omega = [3.0, 0.5, -0.9];
     let (body, start) = (body(), State::at_rest().turning(omega.into()));
@@ -68,6 +76,9 @@ fn free(c: &mut Criterion) {
                 motion.advance_to(10.0).expect("finite");
                 *motion.state()
             });
+        });
+        group.bench_function(format!("DOP853 {tolerance:e}"), |b| {
+            b.iter(|| by_dop853(&body, Torque::None, black_box(&start), tolerance));
         });
         group.bench_function(format!("DOP853 of ode_solvers {tolerance:e}"), |b| {
             b.iter(|| rival(0.0, black_box(omega), tolerance));
@@ -92,6 +103,9 @@ fn top(c: &mut Criterion) {
                 motion.advance_to(10.0).expect("finite");
                 *motion.state()
             });
+        });
+        group.bench_function(format!("DOP853 {tolerance:e}"), |b| {
+            b.iter(|| by_dop853(&body, law, black_box(&start), tolerance));
         });
         group.bench_function(format!("DOP853 of ode_solvers {tolerance:e}"), |b| {
             b.iter(|| rival(1.0, black_box(omega), tolerance));

@@ -21,6 +21,7 @@
 //! ```
 
 mod body;
+mod dop853;
 mod error;
 mod free_body;
 mod number;
@@ -35,6 +36,7 @@ mod torque;
 pub mod jacobian;
 
 pub use body::Body;
+pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;
 pub use free_body::FreeBody;
 pub use jacobian::StepJacobian;

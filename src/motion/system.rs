@@ -115,11 +115,17 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     #[inline]
     pub fn rates(&self, time: T, state: &State<T>) -> Rates<T> {
         let omega = &state.angular_velocity;
-        let momentum = angular_momentum(&self.inertia, omega);
-        let net = self.torque(time, state) - cross(omega, &momentum);
+        let torque = self.torque(time, state);
+        let angular_acceleration = if self.principal {
+            let products = Vector3::new(omega.y * omega.z, omega.z * omega.x, omega.x * omega.y);
+            self.acceleration_of(&products, || omega.component_mul(omega), &torque)
+        } else {
+            let momentum = angular_momentum(&self.inertia, omega);
+            apply(&self.inverse, &(torque - cross(omega, &momentum)))
+        };
         Rates {
             attitude: state.attitude.rate(omega),
-            angular_acceleration: apply(&self.inverse, &net),
+            angular_acceleration,
         }
     }
 }
