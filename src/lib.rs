@@ -10,7 +10,7 @@
 //!                                 ├─ algebra ─┐
 //! scalar ─────────────────────────┘           ├─ verify ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
-//!             └─ motion (state, step, Jacobian, batch)
+//!             └─ motion (state, step, Jacobian, batch) ─ scene
 //! ```
 
 pub mod mechanics;
@@ -21,13 +21,15 @@ pub mod scalar;
 pub mod algebra;
 #[cfg(feature = "cli")]
 pub mod cli;
-#[cfg(feature = "verify")]
+#[cfg(any(feature = "verify", feature = "scene"))]
 pub mod diagnostic;
 #[cfg(feature = "verify")]
 pub mod notation;
 #[cfg(feature = "cli")]
 pub mod report;
-#[cfg(feature = "verify")]
+#[cfg(feature = "scene")]
+pub mod scene;
+#[cfg(any(feature = "verify", feature = "scene"))]
 pub mod source;
 
 #[cfg(feature = "verify")]

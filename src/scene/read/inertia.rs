@@ -1,0 +1,182 @@
+//! `inertia`.
+
+use crate::diagnostic::Diagnostic;
+use crate::scene::read::reader::{Bound, Reader, Table, Value};
+use crate::scene::{InertiaForm, Point, Quantity, Shape};
+
+const ZERO: Quantity = Quantity::Fixed(0.0);
+
+/// The most point masses of a body.
+const MOST_POINTS: usize = 100_000;
+
+const FORMS: &str = "an inertia is { xx, yy, zz, xy, xz, yz }, { principal = […] }, { shape = \"…\", mass, … } or \
+                     { points = […] }";
+
+pub(super) fn inertia(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
+    let Some(entries) = value.get_ref().as_table() else {
+        return reader.wrong(value, FORMS);
+    };
+    let has = |key: &str| entries.contains_key(key);
+    if has("principal") {
+        principal(reader, value)
+    } else if has("shape") {
+        shape(reader, value)
+    } else if has("points") {
+        points(reader, value)
+    } else {
+        tensor(reader, value)
+    }
+}
+
+fn tensor(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
+    let table = reader.table(value, "an inertia", &["xx", "yy", "zz", "xy", "xz", "yz"])?;
+    if table.entries.is_empty() {
+        let empty = Diagnostic::error("missing-key", table.span, "the inertia is empty");
+        reader.report(empty.help(FORMS));
+        return None;
+    }
+    let moments = ["xx", "yy", "zz"].map(|key| {
+        let value = reader.required(&table, key)?;
+        reader.quantity(value, &format!("I_{key}"), Bound::Any)
+    });
+    let products = ["xy", "xz", "yz"].map(|key| match table.get(key) {
+        Some(value) => reader.quantity(value, &format!("I_{key}"), Bound::Any),
+        None => Some(ZERO),
+    });
+    Some(InertiaForm::Tensor {
+        moments: three(moments)?,
+        products: three(products)?,
+    })
+}
+
+fn principal(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
+    let table = reader.table(value, "a principal inertia", &["principal", "axes"])?;
+    let moments = reader.required(&table, "principal")?;
+    let moments = reader.quantities(moments, "the principal moments", Bound::Positive);
+    let axes = match table.get("axes") {
+        Some(value) => reader.quantities(value, "the axes", Bound::Any),
+        None => Some([Quantity::Fixed(1.0), ZERO, ZERO, ZERO]),
+    };
+    Some(InertiaForm::Principal {
+        moments: moments?,
+        axes: axes?,
+    })
+}
+
+fn points(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
+    let table = reader.table(value, "an inertia of points", &["points", "about"])?;
+    let about_origin = match table.get("about") {
+        Some(value) => reader.word(
+            value,
+            "point of reference",
+            &[("centre", false), ("origin", true)],
+        ),
+        None => Some(false),
+    };
+    let value = reader.required(&table, "points")?;
+    let list = reader.list(value, "the points")?;
+    if list.len() > MOST_POINTS {
+        return reader.wrong(value, format!("a body has at most {MOST_POINTS} points"));
+    }
+    let points: Option<Vec<_>> = list.iter().map(|value| point(reader, value)).collect();
+    Some(InertiaForm::Points {
+        points: points?,
+        about_origin: about_origin?,
+    })
+}
+
+fn point(reader: &mut Reader, value: &Value<'_>) -> Option<Point> {
+    let table = reader.table(value, "a point", &["mass", "position"])?;
+    let mass = reader.required(&table, "mass")?;
+    let mass = reader.quantity(mass, "the mass", Bound::Positive);
+    let position = reader.required(&table, "position")?;
+    let position = reader.quantities(position, "the position", Bound::Any);
+    Some(Point {
+        mass: mass?,
+        position: position?,
+    })
+}
+
+/// The shapes by name and the keys that size them.
+const SHAPES: [(&str, &[&str]); 7] = [
+    ("box", &["size"]),
+    ("sphere", &["radius"]),
+    ("cylinder", &["radius", "height"]),
+    ("cone", &["radius", "height"]),
+    ("ellipsoid", &["semi_axes"]),
+    ("plate", &["size"]),
+    ("rod", &["length", "radius"]),
+];
+
+fn shape(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
+    let entries = value.get_ref().as_table()?;
+    let names = SHAPES.map(|(name, keys)| (name, (name, keys)));
+    let (name, sizes) = reader.word(entries.get("shape")?, "shape", &names)?;
+    let keys = [&["shape", "mass", "offset"], sizes].concat();
+    let table = reader.table(value, "an inertia of this shape", &keys)?;
+    let mass = reader.required(&table, "mass");
+    let mass = mass.and_then(|value| reader.quantity(value, "the mass", Bound::Positive));
+    let shape = sized(reader, &table, name);
+    let offset = match table.get("offset") {
+        Some(value) => reader.quantities(value, "the offset", Bound::Any),
+        None => Some([ZERO; 3]),
+    };
+    Some(InertiaForm::Shape {
+        shape: shape?,
+        mass: mass?,
+        offset: offset?,
+    })
+}
+
+fn sized(reader: &mut Reader, table: &Table<'_>, name: &str) -> Option<Shape> {
+    let mut length = |key: &str| {
+        let value = reader.required(table, key)?;
+        reader.quantity(value, &format!("the {key}"), Bound::Positive)
+    };
+    match name {
+        "sphere" => Some(Shape::Sphere(length("radius")?)),
+        "cylinder" => {
+            let (radius, height) = (length("radius"), length("height"));
+            Some(Shape::Cylinder(radius?, height?))
+        }
+        "cone" => {
+            let (radius, height) = (length("radius"), length("height"));
+            Some(Shape::Cone(radius?, height?))
+        }
+        "rod" => {
+            if table.get("radius").is_none() {
+                let message = "a rod without thickness has no moment about its own axis";
+                let thin = Diagnostic::error("missing-key", table.span, message);
+                reader.report(thin.help("give its `radius`"));
+                return None;
+            }
+            let (radius, height) = (length("radius"), length("length"));
+            Some(Shape::Cylinder(radius?, height?))
+        }
+        _ => {
+            let key = if name == "ellipsoid" {
+                "semi_axes"
+            } else {
+                "size"
+            };
+            let value = reader.required(table, key)?;
+            let what = format!("the {}", key.replace('_', "-"));
+            match name {
+                "box" => reader
+                    .quantities(value, &what, Bound::Positive)
+                    .map(Shape::Box),
+                "plate" => reader
+                    .quantities(value, &what, Bound::Positive)
+                    .map(Shape::Plate),
+                _ => reader
+                    .quantities(value, &what, Bound::Positive)
+                    .map(Shape::Ellipsoid),
+            }
+        }
+    }
+}
+
+fn three(found: [Option<Quantity>; 3]) -> Option<[Quantity; 3]> {
+    let [x, y, z] = found;
+    Some([x?, y?, z?])
+}
