@@ -21,14 +21,19 @@
 //! ```
 
 mod body;
+mod cayley;
 mod dop853;
 mod error;
 mod free_body;
+mod implicit_midpoint;
+mod moser_veselov;
 mod number;
 mod quaternion;
 mod rk4;
+mod splitting;
 mod state;
 mod stepper;
+mod symplectic;
 mod system;
 mod taylor;
 mod torque;
@@ -39,10 +44,13 @@ pub use body::Body;
 pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;
 pub use free_body::FreeBody;
+pub use implicit_midpoint::ImplicitMidpoint;
 pub use jacobian::StepJacobian;
+pub use moser_veselov::MoserVeselov;
 pub use number::Number;
 pub use quaternion::Quaternion;
 pub use rk4::Rk4;
+pub use splitting::Splitting;
 pub use state::{Rates, State};
 pub use stepper::{FixedStep, Scheme, Stepper};
 pub use system::System;

@@ -5,11 +5,44 @@ use num_dual::{Dual, Dual2, DualNum, DualVec, HyperDual};
 
 /// A [`Real`] that is copied freely and can be had from a double: doubles, singles, dual numbers, jets.
 pub trait Number: Real + Copy {
+    /// The number without its derivatives.
+    type Value: Number<Value = Self::Value>;
+
+    /// The highest order of derivatives that it carries.
+    const DERIVATIVES: usize;
+
     /// The number `value`, constant in every direction.
     fn of(value: f64) -> Self;
+
+    /// The value, its derivatives left behind.
+    fn real(&self) -> Self::Value;
+
+    /// The number of a value, constant in every direction.
+    fn constant(value: Self::Value) -> Self;
+
+    /// |value|; of several values side by side the largest.
+    fn magnitude(&self) -> f64;
 }
 
 impl Number for f64 {
+    type Value = Self;
+    const DERIVATIVES: usize = 0;
+
+    #[inline(always)]
+    fn real(&self) -> Self {
+        *self
+    }
+
+    #[inline(always)]
+    fn constant(value: Self) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn magnitude(&self) -> f64 {
+        self.abs()
+    }
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value
@@ -17,6 +50,24 @@ impl Number for f64 {
 }
 
 impl Number for f32 {
+    type Value = Self;
+    const DERIVATIVES: usize = 0;
+
+    #[inline(always)]
+    fn real(&self) -> Self {
+        *self
+    }
+
+    #[inline(always)]
+    fn constant(value: Self) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn magnitude(&self) -> f64 {
+        f64::from(self.abs())
+    }
+
     #[inline(always)]
     fn of(value: f64) -> Self {
         value as Self
@@ -24,6 +75,24 @@ impl Number for f32 {
 }
 
 impl<T: Number, const N: usize> Number for Jet<T, N> {
+    type Value = <T as Number>::Value;
+    const DERIVATIVES: usize = T::DERIVATIVES + 1;
+
+    #[inline]
+    fn real(&self) -> <T as Number>::Value {
+        self.value.real()
+    }
+
+    #[inline]
+    fn constant(value: <T as Number>::Value) -> Self {
+        Self::constant(T::constant(value))
+    }
+
+    #[inline]
+    fn magnitude(&self) -> f64 {
+        self.value.magnitude()
+    }
+
     #[inline]
     fn of(value: f64) -> Self {
         Self::constant(T::of(value))
@@ -31,22 +100,40 @@ impl<T: Number, const N: usize> Number for Jet<T, N> {
 }
 
 macro_rules! number_by_real_part {
-    ($([$($generics:tt)*] $scalar:ty;)*) => {$(
+    ($([$($generics:tt)*] $scalar:ty, $order:literal;)*) => {$(
         impl<T: Number + DualNum, $($generics)*> Number for $scalar
         where
             Self: Real + Copy + DualNum<InnerDual = T>,
         {
+            type Value = <T as Number>::Value;
+            const DERIVATIVES: usize = T::DERIVATIVES + $order;
+
             #[inline]
             fn of(value: f64) -> Self {
                 Self::from_re(T::of(value))
+            }
+
+            #[inline]
+            fn real(&self) -> <T as Number>::Value {
+                self.re.real()
+            }
+
+            #[inline]
+            fn constant(value: <T as Number>::Value) -> Self {
+                Self::from_re(T::constant(value))
+            }
+
+            #[inline]
+            fn magnitude(&self) -> f64 {
+                self.re.magnitude()
             }
         }
     )*};
 }
 
 number_by_real_part! {
-    [] Dual<T>;
-    [] Dual2<T>;
-    [] HyperDual<T>;
-    [const N: usize] DualVec<T, nalgebra::Const<N>>;
+    [] Dual<T>, 1;
+    [] Dual2<T>, 2;
+    [] HyperDual<T>, 2;
+    [const N: usize] DualVec<T, nalgebra::Const<N>>, 1;
 }

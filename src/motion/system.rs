@@ -62,6 +62,11 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
         &self.inverse
     }
 
+    /// Whether the axes are known to be principal.
+    pub(crate) fn is_principal(&self) -> bool {
+        self.principal
+    }
+
     /// The torque added to the law.
     pub(crate) fn added(&self) -> &Vector3<T> {
         &self.added
@@ -132,7 +137,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
 /// The inverse of a symmetric matrix by its adjugate, without a branch. The scale is taken out first by the
 /// trace, so that moments of 1e±150 keep their determinant.
-fn inverse<T: Number>(m: &Matrix3<T>) -> Matrix3<T> {
+pub(crate) fn inverse<T: Number>(m: &Matrix3<T>) -> Matrix3<T> {
     let scale = T::one() / (m[(0, 0)] + m[(1, 1)] + m[(2, 2)]);
     let scaled = m * scale;
     let minors = adjugate(&scaled);

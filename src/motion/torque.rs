@@ -42,6 +42,11 @@ pub trait TorqueLaw<T: Number> {
         Frame::Body
     }
 
+    /// Whether the torque depends on ω: the geometric steps take one that does not at less cost.
+    fn needs_angular_velocity(&self) -> bool {
+        true
+    }
+
     /// The torque with its derivatives, if it does not look at the attitude: then the fast Jacobians can be
     /// taken. Must agree with [`torque`](Self::torque).
     fn without_attitude(&self, _time: f64, _angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
@@ -132,6 +137,10 @@ impl<T: Number> TorqueLaw<T> for Torque {
             Self::Constant { frame, .. } | Self::Sinusoid { frame, .. } => *frame,
             _ => Frame::Body,
         }
+    }
+
+    fn needs_angular_velocity(&self) -> bool {
+        matches!(self, Self::Damping { .. })
     }
 
     #[inline]
