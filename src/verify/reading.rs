@@ -142,7 +142,8 @@ impl Reading {
     fn sequences(&mut self) {
         let rates = ["p", "q", "r"].map(Letter::plain);
         let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
-        if rates.iter().filter(|l| moving(l)).count() >= 2 {
+        let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
+        if rates.iter().filter(|l| moving(l)).count() >= 2 || rates.iter().any(named) {
             self.take_components(rates, Quantity::AngularVelocity);
         }
         for calligraphic in [true, false] {
