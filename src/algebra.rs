@@ -11,6 +11,7 @@ mod linear;
 mod monomial;
 mod polynomial;
 mod print;
+mod proof;
 mod rational;
 mod reduce;
 mod substitute;
@@ -23,6 +24,9 @@ pub use linear::{LinearError, LinearSolution, solve_linear};
 pub use monomial::{Monomial, Variable};
 pub use polynomial::Polynomial;
 pub use print::{Letter, Place, Printer, Style};
+pub use proof::{
+    Argument, Combination, Fact, Fault, Goal, Kernel, Proof, Ratio, Reason, difference, rate,
+};
 pub use rational::Rational;
 pub use reduce::{Reduction, reduce};
 pub use substitute::PseudoDivision;

@@ -100,11 +100,11 @@ impl Tally {
             let reason = finding.and_then(|f| f.reason.as_deref()).unwrap_or("");
             format!("{family}: {truth}, but {verdict}: {text} ({reason})")
         };
-        match (truth, finding.map(|f| f.verdict)) {
-            (true, Some(Verdict::Refuted)) | (false, Some(Verdict::Proved)) => {
+        match (truth, finding.map(|f| &f.verdict)) {
+            (true, Some(Verdict::Refuted)) | (false, Some(Verdict::Proved(_))) => {
                 self.wrong.push(said())
             }
-            (true, Some(Verdict::Proved)) | (false, Some(Verdict::Refuted)) => {}
+            (true, Some(Verdict::Proved(_))) | (false, Some(Verdict::Refuted)) => {}
             _ => self.open.push(said()),
         }
     }

@@ -134,7 +134,7 @@ fn mutants(text: &str) -> Vec<Mutant> {
     let findings = findings(text);
     let claims = findings
         .iter()
-        .filter(|f| f.role == Role::Claim && f.verdict == Verdict::Proved);
+        .filter(|f| f.role == Role::Claim && matches!(f.verdict, Verdict::Proved(_)));
     let mut all: Vec<_> = claims.flat_map(|f| flips(text, f.span.range())).collect();
     all.sort_by_key(|m| m.range.start);
     all.dedup_by_key(|m| (m.range.clone(), m.with));

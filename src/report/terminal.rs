@@ -20,7 +20,8 @@ const DRAWN: usize = 1_000;
 /// What is said of a document, with terminal colours (strip them where they are not wanted). `verbose` also quotes the
 /// lines that hold and lists what was not taken as a line.
 pub fn check(checked: &Checked, verbose: bool) -> String {
-    let open = |finding: &&Finding| !matches!(finding.verdict, Verdict::Proved | Verdict::Accepted);
+    let open =
+        |finding: &&Finding| !matches!(finding.verdict, Verdict::Proved(_) | Verdict::Accepted);
     let findings = checked.report.findings.iter().filter(open);
     let mut drawings = news(checked)
         .map(|diagnostic| of_diagnostic(checked, diagnostic))
@@ -98,7 +99,7 @@ fn of_finding<'a>(checked: &'a Checked, finding: &Finding) -> Drawing<'a> {
         primary: (place, beside.to_owned()),
         others: vec![],
         notes: notes(finding),
-        helps: match (finding.verdict, suggestion) {
+        helps: match (&finding.verdict, suggestion) {
             (Verdict::Unreadable, _) => finding.remarks.clone(),
             (_, Some(suggestion)) => vec![format!("write `{suggestion}`")],
             (_, None) => vec![],

@@ -208,7 +208,7 @@ impl Atoms {
 
     /// The derivative of a variable in time, as the table alone knows it: jets shift, kernels follow the chain
     /// rule, constants stand still.
-    fn rate(&mut self, variable: Variable) -> Fraction {
+    pub(super) fn rate(&mut self, variable: Variable) -> Fraction {
         match self.atoms[variable as usize].clone() {
             Atom::Part {
                 entity,

@@ -1,9 +1,10 @@
 //! Claims: proved, refuted or open.
 
+use crate::algebra::Proof;
 use crate::notation::ast::Node;
 use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
-use crate::verify::decide::{Decision, Equation, decide, needed};
+use crate::verify::decide::{Decision, decide, needed};
 use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::lower::{Trouble, TroubleKind};
@@ -22,7 +23,7 @@ impl Checker<'_> {
         let mut failed = None;
         for read in readings {
             match decide(&mut self.theory, &read.equations) {
-                Decision::True => return self.proved(&read, finding),
+                Decision::True(proof) => return self.proved(&read, proof, finding),
                 other => failed = failed.or(Some((read, other))),
             }
         }
@@ -31,10 +32,10 @@ impl Checker<'_> {
         }
     }
 
-    pub(super) fn proved(&mut self, read: &Read, finding: &mut Finding) {
-        finding.verdict = Verdict::Proved;
+    pub(super) fn proved(&mut self, read: &Read, proof: Proof, finding: &mut Finding) {
         finding.uses = needed(&mut self.theory, &read.equations);
-        finding.conditions = self.conditions(&read.equations);
+        finding.conditions = self.conditions(&proof);
+        finding.verdict = Verdict::Proved(proof);
         if read.ambiguous && !self.dots_on_body {
             let seen = match read.unlabelled {
                 Frame::Space => "a dot without a frame is read as the rate seen from space",
@@ -45,18 +46,12 @@ impl Checker<'_> {
     }
 
     /// Denominators that must not vanish.
-    pub(super) fn conditions(&mut self, equations: &[Equation]) -> Vec<String> {
+    pub(super) fn conditions(&self, proof: &Proof) -> Vec<String> {
         let mut conditions = vec![];
-        for entry in equations
-            .iter()
-            .flat_map(|e| e.left.entries.iter().chain(&e.right.entries))
-        {
-            let below = entry.denominator();
-            if below.is_constant().is_none() {
-                let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
-                if !conditions.contains(&text) {
-                    conditions.push(text);
-                }
+        for below in proof.arguments().iter().flat_map(|a| &a.conditions) {
+            let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
+            if !conditions.contains(&text) {
+                conditions.push(text);
             }
         }
         conditions
@@ -88,7 +83,7 @@ impl Checker<'_> {
                 finding.residual = self.residual(read);
                 self.carry(&read.equations, finding);
             }
-            Decision::True => {}
+            Decision::True(_) => {}
         }
     }
 

@@ -1,9 +1,10 @@
 //! Decides an equation: filter, proof, counterexample, in that order.
 
-use crate::algebra::{Fraction, Rational};
+use crate::algebra::{Fraction, Proof, Rational};
 use crate::mechanics::possible_body;
 use crate::scalar::Prime;
 use crate::verify::atoms::Atom;
+use crate::verify::certify::certify;
 use crate::verify::law::inertia;
 use crate::verify::names::latex;
 use crate::verify::theory::{Name, Theory};
@@ -32,8 +33,8 @@ pub(super) struct Equation {
 /// What came out.
 #[derive(Clone, Debug)]
 pub(super) enum Decision {
-    /// The normal form of every component is zero.
-    True,
+    /// It was proved.
+    True(Proof),
     /// It fails in a world of small integers.
     False(Box<Counterexample>),
     /// It fails in the prime field, and no small world was found to show it in.
@@ -76,21 +77,23 @@ pub(super) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
             Some(true) => {}
         }
     }
-    for equation in equations {
-        if !equation
-            .residual
-            .entries
-            .iter()
-            .all(|entry| theory.normal(entry).is_zero())
-        {
-            let reason = match std::mem::take(&mut theory.exhausted) {
+    match certify(theory, equations) {
+        Some(proof) => Decision::True(proof),
+        None => Decision::Open(
+            match std::mem::take(&mut theory.exhausted) {
                 true => "budget: equal in every trial, and the proof grew beyond the terms allowed",
                 false => "equal in every trial, and no proof was found",
-            };
-            return Decision::Open(reason.to_owned());
-        }
+            }
+            .to_owned(),
+        ),
     }
-    Decision::True
+}
+
+/// Whether equations hold exactly, where no proof is to be shown.
+pub(super) fn vanishes(theory: &mut Theory, equations: &[Equation]) -> bool {
+    let mut residuals = equations.iter().flat_map(|e| &e.residual.entries);
+    let holds = residuals.all(|entry| theory.normal(entry).is_zero());
+    holds && !std::mem::take(&mut theory.exhausted)
 }
 
 fn refuted(theory: &mut Theory, equation: &Equation) -> Decision {

@@ -179,7 +179,7 @@ pub(super) fn merged(findings: Vec<Finding>) -> Vec<Finding> {
         Verdict::Unreadable => 3,
         Verdict::Undecided => 2,
         Verdict::Accepted => 1,
-        Verdict::Proved => 0,
+        Verdict::Proved(_) => 0,
     };
     let mut out: Vec<Finding> = vec![];
     for finding in findings {
@@ -192,6 +192,14 @@ pub(super) fn merged(findings: Vec<Finding>) -> Vec<Finding> {
                 let new = |name: &String| !last.uses.contains(name);
                 let uses: Vec<String> = finding.uses.into_iter().filter(new).collect();
                 last.uses.extend(uses);
+                let new = |text: &String| !last.conditions.contains(text);
+                let conditions: Vec<String> = finding.conditions.into_iter().filter(new).collect();
+                last.conditions.extend(conditions);
+                if let (Verdict::Proved(proof), Verdict::Proved(more)) =
+                    (&mut last.verdict, &finding.verdict)
+                {
+                    *proof = proof.and(more);
+                }
             }
             Some(_) => {}
             None => out.push(finding),

@@ -46,6 +46,17 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
     }
 }
 
+/// The name of a function that kernels stand for.
+pub(super) fn function(function: Function) -> &'static str {
+    match function {
+        Function::Sin => "sin",
+        Function::Cos => "cos",
+        Function::Exp => "exp",
+        Function::Ln => "ln",
+        _ => "sqrt",
+    }
+}
+
 /// A letter with dots: `\dot L_x`, `\dot\omega_x`, `\dot{\mathcal{L}}`.
 fn dotted(letter: &str, order: u8) -> String {
     let mark = match order {

@@ -6,7 +6,7 @@ use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::convention_slips::sign_flips;
-use crate::verify::decide::{Decision, decide, passes_filter};
+use crate::verify::decide::{passes_filter, vanishes};
 use crate::verify::edit::{Edit, edited};
 use crate::verify::frame::{Frame, frame};
 use crate::verify::line::Read;
@@ -160,10 +160,7 @@ impl Checker<'_> {
                 .equations
                 .iter()
                 .all(|e| passes_filter(&mut self.theory, &e.residual) == Some(true));
-            if holds
-                && !self.says_nothing(&read)
-                && matches!(decide(&mut self.theory, &read.equations), Decision::True)
-            {
+            if holds && !self.says_nothing(&read) && vanishes(&mut self.theory, &read.equations) {
                 return Some(without_alignment(text.trim()));
             }
         }

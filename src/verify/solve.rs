@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::verify::atoms::{Atom, Owner};
+use crate::verify::ledger::Source;
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::{Premise, Rule, Taken, Theory};
 use num_traits::Zero;
@@ -9,28 +10,33 @@ use num_traits::Zero;
 impl Theory {
     /// Solves the residuals of a premise one after the other, simplest first.
     pub(super) fn solve(&mut self, premise: &Premise) -> Taken {
-        let mut left: Vec<Fraction> = premise.residuals.clone();
+        let mut left: Vec<(Fraction, &Fraction)> =
+            premise.residuals.iter().map(|r| (r.clone(), r)).collect();
         let mut taken = Taken::Known;
         while !left.is_empty() {
             left = left
                 .iter()
-                .map(|r| self.normal(r))
-                .filter(|r| !r.is_zero())
+                .map(|(r, written)| (self.normal(r), *written))
+                .filter(|(r, _)| !r.is_zero())
                 .collect();
-            if left.iter().any(|r| r.numerator().is_constant().is_some()) {
+            if left
+                .iter()
+                .any(|(r, _)| r.numerator().is_constant().is_some())
+            {
                 return Taken::Contradiction;
             }
-            left.sort_by_key(|r| r.numerator().len());
+            left.sort_by_key(|(r, _)| r.numerator().len());
             let solution = left
                 .iter()
                 .enumerate()
-                .find_map(|(i, r)| Some((i, self.solution(r, premise)?)));
+                .find_map(|(i, (r, _))| Some((i, self.solution(r, premise)?)));
             let Some((index, (variable, value))) = solution else {
                 break;
             };
-            left.remove(index);
+            let (_, written) = left.remove(index);
             self.insert(
                 variable,
+                written,
                 Rule {
                     name: premise.name.clone(),
                     value,
@@ -43,20 +49,26 @@ impl Theory {
         }
         let kept = left
             .iter()
-            .map(|r| (premise.name.clone(), r.numerator().clone()));
+            .map(|(r, _)| (premise.name.clone(), r.numerator().clone()));
         self.relations.extend(kept);
         Taken::Kept
     }
 
-    fn insert(&mut self, variable: Variable, rule: Rule) {
+    fn insert(&mut self, variable: Variable, written: &Fraction, rule: Rule) {
         if let Atom::Part {
             entity,
             component,
             order,
         } = *self.atoms.atom(variable)
         {
+            let source = Source {
+                residual: written.clone(),
+                before: self.sources.len(),
+            };
+            self.sources.insert((entity, component), source);
             self.rules.insert((entity, component), (order, rule));
             self.normals.clear();
+            self.forget_relations();
         }
     }
 

@@ -7,6 +7,7 @@ use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::law::{Setting, law};
+use crate::verify::ledger::{Ledger, Source};
 use crate::verify::quantity::Quantity;
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
@@ -70,6 +71,10 @@ pub(super) struct Theory {
     premises: Vec<Premise>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
+    /// Where the rules come from.
+    pub(super) sources: HashMap<(Entity, u8), Source>,
+    /// Facts for proofs.
+    pub(super) ledger: Ledger,
     open: BTreeSet<Variable>,
     /// Whether some normal form was given up because it grew beyond the budget.
     pub exhausted: bool,
@@ -86,6 +91,8 @@ impl Theory {
             premises: vec![],
             rules: HashMap::new(),
             normals: HashMap::new(),
+            sources: HashMap::new(),
+            ledger: Ledger::default(),
             open: BTreeSet::new(),
             exhausted: false,
         }
@@ -109,10 +116,24 @@ impl Theory {
         work: impl FnOnce(&mut Self) -> R,
     ) -> R {
         let before = std::mem::replace(&mut self.left_out, names);
+        let rules = std::mem::take(&mut self.rules);
+        let normals = std::mem::take(&mut self.normals);
+        let sources = std::mem::take(&mut self.sources);
+        let relations = std::mem::take(&mut self.relations);
+        let ledger = std::mem::take(&mut self.ledger);
+        let premises = self.premises.len();
         self.rebuild();
         let result = work(self);
         self.left_out = before;
-        self.rebuild();
+        if self.premises.len() == premises {
+            self.rules = rules;
+            self.normals = normals;
+            self.sources = sources;
+            self.relations = relations;
+            self.ledger = ledger;
+        } else {
+            self.rebuild();
+        }
         result
     }
 
@@ -148,6 +169,8 @@ impl Theory {
         self.rules.clear();
         self.normals.clear();
         self.relations.clear();
+        self.sources.clear();
+        self.ledger = Ledger::default();
         let mut order: Vec<Premise> = self
             .premises
             .iter()

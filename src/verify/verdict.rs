@@ -1,5 +1,6 @@
 //! What is said of each line.
 
+use crate::algebra::Proof;
 use crate::source::Span;
 
 /// What a line is for.
@@ -28,10 +29,10 @@ impl Role {
 }
 
 /// The answer to a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// An exact proof was found and multiplied out.
-    Proved,
+    /// An exact proof was found and multiplied out; it is here.
+    Proved(Proof),
     /// A given, an assumption or a definition that is consistent with what stands before it.
     Accepted,
     /// There is a possible body and motion for which it is false, or it has no meaning as typed.
@@ -44,9 +45,9 @@ pub enum Verdict {
 
 impl Verdict {
     /// The word that the JSON form uses.
-    pub fn name(self) -> &'static str {
+    pub fn name(&self) -> &'static str {
         match self {
-            Self::Proved => "proved",
+            Self::Proved(_) => "proved",
             Self::Accepted => "accepted",
             Self::Refuted => "refuted",
             Self::Undecided => "undecided",
@@ -187,7 +188,7 @@ impl Report {
         let mut summary = Summary::default();
         for finding in &self.findings {
             *match finding.verdict {
-                Verdict::Proved => &mut summary.proved,
+                Verdict::Proved(_) => &mut summary.proved,
                 Verdict::Accepted => &mut summary.accepted,
                 Verdict::Refuted => &mut summary.refuted,
                 Verdict::Undecided => &mut summary.undecided,

@@ -9,7 +9,7 @@ use std::fmt::Write;
 pub(super) fn good_lines(checked: &Checked, verbose: bool) -> String {
     let findings = checked.report.findings.iter();
     let good: Vec<_> = findings
-        .filter(|f| matches!(f.verdict, Verdict::Proved | Verdict::Accepted))
+        .filter(|f| matches!(f.verdict, Verdict::Proved(_) | Verdict::Accepted))
         .collect();
     let width = |texts: &mut dyn Iterator<Item = String>| {
         texts.map(|text| text.chars().count()).max().unwrap_or(0)
@@ -44,7 +44,7 @@ fn line_name(cell: Option<usize>, line: usize) -> String {
 
 /// The verdict of a line that holds, and what it rests on.
 fn verdict(finding: &Finding) -> String {
-    let mut text = match (finding.verdict, finding.role) {
+    let mut text = match (&finding.verdict, finding.role) {
         (Verdict::Accepted, Role::Given) => "accepted as given",
         (Verdict::Accepted, Role::Assume) => "accepted as an assumption",
         (Verdict::Accepted, Role::Define) => "accepted as a definition",
@@ -106,16 +106,16 @@ pub(super) fn passed(checked: &Checked) -> String {
 /// `11 proved, 2 accepted, 1 refuted`.
 pub(super) fn summary(summary: Summary) -> String {
     let counts = [
-        (summary.proved, Verdict::Proved),
-        (summary.accepted, Verdict::Accepted),
-        (summary.refuted, Verdict::Refuted),
-        (summary.undecided, Verdict::Undecided),
-        (summary.unreadable, Verdict::Unreadable),
+        (summary.proved, "proved"),
+        (summary.accepted, "accepted"),
+        (summary.refuted, "refuted"),
+        (summary.undecided, "undecided"),
+        (summary.unreadable, "unreadable"),
     ];
     let said: Vec<_> = counts
         .iter()
         .filter(|(count, _)| *count > 0)
-        .map(|(count, verdict)| format!("{count} {}", verdict.name()))
+        .map(|(count, verdict)| format!("{count} {verdict}"))
         .collect();
     if said.is_empty() {
         return "no line to check".to_owned();
