@@ -7,6 +7,7 @@ mod check;
 mod derive;
 mod input;
 mod output;
+mod run;
 
 /// Checks derivations in rigid-body rotation, and gives exact, fast Jacobians of the same equations.
 #[derive(Debug, Parser)]
@@ -23,6 +24,7 @@ struct Arguments {
 enum Command {
     Check(check::Options),
     Derive(derive::Options),
+    Run(run::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -36,6 +38,7 @@ pub fn run() -> ExitCode {
     let code = match &arguments.command {
         Command::Check(options) => check::run(options, color),
         Command::Derive(options) => derive::run(options, color),
+        Command::Run(options) => run::run(options, color),
     };
     ExitCode::from(code)
 }

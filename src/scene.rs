@@ -18,15 +18,29 @@
 //! assert_eq!(scene.bodies(), 1000);
 //! ```
 
+mod accuracy;
+mod balance;
+mod course;
 mod inertia;
 mod member;
+mod plan;
 mod quantity;
 mod read;
+mod sensitivity;
+mod simulate;
+mod spin;
 
+pub use accuracy::{Estimated, distance, settle};
+pub use balance::Balance;
+pub use course::Course;
 pub use inertia::{InertiaForm, Point, Shape};
 pub use member::{Member, TorqueForm};
+pub use plan::{PlanError, Way, is_free, way};
 pub use quantity::{Draw, Quantity};
 pub use read::read;
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use simulate::{Outcome, Row, RunError, Sink, simulate};
+pub use spin::Spin;
 
 use crate::mechanics::Products;
 use crate::source::Span;
@@ -101,16 +115,19 @@ pub enum Method {
     Exact,
     /// By Taylor series of adaptive step.
     Taylor,
+    /// By DOP853, error controlled.
+    Dop853,
     /// By the classical Runge–Kutta method with a fixed step.
     Rk4,
 }
 
 impl Method {
     /// The methods and the names that a scene gives them.
-    pub const NAMES: [(&'static str, Self); 4] = [
+    pub const NAMES: [(&'static str, Self); 5] = [
         ("auto", Self::Auto),
         ("exact", Self::Exact),
         ("taylor", Self::Taylor),
+        ("dop853", Self::Dop853),
         ("rk4", Self::Rk4),
     ];
 

@@ -56,7 +56,7 @@ fn replace(path: &Path, text: &str) -> io::Result<()> {
 }
 
 #[cfg(unix)]
-fn builder() -> tempfile::Builder<'static, 'static> {
+pub(super) fn builder() -> tempfile::Builder<'static, 'static> {
     use std::os::unix::fs::PermissionsExt;
     let mut builder = tempfile::Builder::new();
     // As for any new file; the user's mask still takes its part away.
@@ -65,6 +65,6 @@ fn builder() -> tempfile::Builder<'static, 'static> {
 }
 
 #[cfg(not(unix))]
-fn builder() -> tempfile::Builder<'static, 'static> {
+pub(super) fn builder() -> tempfile::Builder<'static, 'static> {
     tempfile::Builder::new()
 }

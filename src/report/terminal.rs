@@ -3,9 +3,11 @@
 //! A line that is refuted, undecided or unreadable gets a drawing of its place; the others stand in a list.
 
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::notation::document::{Document, Format, FrontMatter};
 use crate::report::Checked;
 use crate::report::terminal::drawing::{Drawing, draw};
 use crate::report::terminal::rows::{background, good_lines, passed, summary};
+use crate::source::Source;
 use crate::verify::{Counterexample, Finding, Verdict};
 use annotate_snippets::{Level, normalize_untrusted_str};
 use std::collections::HashSet;
@@ -24,7 +26,7 @@ pub fn check(checked: &Checked, verbose: bool) -> String {
         |finding: &&Finding| !matches!(finding.verdict, Verdict::Proved(_) | Verdict::Accepted);
     let findings = checked.report.findings.iter().filter(open);
     let mut drawings = news(checked)
-        .map(|diagnostic| of_diagnostic(checked, diagnostic))
+        .map(|diagnostic| of_diagnostic(&checked.document, diagnostic))
         .chain(findings.map(|finding| of_finding(checked, finding)));
     let mut text: String = drawings
         .by_ref()
@@ -48,6 +50,21 @@ pub fn check(checked: &Checked, verbose: bool) -> String {
     text
 }
 
+/// Diagnostics of a text that is no document, with terminal colours.
+pub fn diagnostics(source: &Source, diagnostics: &[Diagnostic]) -> String {
+    let document = Document {
+        format: Format::Text,
+        source: source.clone(),
+        cells: vec![],
+        front_matter: FrontMatter::default(),
+        items: vec![],
+    };
+    diagnostics
+        .iter()
+        .map(|diagnostic| draw(&of_diagnostic(&document, diagnostic)))
+        .collect()
+}
+
 /// The reader's diagnostics, without those that an unreadable line repeats.
 fn news(checked: &Checked) -> impl Iterator<Item = &Diagnostic> {
     let findings = checked.report.findings.iter();
@@ -59,10 +76,10 @@ fn news(checked: &Checked) -> impl Iterator<Item = &Diagnostic> {
     diagnostics.filter(move |d| !said.contains(&(d.primary.span, Some(d.message.as_str()))))
 }
 
-fn of_diagnostic<'a>(checked: &'a Checked, diagnostic: &Diagnostic) -> Drawing<'a> {
+fn of_diagnostic<'a>(document: &'a Document, diagnostic: &Diagnostic) -> Drawing<'a> {
     let others = diagnostic.others.iter();
     Drawing {
-        document: &checked.document,
+        document,
         level: match diagnostic.severity {
             Severity::Note => Level::NOTE,
             Severity::Warning => Level::WARNING,

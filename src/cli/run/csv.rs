@@ -1,0 +1,78 @@
+//! Results as CSV: the trajectories if they are asked for, else one row a body.
+
+use crate::cli::run::writer::Form;
+use crate::motion::State;
+use crate::scene::{Outcome, Row, Run};
+use std::io::{self, Write};
+
+#[derive(Default)]
+pub(super) struct Csv {
+    name: String,
+    trajectory: bool,
+}
+
+impl Form for Csv {
+    fn open(&mut self, out: &mut dyn Write, run: &Run) -> io::Result<()> {
+        self.trajectory = run.outputs.trajectory;
+        let last = if self.trajectory {
+            "energy"
+        } else {
+            "energy_drift,momentum_drift,error_estimate"
+        };
+        writeln!(out, "body,time,qw,qx,qy,qz,wx,wy,wz,{last}")
+    }
+
+    fn begin(&mut self, _: &mut dyn Write, name: &str) -> io::Result<()> {
+        self.name = quoted(name);
+        Ok(())
+    }
+
+    fn row(&mut self, out: &mut dyn Write, row: &Row) -> io::Result<()> {
+        self.state(out, row.time, &row.state)?;
+        writeln!(out, ",{:e}", row.energy)
+    }
+
+    fn end(&mut self, out: &mut dyn Write, outcome: &Outcome) -> io::Result<()> {
+        if self.trajectory {
+            return Ok(());
+        }
+        self.state(out, outcome.time, &outcome.last)?;
+        for value in [outcome.energy_drift, outcome.momentum_drift, outcome.error] {
+            match value {
+                Some(value) => write!(out, ",{value:e}")?,
+                None => write!(out, ",")?,
+            }
+        }
+        writeln!(out)
+    }
+
+    fn close(&mut self, _: &mut dyn Write) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Csv {
+    fn state(&self, out: &mut dyn Write, time: f64, state: &State<f64>) -> io::Result<()> {
+        write!(out, "{},{time}", self.name)?;
+        let [w, x, y, z] = state.attitude.components();
+        let omega = state.angular_velocity;
+        write!(
+            out,
+            ",{w:e},{x:e},{y:e},{z:e},{:e},{:e},{:e}",
+            omega.x, omega.y, omega.z
+        )
+    }
+}
+
+/// A name as a field; one that a spreadsheet would take for a formula gets a quote in front (as OWASP advises).
+fn quoted(name: &str) -> String {
+    let guarded = match name.chars().next() {
+        Some('=' | '+' | '-' | '@') => format!("'{name}"),
+        _ => name.to_owned(),
+    };
+    if guarded.contains([',', '"']) {
+        format!("\"{}\"", guarded.replace('"', "\"\""))
+    } else {
+        guarded
+    }
+}

@@ -1,0 +1,116 @@
+//! The plan: how a body's motion is computed, and what of the work is skipped.
+
+use crate::motion::Torque;
+use crate::scene::{Member, Method, Run, Spin};
+use std::{error, fmt};
+
+/// How the motion of one body is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// About a fixed axis, in closed form.
+    Spin(Spin),
+    /// Free, in closed form.
+    Free,
+    /// By Taylor series, the last terms of each step below `tolerance`.
+    Taylor {
+        /// The bound of a step.
+        tolerance: f64,
+    },
+    /// By DOP853, the error of each step below `tolerance`.
+    Dop853 {
+        /// The bound of a step.
+        tolerance: f64,
+    },
+    /// By the classical Runge–Kutta method.
+    Rk4 {
+        /// The longest step, s.
+        step: f64,
+    },
+}
+
+impl Way {
+    /// The same way with another bound of each step; a way without such a bound stays as it is.
+    pub fn within(self, tolerance: f64) -> Self {
+        match self {
+            Self::Taylor { .. } => Self::Taylor { tolerance },
+            Self::Dop853 { .. } => Self::Dop853 { tolerance },
+            other => other,
+        }
+    }
+
+    /// The bound of each step, where there is one.
+    pub fn step_tolerance(&self) -> Option<f64> {
+        match self {
+            Self::Taylor { tolerance } | Self::Dop853 { tolerance } => Some(*tolerance),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Way {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Spin(spin) if spin.is_rest() => f.write_str("at rest"),
+            Self::Spin(_) => f.write_str("closed form, spin about a fixed axis"),
+            Self::Free => f.write_str("closed form, free body"),
+            Self::Taylor { tolerance } => write!(f, "Taylor series, {tolerance:.0e} a step"),
+            Self::Dop853 { tolerance } => write!(f, "DOP853, {tolerance:.0e} a step"),
+            Self::Rk4 { step } => write!(f, "RK4, step {step:e} s"),
+        }
+    }
+}
+
+/// Why no plan can be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlanError {
+    /// The closed form is asked for, and the motion has none.
+    NoClosedForm,
+}
+
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the method `exact` is for a free body or a spin about a fixed axis, and the torque allows neither")
+    }
+}
+
+impl error::Error for PlanError {}
+
+/// How much smaller the bound of a step is than the error allowed at the end: what steps add up to in an ordinary run.
+const PART: f64 = 0.02;
+/// The least bound of a step: rounding makes more error than a smaller one would save.
+pub(crate) const LEAST: f64 = 1e-16;
+
+/// The way for a member of a scene.
+///
+/// # Errors
+/// A method that the motion does not allow.
+pub fn way(member: &Member, run: &Run) -> Result<Way, PlanError> {
+    let spin = || Spin::new(member).map(Way::Spin);
+    let free = || is_free(&member.torque).then_some(Way::Free);
+    let tolerance = (run.tolerance * PART).max(LEAST);
+    match run.method {
+        Method::Auto => Ok(spin().or_else(free).unwrap_or(Way::Taylor { tolerance })),
+        Method::Exact => free().or_else(spin).ok_or(PlanError::NoClosedForm),
+        Method::Taylor => Ok(Way::Taylor { tolerance }),
+        Method::Dop853 => Ok(Way::Dop853 { tolerance }),
+        Method::Rk4 => Ok(Way::Rk4 {
+            step: run.step.unwrap_or(run.duration),
+        }),
+    }
+}
+
+/// Whether the torque is zero whatever the body does.
+pub fn is_free(torque: &Torque) -> bool {
+    match torque {
+        Torque::None => true,
+        Torque::Constant { value, .. } => value.amax() == 0.0,
+        Torque::Gravity { weight, arm } => *weight == 0.0 || arm.amax() == 0.0,
+        Torque::Damping { coefficient } => *coefficient == 0.0,
+        Torque::Sinusoid {
+            amplitude,
+            angular_frequency,
+            phase,
+            ..
+        } => amplitude.amax() == 0.0 || (*angular_frequency == 0.0 && *phase == 0.0),
+    }
+}

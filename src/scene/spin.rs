@@ -1,0 +1,242 @@
+//! Motion about an axis that stays: planar motion, in closed form.
+
+use crate::motion::{Frame, Quaternion, State, Torque};
+use crate::scene::Member;
+use nalgebra::Vector3;
+
+/// A spin about an axis fixed in the body and in space, under a torque along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spin {
+    start: State<f64>,
+    axis: Vector3<f64>,
+    speed: f64,
+    law: SpinLaw,
+}
+
+/// How the speed changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum SpinLaw {
+    Steady,
+    /// c / J, 1/s.
+    Damped(f64),
+    /// τ / J, rad/s².
+    Driven(f64),
+    /// A / J in rad/s², w in rad/s, φ.
+    Shaken(f64, f64, f64),
+}
+
+impl Spin {
+    /// The spin of a member, if its motion is one and that is certain to the last bit: an axis known only to rounding
+    /// could be the unstable one.
+    pub fn new(member: &Member) -> Option<Self> {
+        let start = &member.start;
+        let seen = |frame: Frame, v: &Vector3<f64>| match frame {
+            Frame::Body => *v,
+            Frame::Space => start.attitude.to_body(v),
+        };
+        let (drive, law): (_, fn(f64, &Torque) -> SpinLaw) = match &member.torque {
+            Torque::None => (Vector3::zeros(), |_, _| SpinLaw::Steady),
+            Torque::Damping { .. } => (Vector3::zeros(), damped),
+            Torque::Constant { frame, value } => (seen(*frame, value), |a, _| SpinLaw::Driven(a)),
+            Torque::Sinusoid {
+                frame, amplitude, ..
+            } => (seen(*frame, amplitude), shaken),
+            Torque::Gravity { weight, arm } => {
+                let down = seen(Frame::Space, &Vector3::new(0.0, 0.0, -weight));
+                along_one(&[&down, arm, &start.angular_velocity])?;
+                (Vector3::zeros(), |_, _| SpinLaw::Steady)
+            }
+        };
+        let omega = start.angular_velocity;
+        let inertia = member.body.inertia();
+        let sphere = *inertia == nalgebra::Matrix3::from_diagonal_element(inertia[(0, 0)]);
+        let (axis, speed, drive, moment) = if sphere && drive == Vector3::zeros() {
+            let speed = omega.norm();
+            let axis = if speed > 0.0 { omega / speed } else { omega };
+            (axis, speed, 0.0, inertia[(0, 0)])
+        } else {
+            let k = along_one(&[&omega, &drive])?;
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            if inertia[(k, i)] != 0.0 || inertia[(k, j)] != 0.0 {
+                return None;
+            }
+            let mut axis = Vector3::zeros();
+            axis[k] = 1.0;
+            (axis, omega[k], drive[k], inertia[(k, k)])
+        };
+        let law = match law(drive / moment, &member.torque) {
+            SpinLaw::Damped(c) => SpinLaw::Damped(c / moment),
+            law => law,
+        };
+        let spin = Self {
+            start: *start,
+            axis,
+            speed,
+            law,
+        };
+        spin.axis.iter().all(|c| c.is_finite()).then_some(spin)
+    }
+
+    /// The state at `time`.
+    pub fn at(&self, time: f64) -> State<f64> {
+        let (speed, t) = (self.speed, time);
+        let (speed, angle) = match self.law {
+            SpinLaw::Steady => (speed, speed * t),
+            SpinLaw::Damped(rate) => (
+                speed * (-rate * t).exp(),
+                speed * t * exponential_mean(-rate * t),
+            ),
+            SpinLaw::Driven(a) => (speed + a * t, (speed + 0.5 * a * t) * t),
+            SpinLaw::Shaken(a, w, phase) => shake(speed, a, w, phase, t),
+        };
+        State {
+            attitude: self.start.attitude * Quaternion::exp(&(self.axis * angle)),
+            angular_velocity: match self.law {
+                SpinLaw::Steady => self.start.angular_velocity,
+                _ => self.axis * speed,
+            },
+        }
+    }
+
+    /// Whether nothing moves at all.
+    pub fn is_rest(&self) -> bool {
+        let still = match self.law {
+            SpinLaw::Steady | SpinLaw::Damped(_) => true,
+            SpinLaw::Driven(a) | SpinLaw::Shaken(a, ..) => a == 0.0,
+        };
+        still && self.speed == 0.0
+    }
+}
+
+fn damped(_: f64, torque: &Torque) -> SpinLaw {
+    match torque {
+        Torque::Damping { coefficient } => SpinLaw::Damped(*coefficient),
+        _ => SpinLaw::Steady,
+    }
+}
+
+fn shaken(a: f64, torque: &Torque) -> SpinLaw {
+    match torque {
+        Torque::Sinusoid {
+            angular_frequency,
+            phase,
+            ..
+        } => SpinLaw::Shaken(a, *angular_frequency, *phase),
+        _ => SpinLaw::Steady,
+    }
+}
+
+/// The coordinate axis along which all the vectors lie, to the last bit.
+fn along_one(vectors: &[&Vector3<f64>]) -> Option<usize> {
+    let along = |k: usize| {
+        vectors
+            .iter()
+            .all(|v| v[(k + 1) % 3] == 0.0 && v[(k + 2) % 3] == 0.0)
+    };
+    (0..3).find(|&k| along(k))
+}
+
+/// (eˣ − 1) / x.
+fn exponential_mean(x: f64) -> f64 {
+    if x == 0.0 { 1.0 } else { x.exp_m1() / x }
+}
+
+/// Speed and angle under the acceleration a sin(w t + φ). Sums and differences of nearly equal sines are written as
+/// products, so that a slow drive loses nothing.
+fn shake(speed: f64, a: f64, w: f64, phase: f64, t: f64) -> (f64, f64) {
+    let half = 0.5 * w * t;
+    let cardinal = if half == 0.0 { 1.0 } else { half.sin() / half };
+    let (sine, cosine) = phase.sin_cos();
+    let gained = a * t * cardinal * (half + phase).sin();
+    // ∫ (t − s) sin(w s + φ) ds = t² (sin φ · ½ sinc² + cos φ · (x − sin x)/x²), x = w t.
+    let mean = 0.5 * sine * cardinal * cardinal + cosine * lag(2.0 * half);
+    (speed + gained, speed * t + a * t * t * mean)
+}
+
+/// (x − sin x) / x², by its series near 0.
+fn lag(x: f64) -> f64 {
+    if x.abs() > 1.0 {
+        return (x - x.sin()) / (x * x);
+    }
+    let square = x * x;
+    // 1/3!, 1/5!, … to the last bit at 1.
+    let tail = [9, 8, 7, 6, 5, 4, 3, 2, 1].iter().fold(0.0, |sum, &n| {
+        let n = f64::from(n);
+        (1.0 - square * sum) / ((2.0 * n) * (2.0 * n + 1.0))
+    });
+    x * tail
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{Body, Stepper, TaylorMotion};
+    use nalgebra::Matrix3;
+
+    fn member(moments: [f64; 3], omega: [f64; 3], torque: Torque) -> Member {
+        let tensor = Matrix3::from_diagonal(&moments.into());
+        Member {
+            body: Body::new(&tensor).expect("a body"),
+            start: State::new([1.0, 0.0, 0.0, 0.0], omega).expect("a state"),
+            torque,
+        }
+    }
+
+    fn sinusoid(frame: Frame, w: f64) -> Torque {
+        Torque::Sinusoid {
+            frame,
+            amplitude: Vector3::new(0.0, 0.3, 0.0),
+            angular_frequency: w,
+            phase: 0.7,
+        }
+    }
+
+    #[test]
+    fn closed_forms_are_the_motion_that_is_integrated() {
+        let spin = [0.0, 1.3, 0.0];
+        let constant = |frame| Torque::Constant {
+            frame,
+            value: Vector3::new(0.0, -0.4, 0.0),
+        };
+        let cases = [
+            member([2.0, 3.0, 4.0], spin, Torque::Damping { coefficient: 0.5 }),
+            member(
+                [3.0, 3.0, 3.0],
+                [0.3, -1.0, 2.0],
+                Torque::Damping { coefficient: 0.5 },
+            ),
+            member([2.0, 3.0, 4.0], spin, constant(Frame::Body)),
+            member([2.0, 3.0, 4.0], [0.0; 3], constant(Frame::Space)),
+            member([2.0, 3.0, 4.0], spin, sinusoid(Frame::Body, 2.0)),
+            member([2.0, 3.0, 4.0], spin, sinusoid(Frame::Space, -0.05)),
+            member([2.0, 3.0, 4.0], spin, sinusoid(Frame::Body, 0.0)),
+        ];
+        for member in cases {
+            let spin = Spin::new(&member).expect("planar motion");
+            let mut motion = TaylorMotion::new(&member.body, member.torque, &member.start, 1e-15)
+                .expect("a motion");
+            for time in [0.0, 0.4, 3.0, 7.0] {
+                motion.advance_to(time).expect("finite");
+                let off = spin.at(time).difference(motion.state()).amax();
+                assert!(off < 1e-13, "{member:?} at {time}: {off:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_leaves_its_axis_is_no_spin() {
+        let tilted = member([2.0, 3.0, 4.0], [0.0, 1.0, 1e-300], Torque::None);
+        assert!(Spin::new(&tilted).is_none());
+        let across = Torque::Constant {
+            frame: Frame::Body,
+            value: Vector3::x(),
+        };
+        assert!(Spin::new(&member([2.0, 3.0, 4.0], [0.0, 1.0, 0.0], across)).is_none());
+        let hanging = Torque::Gravity {
+            weight: 1.0,
+            arm: Vector3::new(0.0, 0.0, -1.0),
+        };
+        let sleeping = Spin::new(&member([2.0, 3.0, 4.0], [0.0; 3], hanging));
+        assert!(sleeping.is_some_and(|spin| spin.is_rest()));
+    }
+}
