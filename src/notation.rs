@@ -24,6 +24,7 @@ use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};
 use delimiters::Region;
 use document::{Document, Format, Formula, Item, Row};
+use parse::rows::Reading;
 use std::path::Path;
 use token::Letters;
 
@@ -74,7 +75,7 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
         }
         Format::Text => {
             let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
-            document.items = plain::items(&text[body..], body);
+            document.items = plain::read(&text[body..], body);
         }
     }
     for item in &document.items {
@@ -92,16 +93,21 @@ fn trouble(row: &Row) -> Option<Diagnostic> {
 
 /// Reads the LaTeX of one formula whose first byte stands at `offset` of its source.
 pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
+    reading(text, offset, macros).rows
+}
+
+/// The rows of a formula and the words between them.
+fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
     if text.len() > LONGEST_FORMULA {
         let span = Span::new(offset, offset + text.len());
-        return vec![unreadable("a formula that is too long to be read", span)];
+        return unreadable("a formula that is too long to be read", None, span);
     }
     if macros.is_empty() {
         return parse::rows::rows(&lexer::tokens(text, offset, Letters::Single));
     }
     let Some((expanded, origin)) = macros.expand(text) else {
         let span = Span::new(offset, offset + text.len());
-        return vec![unreadable("a macro that expands without end", span)];
+        return unreadable("a macro that expands without end", None, span);
     };
     let mut tokens = lexer::tokens(&expanded, 0, Letters::Single);
     let place = |at: u32| {
@@ -121,36 +127,69 @@ pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
 /// Reads a formula of a document of some format anew, spans counted from its own first byte.
 pub fn reread(format: Format, text: &str) -> Vec<Row> {
     match format {
-        Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)),
+        Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)).rows,
         _ => read_formula(text, 0, &Macros::default()),
     }
 }
 
-fn unreadable(message: &str, span: Span) -> Row {
-    Row::Unreadable {
+fn unreadable(message: &str, help: Option<&str>, span: Span) -> Reading {
+    let row = Row::Unreadable {
         message: message.into(),
-        help: None,
+        help: help.map(str::to_owned),
         span,
+    };
+    Reading {
+        rows: vec![row],
+        words: vec![],
     }
 }
 
 /// The formula of a region of a text that begins at `offset` of the source.
-fn formula(text: &str, offset: usize, region: &Region, macros: &Macros) -> Formula {
+fn formula(text: &str, offset: usize, region: &Region, macros: &Macros) -> Vec<Item> {
     let span = Span::new(offset + region.outer.start, offset + region.outer.end);
     let inner = text.get(region.inner.clone()).unwrap_or("");
-    let rows = if region.closed {
-        read_formula(inner, offset + region.inner.start, macros)
+    let reading = if region.closed {
+        reading(inner, offset + region.inner.start, macros)
     } else {
-        let help = Some("close it before the paragraph ends".into());
-        vec![Row::Unreadable {
-            message: "a formula that is not closed".into(),
-            help,
-            span,
-        }]
+        let help = "close it before the paragraph ends";
+        unreadable("a formula that is not closed", Some(help), span)
     };
-    Formula {
-        display: region.display,
-        span,
-        rows,
+    items(reading, region.display, span)
+}
+
+/// A formula, parted where words of the sentence stand in it: `a = b \text{ where } c = d`.
+fn items(reading: Reading, display: bool, span: Span) -> Vec<Item> {
+    let mut items = vec![];
+    let mut rows = reading.rows.into_iter();
+    let (mut taken, mut start) = (0, span.start);
+    let part = |rows: Vec<Row>, start: u32, end: u32| {
+        (!rows.is_empty()).then(|| {
+            let span = Span { start, end };
+            Item::Formula(Formula {
+                display,
+                span,
+                rows,
+            })
+        })
+    };
+    for (before, text, place) in reading.words {
+        let rows = rows.by_ref().take(before - taken).collect();
+        items.extend(part(rows, start, place.start));
+        items.push(Item::Prose {
+            text: format!(" {text} "),
+            span: place,
+        });
+        (taken, start) = (before, place.end);
     }
+    let rest: Vec<Row> = rows.collect();
+    if rest.is_empty() && items.is_empty() {
+        items.push(Item::Formula(Formula {
+            display,
+            span,
+            rows: rest,
+        }));
+    } else {
+        items.extend(part(rest, start, span.end));
+    }
+    items
 }

@@ -80,12 +80,8 @@ pub(crate) fn items(
     for region in regions(&text[start..end], Dialect::Latex) {
         reader.words(at, start + region.outer.start);
         at = start + region.outer.end;
-        reader.items.push(Item::Formula(formula(
-            &text[start..end],
-            start,
-            &region,
-            &macros,
-        )));
+        let found = formula(&text[start..end], start, &region, &macros);
+        reader.items.extend(found);
     }
     reader.words(at, end);
     if text[start..end].contains("\\input{") {

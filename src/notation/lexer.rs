@@ -59,6 +59,8 @@ impl<'a> Lexer<'a> {
             '^' => self.push(Lexeme::Superscript, start),
             '_' => self.subscript(start),
             '&' => self.push(Lexeme::Ampersand, start),
+            // Inside a formula only a box has them: `\fbox{$a = b$}`.
+            '$' => {}
             '~' => self.push(Lexeme::Space(6), start),
             '0'..='9' | '.' if c != '.' || self.digit_follows() => self.number(start),
             'a'..='z' | 'A'..='Z' => self.letters(c, start),
@@ -205,6 +207,17 @@ impl<'a> Lexer<'a> {
                 self.push(Lexeme::Open, start);
                 self.push(Lexeme::Number(digit), start);
                 self.push(Lexeme::Close, start);
+            }
+            return;
+        }
+        if c == '°' {
+            for kind in [
+                Lexeme::Superscript,
+                Lexeme::Open,
+                Lexeme::Command("circ"),
+                Lexeme::Close,
+            ] {
+                self.push(kind, start);
             }
             return;
         }

@@ -158,10 +158,10 @@ impl Reader<'_> {
     }
 
     fn formula(&mut self, region: Region) {
-        let formula = formula(self.text, self.offset, &region, self.macros);
+        let found = formula(self.text, self.offset, &region, self.macros);
         // A formula in a heading names its subject; it states nothing.
         if self.heading.is_none() {
-            self.items.push(Item::Formula(formula));
+            self.items.extend(found);
         }
     }
 

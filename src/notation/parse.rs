@@ -8,10 +8,13 @@ mod derivative;
 mod environment;
 mod factor;
 mod function;
+mod group;
 mod integral;
 mod letter;
 pub(crate) mod line;
+mod pieces;
 mod product;
+mod range;
 pub(crate) mod rows;
 mod script;
 mod sum;
@@ -90,6 +93,14 @@ impl<'t, 'a> Parser<'t, 'a> {
 
     fn unexpected(&self) -> String {
         match self.tokens.get(self.at).map(|t| t.kind) {
+            Some(Lexeme::Command(name))
+                if letter::takes_argument(name) || letter::greek(name).is_some() =>
+            {
+                format!("\\{name} is not expected here")
+            }
+            Some(Lexeme::Command(name)) if !self.command_starts_factor(name) => {
+                format!("a sign is missing an operand: \\{name}")
+            }
             Some(Lexeme::Command(name)) => format!("the command \\{name} is not known"),
             Some(Lexeme::Char(c)) => format!("{c:?} is not expected here"),
             Some(Lexeme::Close) => "a brace closes that was not opened".into(),
@@ -203,12 +214,12 @@ pub(crate) fn nesting(token: &Token<'_>) -> i32 {
     match token.kind {
         Lexeme::Open
         | Lexeme::Begin(_)
-        | Lexeme::Char('(' | '[' | '{' | '⟨')
+        | Lexeme::Char('(' | '[' | '{' | '⟨' | '⌊')
         | Lexeme::LeftBar
         | Lexeme::LeftNull => 1,
         Lexeme::Close
         | Lexeme::End(_)
-        | Lexeme::Char(')' | ']' | '}' | '⟩')
+        | Lexeme::Char(')' | ']' | '}' | '⟩' | '⌋')
         | Lexeme::RightBar
         | Lexeme::RightNull => -1,
         _ => 0,

@@ -1,6 +1,7 @@
 //! Plain text: formulas on lines of their own or inside sentences, in Unicode or ASCII.
 
-use crate::notation::document::{Formula, Item, Row};
+use crate::notation::document::{Item, Row};
+use crate::notation::items;
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::Letters;
@@ -8,7 +9,7 @@ use crate::notation::unicode;
 use crate::source::Span;
 
 /// The items of a text whose first byte stands at `offset` of the source.
-pub(crate) fn items(text: &str, offset: usize) -> Vec<Item> {
+pub(crate) fn read(text: &str, offset: usize) -> Vec<Item> {
     let mut reader = Reader {
         offset,
         items: vec![],
@@ -99,16 +100,17 @@ impl Reader {
     }
 
     fn formula(&mut self, text: &str, at: usize, display: bool) {
-        let rows = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
+        let reading = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
         let span = self.span(at, text.len());
-        if !display && rows.iter().any(|row| matches!(row, Row::Unreadable { .. })) {
+        if !display
+            && reading
+                .rows
+                .iter()
+                .any(|row| matches!(row, Row::Unreadable { .. }))
+        {
             return self.prose(text, at);
         }
-        self.items.push(Item::Formula(Formula {
-            display,
-            span,
-            rows,
-        }));
+        self.items.extend(items(reading, display, span));
     }
 
     /// A sentence: the runs of mathematical words in it are formulas.

@@ -30,8 +30,6 @@ const SILENT: &[&str] = &[
     "!",
     "mathstrut",
     "strut",
-    "hfill",
-    "hfil",
     "noindent",
     "centering",
     "allowbreak",
@@ -60,6 +58,11 @@ const SILENT: &[&str] = &[
     "hline",
     "par",
     "smash",
+    "bcancel",
+    "xcancel",
+    "sout",
+    "displaylimits",
+    "framebox",
     "underbracket",
 ];
 
@@ -71,7 +74,6 @@ const SWALLOW: &[&str] = &[
     "vspace",
     "color",
     "vskip",
-    "hskip",
     "cite",
     "footnote",
     "footnotemark",
@@ -116,6 +118,12 @@ impl<'a> Lexer<'a> {
             "quad" => self.push(Lexeme::Space(18), start),
             "qquad" => self.push(Lexeme::Space(36), start),
             "hspace" => self.hspace(start),
+            "hfill" | "hfil" | "hskip" => self.push(Lexeme::Space(18), start),
+            "langle" => self.push(Lexeme::Char('⟨'), start),
+            "rangle" => self.push(Lexeme::Char('⟩'), start),
+            "lfloor" => self.push(Lexeme::Char('⌊'), start),
+            "rfloor" => self.push(Lexeme::Char('⌋'), start),
+            "eqno" | "leqno" => self.equation_number(start),
             "{" | "lbrace" => self.push(Lexeme::Char('{'), start),
             "}" | "rbrace" => self.push(Lexeme::Char('}'), start),
             "lbrack" => self.push(Lexeme::Char('['), start),
@@ -130,7 +138,7 @@ impl<'a> Lexer<'a> {
             "left" | "right" => self.delimiter(name == "left", start),
             "begin" | "end" => self.environment(name == "begin", start),
             "tag" | "label" => self.tag(name == "tag", start),
-            "textcolor" | "colorbox" => {
+            "textcolor" | "colorbox" | "cancelto" => {
                 let _ = self.braced();
             }
             _ if TEXT.contains(&name) => {
@@ -154,8 +162,34 @@ impl<'a> Lexer<'a> {
 
     fn hspace(&mut self, start: usize) {
         self.starred();
-        let wide = self.braced().contains("em");
-        self.push(Lexeme::Space(if wide { 18 } else { 5 }), start);
+        let length = self.braced().trim();
+        let number = length.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+        let unit = match length[number.len()..].trim() {
+            "em" => 18.0,
+            "cm" => 51.0,
+            "mm" => 5.1,
+            "in" => 130.0,
+            "ex" => 7.7,
+            _ => 1.8,
+        };
+        let width = number.trim().parse::<f32>().unwrap_or(3.0) * unit;
+        // A cast from a float stops at the ends of the range.
+        self.push(Lexeme::Space(width.max(0.0) as u8), start);
+    }
+
+    /// TeX's own `\eqno(3)`.
+    fn equation_number(&mut self, start: usize) {
+        let braced = self.braced();
+        if !braced.is_empty() {
+            return self.push(Lexeme::Tag(braced.trim()), start);
+        }
+        let rest = self.rest().trim_start();
+        let Some(inner) = rest.strip_prefix('(') else {
+            return;
+        };
+        let length = inner.find(')').filter(|n| *n < 40).unwrap_or(0);
+        self.at = self.text.len() - inner.len() + (length + 1).min(inner.len());
+        self.push(Lexeme::Tag(&inner[..length]), start);
     }
 
     /// `\\`, `\\*`, `\\[4pt]`.

@@ -20,6 +20,19 @@ impl<'t, 'a> Parser<'t, 'a> {
     }
 
     fn bracketed(&mut self, opened: Lexeme<'a>, inside: &'t [Token<'a>], start: usize) -> Node {
+        // `[\omega\times]` is the matrix that multiplies by ω ×.
+        if let [vector @ .., cross] = super::line::trimmed(inside)
+            && matches!(cross.kind, Lexeme::Command("times" | "wedge"))
+            && !vector.is_empty()
+        {
+            let vector = self.inside(vector).whole();
+            return self.node(Kind::Skew(Box::new(vector)), start);
+        }
+        if opened == Lexeme::Char('⌊') && !self.cross_follows() {
+            let message =
+                "only a vector stands in these brackets, as in \\lfloor a\\rfloor_\\times";
+            return self.node(Kind::Error(message.into()), start);
+        }
         let bracket = match opened {
             Lexeme::Char('[') => Bracket::Square,
             Lexeme::Char('{') => Bracket::Curly,
@@ -40,6 +53,12 @@ impl<'t, 'a> Parser<'t, 'a> {
             },
             _ => self.grouped(bracket, inner, start),
         }
+    }
+
+    fn cross_follows(&self) -> bool {
+        let script = matches!(self.peek(), Some(Lexeme::Subscript | Lexeme::Superscript));
+        let at = 1 + usize::from(self.peek_at(1) == Some(Lexeme::Open));
+        script && self.peek_at(at) == Some(Lexeme::Command("times"))
     }
 
     /// `|a|`, `\lVert a \rVert`, and `\left|` around an array, which is a determinant.

@@ -21,9 +21,16 @@ pub(super) fn mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
             Some((1, false))
         }
         Lexeme::Command("partial") => Some((1, true)),
-        Lexeme::Command("mathrm" | "rm" | "mathit") => match (kind(1)?, kind(2), kind(3)) {
-            (Lexeme::Open, Some(Lexeme::Letter('d')), Some(Lexeme::Close)) => Some((4, false)),
-            (Lexeme::Letter('d'), _, _) => Some((2, false)),
+        Lexeme::Command("mathrm" | "rm" | "mathit" | "operatorname") => match kind(1)? {
+            Lexeme::Letter('d') => Some((2, false)),
+            // Scanned formulas have spaces inside: `\mathrm{~d} t`.
+            Lexeme::Open => {
+                let spaces = |&i: &usize| matches!(kind(i), Some(Lexeme::Space(_)));
+                let letter = 2 + (2..).take_while(spaces).count();
+                let close = letter + 1 + (letter + 1..).take_while(spaces).count();
+                (kind(letter) == Some(Lexeme::Letter('d')) && kind(close) == Some(Lexeme::Close))
+                    .then_some((close + 1, false))
+            }
             _ => None,
         },
         _ => None,
@@ -48,9 +55,10 @@ fn order(tokens: &[Token<'_>]) -> Option<(usize, u8)> {
 fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 'a>> {
     let (frame, tokens) = prescript(tokens);
     let (length, partial) = mark(tokens)?;
-    let (more, order) = order(&tokens[length..])?;
-    let rest = &tokens[length + more..];
-    let rest = trim(rest);
+    let (below, tokens) = subscript(&tokens[length..]);
+    let (more, order) = order(tokens)?;
+    let frame = frame.or(below);
+    let rest = trim(&tokens[more..]);
     Some(Differential {
         partial,
         order,
@@ -66,6 +74,30 @@ fn trim<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
     &tokens[from..tokens.len() - to]
 }
 
+/// `_B` behind a d, as in `\frac{d_B L}{dt}`.
+fn subscript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
+    match tokens {
+        [first, rest @ ..] if first.kind == Lexeme::Subscript => script(rest),
+        _ => (None, tokens),
+    }
+}
+
+/// `D t` below a line makes the D above it a d: `\frac{D L}{D t}`.
+fn total<'t, 'a>(top: &'t [Token<'a>], bottom: &[Token<'a>]) -> Option<Differential<'t, 'a>> {
+    let time = trim(bottom).iter().map(|t| t.kind);
+    let [first, rest @ ..] = trim(top) else {
+        return None;
+    };
+    let total =
+        first.kind == Lexeme::Letter('D') && time.eq([Lexeme::Letter('D'), Lexeme::Letter('t')]);
+    total.then(|| Differential {
+        partial: false,
+        order: 1,
+        frame: None,
+        rest: trim(rest),
+    })
+}
+
 /// `{}^{N}` before the rest.
 fn prescript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
     let kinds = (
@@ -78,15 +110,20 @@ fn prescript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [
         (Some(Lexeme::Superscript), ..) => 1,
         _ => return (None, tokens),
     };
-    match tokens.get(skip).map(|t| t.kind) {
+    script(&tokens[skip..])
+}
+
+/// The argument of a script and what follows it.
+fn script<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
+    match tokens.first().map(|t| t.kind) {
         Some(Lexeme::Open) => {
-            let close = super::closing(tokens, skip);
+            let close = super::closing(tokens, 0);
             (
-                Some(&tokens[skip + 1..close]),
+                Some(&tokens[1..close]),
                 &tokens[(close + 1).min(tokens.len())..],
             )
         }
-        Some(_) => (Some(&tokens[skip..=skip]), &tokens[skip + 1..]),
+        Some(_) => (Some(&tokens[..1]), &tokens[1..]),
         None => (None, tokens),
     }
 }
@@ -100,6 +137,10 @@ impl<'t, 'a> Parser<'t, 'a> {
             && let Some(variables) = self.variables(bottom)
         {
             return self.derivative(differential, variables, start);
+        }
+        if let Some(differential) = total(top, bottom) {
+            let time = self.inside(&trim(bottom)[1..]).whole();
+            return self.derivative(differential, vec![time], start);
         }
         let above = self.inside(top).whole();
         let below = self.inside(bottom).whole();

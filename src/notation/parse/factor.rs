@@ -48,6 +48,13 @@ pub(crate) const RELATIONS: &[&str] = &[
     "leftrightarrow",
 ];
 
+pub(super) fn is_operator(name: &str) -> bool {
+    OPERATORS.contains(&name) || RELATIONS.contains(&name)
+}
+
+/// Commands that put one thing over another: a word over a relation, or a dot over a letter.
+const STACKS: &[&str] = &["stackrel", "overset"];
+
 const OPERATORS: &[&str] = &[
     "times", "wedge", "cross", "land", "cdot", "bullet", "otimes", "circ", "odot", "ast", "pm",
     "mp",
@@ -55,7 +62,9 @@ const OPERATORS: &[&str] = &[
 
 impl<'a> Parser<'_, 'a> {
     pub(super) fn command_starts_factor(&self, name: &str) -> bool {
-        !RELATIONS.contains(&name) && !OPERATORS.contains(&name)
+        let drawn_over =
+            STACKS.contains(&name) && super::line::relation(&self.tokens[self.at..]).is_none();
+        drawn_over || !is_operator(name)
     }
 
     /// A factor with everything that hangs on it.
@@ -80,7 +89,10 @@ impl<'a> Parser<'_, 'a> {
                 self.symbol(letter.to_string(), start)
             }
             Some(Lexeme::Open) => self.braces(start),
-            Some(Lexeme::Char('(' | '[' | '{' | '⟨') | Lexeme::LeftNull) => self.bracket(start),
+            Some(Lexeme::Superscript) => self.prescripted(start),
+            Some(Lexeme::Char('(' | '[' | '{' | '⟨' | '⌊') | Lexeme::LeftNull) => {
+                self.bracket(start)
+            }
             Some(Lexeme::Char('|' | '‖') | Lexeme::LeftBar) => self.norm(start),
             Some(Lexeme::Begin(name)) => self.environment(name, start),
             Some(Lexeme::Text(text)) => {
@@ -130,6 +142,11 @@ impl<'a> Parser<'_, 'a> {
             let node = self.inside(inside).whole();
             return self.scripts(node, start);
         }
+        self.prescripted(start)
+    }
+
+    /// `^{N}\omega`: what is written before a letter belongs to it.
+    fn prescripted(&mut self, start: usize) -> Node {
         let mut labels = vec![];
         while matches!(self.peek(), Some(Lexeme::Superscript | Lexeme::Subscript)) {
             self.at += 1;
@@ -147,7 +164,7 @@ impl<'a> Parser<'_, 'a> {
         self.at += 1;
         match name {
             "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" => self.fraction(start),
-            "dv" | "pdv" | "odv" | "dfdt" => self.physics_derivative(name == "pdv", start),
+            "dv" | "pdv" | "odv" | "derivative" => self.physics_derivative(name == "pdv", start),
             "sqrt" => self.root(start),
             "sum" => self.sum_sign(true, start),
             "Sigma" => self.sum_sign(false, start),
@@ -159,6 +176,7 @@ impl<'a> Parser<'_, 'a> {
             }
             "det" | "tr" | "exp" | "ln" | "log" | "max" | "min" => self.function(name, start),
             "underbrace" | "overbrace" => self.braced_remark(),
+            "stackrel" | "overset" => self.stacked(start),
             "imath" => self.symbol("i".into(), start),
             "jmath" => self.symbol("j".into(), start),
             "unit" | "si" => {

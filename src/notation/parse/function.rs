@@ -140,7 +140,7 @@ impl Parser<'_, '_> {
                 sign: empty,
                 node,
             });
-            if self.peek() == Some(Lexeme::Char('/')) && !self.spaced_here() {
+            if self.peek() == Some(Lexeme::Char('/')) && self.divides_argument(&factors) {
                 self.slash(&mut factors);
             }
             self.skip_thin_spaces();
@@ -182,6 +182,13 @@ impl Parser<'_, '_> {
         self.tokens[from..self.at]
             .iter()
             .any(|t| t.kind == Lexeme::Letter('t'))
+    }
+
+    /// `\sin\theta/2` is the sine of a half, `\sin\theta/\cos\theta` and `\sin\theta/I` are quotients.
+    fn divides_argument(&self, factors: &[Factor]) -> bool {
+        let number = matches!(self.peek_at(1), Some(Lexeme::Number(_)));
+        let turns = |f: &Factor| matches!(&f.node.kind, Kind::Symbol(s) if s.name == "pi");
+        !self.spaced_here() && (number || factors.iter().any(turns))
     }
 
     fn slash(&mut self, factors: &mut Vec<Factor>) {

@@ -59,12 +59,19 @@ fn mark(name: &str) -> Option<Mark> {
         "tilde" | "widetilde" => Mark::Tilde,
         "mathcal" | "mathscr" | "mathfrak" | "cal" => Mark::Calligraphic,
         "mathrm" | "rm" | "textrm@" | "mathup" => Mark::Upright,
-        "mathsf" | "mathtt" | "sf" => Mark::Sans,
+        "mathsf" | "mathtt" | "sf" | "overleftrightarrow" => Mark::Sans,
         "mathbb" => Mark::Board,
         "mathit" | "it" | "mathnormal" => Mark::Plain,
         "check" | "breve" | "acute" | "grave" | "mathring" | "ring" => Mark::Other,
         _ => return None,
     })
+}
+
+/// What is drawn over a letter by hand.
+#[derive(Clone, Copy, PartialEq)]
+enum Over {
+    Dot,
+    Mark(Mark),
 }
 
 impl<'t, 'a> Parser<'t, 'a> {
@@ -94,6 +101,42 @@ impl<'t, 'a> Parser<'t, 'a> {
             None => node,
         };
         let node = self.scripts(node, start);
+        self.call(node, start)
+    }
+
+    /// `\overset{.}{\omega}` and `\stackrel{\leftrightarrow}{I}`: accents drawn by hand.
+    pub(super) fn stacked(&mut self, start: usize) -> Node {
+        let above = self.argument();
+        let base = self.argument_node();
+        let drawn = |kind: &Lexeme<'_>| match kind {
+            Lexeme::Char('.') | Lexeme::Command("cdot" | "bullet") => Some(Over::Dot),
+            Lexeme::Command("rightarrow" | "to" | "rightharpoonup" | "longrightarrow") => {
+                Some(Over::Mark(Mark::Arrow))
+            }
+            Lexeme::Command("leftrightarrow" | "Rightarrow" | "rightleftarrows") => {
+                Some(Over::Mark(Mark::Sans))
+            }
+            Lexeme::Command("sim") => Some(Over::Mark(Mark::Tilde)),
+            Lexeme::Command("wedge") | Lexeme::Superscript => Some(Over::Mark(Mark::Hat)),
+            _ => None,
+        };
+        let kinds: Vec<Lexeme<'_>> = above
+            .iter()
+            .map(|t| t.kind)
+            .filter(|kind| !matches!(kind, Lexeme::Space(_)))
+            .collect();
+        let over = kinds.first().and_then(drawn);
+        let same = kinds.iter().all(|kind| drawn(kind) == over);
+        let node = match over {
+            Some(Over::Dot) if same => dotted(base, u8::try_from(kinds.len()).unwrap_or(u8::MAX)),
+            Some(Over::Mark(mark)) if kinds.len() == 1 => marked(base, mark, &[]),
+            _ => self.node(
+                Kind::Error("what stands over this is not known".into()),
+                start,
+            ),
+        };
+        let span = self.since(start);
+        let node = self.scripts(Node { span, ..node }, start);
         self.call(node, start)
     }
 

@@ -13,35 +13,53 @@ use crate::source::Span;
 pub(super) struct Marks {
     pub(super) labels: Vec<String>,
     pub(super) remarks: Vec<String>,
+    /// Words before the line, which are part of the sentence that it stands in.
+    pub(super) words: Vec<(String, Span)>,
 }
 
-/// Takes tags, labels and remarks out of a row's tokens.
+/// Takes tags, labels, remarks and words out of a row's tokens.
 pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     let mut marks = Marks::default();
+    let mut shown = vec![];
     let mut depth = 0;
-    let last = tokens.len().saturating_sub(1);
-    let mut index = 0;
+    let mut before: Option<Lexeme<'_>> = None;
     tokens.retain(|token| {
         depth += nesting(token);
-        index += 1;
         match token.kind {
-            Lexeme::Tag(text) => marks.labels.insert(0, super::text::tag(text)),
+            Lexeme::Tag(text) => shown.push(super::text::tag(text)),
             Lexeme::Label(text) => marks.labels.push(text.to_owned()),
-            Lexeme::Text(text) if depth == 0 && (index > last || !super::text::is_symbol(text)) => {
-                match words(text) {
-                    Words::Label(label) => marks.labels.insert(0, label),
-                    Words::Remark(remark) if remark.is_empty() => {}
-                    Words::Remark(remark) => marks.remarks.push(remark),
+            Lexeme::Text(text) if depth == 0 && !is_operand(text, before) => match words(text) {
+                Words::Label(label) => shown.push(label),
+                Words::Remark(remark) if remark.is_empty() => {}
+                Words::Remark(remark) if before.is_none() => {
+                    marks.words.push((remark, token.span));
                 }
+                Words::Remark(remark) => marks.remarks.push(remark),
+            },
+            Lexeme::Space(_) | Lexeme::Ampersand => return true,
+            kind => {
+                before = Some(kind);
+                return true;
             }
-            _ => return true,
         }
         false
     });
-    if let Some(label) = trailing_label(tokens) {
-        marks.labels.insert(0, label);
-    }
+    shown.extend(trailing_label(tokens));
+    shown.append(&mut marks.labels);
+    marks.labels = shown;
     marks
+}
+
+/// Whether a text is a part of the expression: a name such as `\text{Iyy}`, a unit, or whatever stands where only an
+/// operand can.
+fn is_operand(text: &str, before: Option<Lexeme<'_>>) -> bool {
+    match before {
+        Some(Lexeme::Subscript | Lexeme::Superscript) => true,
+        Some(Lexeme::Char('=' | '+' | '-' | '/' | '*')) => true,
+        Some(Lexeme::Command(name)) if super::factor::is_operator(name) => true,
+        Some(Lexeme::Number(_)) if super::text::is_unit(text) => true,
+        _ => super::text::is_symbol(text),
+    }
 }
 
 /// `\quad (8.6)`, `--- (3)`, `\dots (4)` at the end of a relation.
@@ -80,6 +98,10 @@ fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
     Some(format!("({label})"))
 }
 
+fn is_script(kind: Lexeme<'_>) -> bool {
+    matches!(kind, Lexeme::Subscript | Lexeme::Superscript)
+}
+
 /// The signs of relation outside brackets, each with the tokens that it takes.
 pub(super) fn relations(tokens: &[Token<'_>]) -> Vec<(usize, usize, Relation)> {
     let mut found = vec![];
@@ -87,7 +109,9 @@ pub(super) fn relations(tokens: &[Token<'_>]) -> Vec<(usize, usize, Relation)> {
     let mut i = 0;
     while i < tokens.len() {
         depth = (depth + nesting(&tokens[i])).max(0);
+        let script = i.checked_sub(1).is_some_and(|i| is_script(tokens[i].kind));
         if depth == 0
+            && !script
             && let Some((relation, length)) = relation(&tokens[i..])
         {
             found.push((i, length, relation));
@@ -99,7 +123,7 @@ pub(super) fn relations(tokens: &[Token<'_>]) -> Vec<(usize, usize, Relation)> {
     found
 }
 
-fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
+pub(super) fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
     let kind = |i: usize| tokens.get(i).map(|t| t.kind);
     Some(match kind(0)? {
         Lexeme::Char('=') => match kind(1) {

@@ -82,7 +82,9 @@ impl Parser<'_, '_> {
     pub(super) fn factor_starts(&self) -> bool {
         match self.peek() {
             Some(Lexeme::Command(name)) => self.command_starts_factor(name),
-            Some(Lexeme::Char(c)) => matches!(c, '(' | '[' | '{' | '‖' | '|') && self.bar_opens(c),
+            Some(Lexeme::Char(c)) => {
+                matches!(c, '(' | '[' | '{' | '⟨' | '⌊' | '‖' | '|') && self.bar_opens(c)
+            }
             Some(
                 Lexeme::Letter(_)
                 | Lexeme::Number(_)

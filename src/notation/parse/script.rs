@@ -47,7 +47,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         if matches!(tokens, [t] if matches!(t.kind, Lexeme::Command("times" | "wedge"))) {
             return skew(node);
         }
-        if let Some(symbol) = symbol_of(&mut node) {
+        if let Some(symbol) = indexed(&mut node) {
             let parts = super::split_outside(tokens, |t| t.kind == Lexeme::Char(','));
             symbol
                 .subscripts
@@ -69,7 +69,11 @@ impl<'t, 'a> Parser<'t, 'a> {
     }
 
     fn superscript(&mut self, mut node: Node, tokens: &'t [Token<'a>]) -> Node {
-        let kinds: Vec<Lexeme<'a>> = tokens.iter().map(|t| t.kind).collect();
+        let kinds: Vec<Lexeme<'a>> = tokens
+            .iter()
+            .map(|t| t.kind)
+            .filter(|kind| !matches!(kind, Lexeme::Space(_)))
+            .collect();
         match kinds.as_slice() {
             [Lexeme::Command("times" | "wedge")] => return skew(node),
             [Lexeme::Command("prime")] => {
@@ -127,6 +131,19 @@ impl<'t, 'a> Parser<'t, 'a> {
             kind: Kind::Power(Box::new(node), Box::new(minus)),
             span,
         }
+    }
+}
+
+/// The symbol that a subscript hangs on; `\omega^2_x` is the square of ω_x.
+fn indexed(node: &mut Node) -> Option<&mut Symbol> {
+    let squared = matches!(&node.kind, Kind::Power(base, _)
+        if matches!(&base.kind, Kind::Symbol(symbol) if symbol.subscripts.is_empty()));
+    if !squared {
+        return symbol_of(node);
+    }
+    match &mut node.kind {
+        Kind::Power(base, _) => symbol_of(base),
+        _ => None,
     }
 }
 

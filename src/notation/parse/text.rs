@@ -7,9 +7,16 @@ use crate::notation::token::{Lexeme, Token};
 /// The tokens as plain text: commands and braces taken off, spaces left out.
 pub(super) fn plain(tokens: &[Token<'_>]) -> String {
     let mut out = String::new();
+    let mut over = None;
     for token in tokens {
         match token.kind {
-            Lexeme::Letter(c) | Lexeme::Char(c) => out.push(c),
+            Lexeme::Letter(c) | Lexeme::Char(c) => {
+                out.push(c);
+                out.extend(over.take());
+            }
+            // The centroidal axes x̄ and the axes x are not the same.
+            Lexeme::Command("bar" | "overline") => over = Some('\u{304}'),
+            Lexeme::Command("tilde" | "widetilde") => over = Some('\u{303}'),
             Lexeme::Number(text) => out.push_str(text),
             Lexeme::Text(text) => {
                 let lead = text.starts_with(' ') && !out.is_empty();
@@ -78,7 +85,7 @@ pub(super) fn is_label(text: &str) -> bool {
             .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-' | b'*' | b'\'' | b':'))
 }
 
-/// Words that join two relations.
+/// Words that stand between two relations.
 pub(super) fn joins(text: &str) -> bool {
     let word = text
         .trim()
@@ -105,13 +112,39 @@ pub(super) fn joins(text: &str) -> bool {
             | "since"
             | "while"
             | "also"
+            | "for"
+            | "for all"
+            | "for each"
+            | "if"
+            | "when"
+            | "only if"
+            | "if and only if"
+            | "provided"
+            | "provided that"
+            | "given"
+            | "given that"
+            | "implies"
+            | "yields"
+            | "hence also"
+            | "and hence"
+            | "and thus"
+            | "and so"
+            | "and also"
+            | "where also"
+            | "as"
     )
 }
 
-/// Text that is one symbol: a word of letters, as in `\text{Iyy}`; used where a factor must stand.
+/// Text that is one symbol, as in `\text{Iyy}` or `\text{KE}`, and no word of a sentence.
 pub(super) fn is_symbol(text: &str) -> bool {
     let text = text.trim();
-    !text.is_empty() && text.len() <= 8 && text.chars().all(char::is_alphanumeric) && !joins(text)
+    let name = !text.is_empty() && text.len() <= 8 && text.chars().all(char::is_alphanumeric);
+    let capitals = text
+        .chars()
+        .skip(1)
+        .any(|c| c.is_uppercase() || c.is_numeric());
+    let known = crate::notation::unicode::word(text).is_some();
+    name && !joins(text) && (text.chars().count() <= 2 || capitals || known)
 }
 
 const UNITS: &[&str] = &[
@@ -120,7 +153,7 @@ const UNITS: &[&str] = &[
 ];
 
 /// Whether a text is a unit of measurement: `kg m^2`, `rad/s`.
-fn is_unit(text: &str) -> bool {
+pub(super) fn is_unit(text: &str) -> bool {
     let mut pieces = text
         .split(|c: char| !c.is_ascii_alphabetic())
         .filter(|p| !p.is_empty())

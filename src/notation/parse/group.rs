@@ -1,0 +1,181 @@
+//! Braces that group nothing: what TeX shows the same with and without them is read the same.
+//!
+//! `{}` makes room, `b {\color{red} + c}` colours a part of a sum, `\boxed{a = b}` frames a line, and
+//! `\boldsymbol{\times}` is a bold cross. All that is settled on the tokens, in one pass each way.
+
+use super::factor::{RELATIONS, is_operator};
+use super::letter;
+use crate::notation::token::{Lexeme, Token};
+
+/// The tokens without the braces that group nothing.
+pub(super) fn ungrouped<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
+    let mut scan = Scan::new(tokens);
+    for i in 0..tokens.len() {
+        scan.token(i);
+    }
+    let mut out = Vec::with_capacity(tokens.len());
+    let mut i = 0;
+    while i < tokens.len() {
+        if let Some((operator, length)) = bold_operator(&tokens[i..]) {
+            out.push(operator);
+            i += length;
+            continue;
+        }
+        if !scan.dropped[i] {
+            out.push(tokens[i]);
+        }
+        i += 1;
+    }
+    out
+}
+
+/// An open group.
+struct Group {
+    open: usize,
+    /// Whether it is the argument of a command or a script.
+    argument: bool,
+    /// What TeX would show without the braces is the same.
+    idle: bool,
+    /// How many arguments are still to come once it is closed.
+    awaited: u8,
+}
+
+struct Scan<'t, 'a> {
+    tokens: &'t [Token<'a>],
+    dropped: Vec<bool>,
+    groups: Vec<Group>,
+    /// How many arguments the command before takes yet.
+    awaited: u8,
+    /// Inside the square brackets of an optional argument.
+    optional: bool,
+}
+
+impl<'t, 'a> Scan<'t, 'a> {
+    fn new(tokens: &'t [Token<'a>]) -> Self {
+        Self {
+            tokens,
+            dropped: vec![false; tokens.len()],
+            groups: vec![],
+            awaited: 0,
+            optional: false,
+        }
+    }
+
+    fn token(&mut self, i: usize) {
+        let kind = self.tokens[i].kind;
+        if self.optional {
+            self.optional = kind != Lexeme::Char(']');
+            return;
+        }
+        match kind {
+            Lexeme::Space(_) => {}
+            Lexeme::Open => self.open(i),
+            Lexeme::Close => self.close(i),
+            Lexeme::Char('[') if self.awaited > 0 => self.optional = true,
+            Lexeme::Subscript | Lexeme::Superscript => self.awaited = 1,
+            Lexeme::Command(name) => {
+                self.relation(kind);
+                let arguments = arguments(name);
+                self.awaited = self.awaited.saturating_sub(1).max(arguments);
+            }
+            _ => {
+                self.relation(kind);
+                self.awaited = self.awaited.saturating_sub(1);
+            }
+        }
+    }
+
+    fn open(&mut self, i: usize) {
+        let next = self.tokens[i + 1..]
+            .iter()
+            .find(|t| !matches!(t.kind, Lexeme::Space(_)));
+        self.groups.push(Group {
+            open: i,
+            argument: self.awaited > 0,
+            idle: next.is_some_and(|t| is_sign(t.kind)),
+            awaited: self.awaited.saturating_sub(1),
+        });
+        self.awaited = 0;
+    }
+
+    fn close(&mut self, i: usize) {
+        let Some(group) = self.groups.pop() else {
+            return;
+        };
+        self.awaited = group.awaited;
+        let inside = &self.tokens[group.open + 1..i];
+        let last = inside
+            .iter()
+            .rev()
+            .find(|t| !matches!(t.kind, Lexeme::Space(_)));
+        let script = matches!(
+            self.tokens.get(i + 1).map(|t| t.kind),
+            Some(Lexeme::Superscript | Lexeme::Subscript)
+        );
+        let idle = match last {
+            None => !script,
+            Some(last) => group.idle || is_sign(last.kind),
+        };
+        if idle && !group.argument {
+            self.dropped[group.open] = true;
+            self.dropped[i] = true;
+        }
+    }
+
+    /// A sign of relation shows that the braces around it hold a line.
+    fn relation(&mut self, kind: Lexeme<'_>) {
+        let relates = match kind {
+            Lexeme::Char('=' | '<' | '>') => true,
+            Lexeme::Command(name) => RELATIONS.contains(&name),
+            _ => false,
+        };
+        if relates
+            && self.awaited == 0
+            && let Some(group) = self.groups.last_mut()
+        {
+            group.idle = true;
+        }
+    }
+}
+
+fn is_sign(kind: Lexeme<'_>) -> bool {
+    match kind {
+        Lexeme::Char('+' | '-' | '=' | '<' | '>' | ':') => true,
+        Lexeme::Command(name) => is_operator(name),
+        _ => false,
+    }
+}
+
+/// How many groups behind a command are its own. What is not known may have any number.
+fn arguments(name: &str) -> u8 {
+    match name {
+        "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "dv" | "pdv" | "odv"
+        | "derivative" | "stackrel" | "overset" | "underset" | "binom" => 2,
+        "quad" | "qquad" | "displaystyle" => 0,
+        _ if is_operator(name) => 0,
+        _ if letter::greek(name).is_some() => 0,
+        _ if letter::takes_argument(name) || super::function::named(name).is_some() => 1,
+        "sqrt" | "underbrace" | "overbrace" | "unit" | "si" => 1,
+        "sum" | "int" | "iint" | "iiint" | "oint" | "partial" | "nabla" | "dots" | "ldots"
+        | "cdots" | "imath" | "jmath" | "Rightarrow" | "implies" | "iff" | "therefore" => 0,
+        _ => u8::MAX,
+    }
+}
+
+/// `\boldsymbol{\times}`, `\bm\cdot`: the operator, and how many tokens were spent on it.
+fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
+    let first = tokens.first()?;
+    let Lexeme::Command("boldsymbol" | "bm" | "mathbf" | "pmb" | "mathrm") = first.kind else {
+        return None;
+    };
+    let grouped = tokens.get(1)?.kind == Lexeme::Open;
+    let at = 1 + usize::from(grouped);
+    let operator = tokens
+        .get(at)
+        .filter(|t| matches!(t.kind, Lexeme::Command(name) if is_operator(name)))?;
+    if grouped && tokens.get(at + 1)?.kind != Lexeme::Close {
+        return None;
+    }
+    let span = first.span.to(tokens[at + usize::from(grouped)].span);
+    Some((Token { span, ..*operator }, at + 1 + usize::from(grouped)))
+}

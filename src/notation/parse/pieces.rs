@@ -1,0 +1,288 @@
+//! A formula in pieces: environments of lines are gone into, and rows, gaps, commas and arrows part it.
+
+use super::line::{relations, trimmed};
+use super::{closing, nesting};
+use crate::notation::token::{Lexeme, Token};
+
+/// Environments whose rows are lines.
+const LISTS: &[&str] = &[
+    "aligned",
+    "align",
+    "alignat",
+    "alignedat",
+    "flalign",
+    "gather",
+    "gathered",
+    "split",
+    "eqnarray",
+    "multline",
+    "multlined",
+    "equation",
+    "subequations",
+    "cases",
+    "dcases",
+    "rcases",
+    "displaymath",
+    "math",
+    "dmath",
+    "dgroup",
+    "empheq",
+    "subnumcases",
+    "numcases",
+    "IEEEeqnarray",
+];
+
+/// Environments in which every second `&` separates columns of equations.
+const COLUMNS: &[&str] = &[
+    "align",
+    "aligned",
+    "alignat",
+    "alignedat",
+    "flalign",
+    "cases",
+    "dcases",
+    "rcases",
+];
+
+/// What stands between two pieces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Break {
+    Row,
+    Gap,
+    Comma,
+}
+
+pub(super) struct Piece<'a> {
+    pub(super) before: Break,
+    pub(super) tokens: Vec<Token<'a>>,
+}
+
+/// The pieces of a formula in order, those that go on from the one before joined to it.
+pub(super) fn pieces<'a>(tokens: &[Token<'a>]) -> Vec<Piece<'a>> {
+    let mut splitter = Splitter {
+        pieces: vec![],
+        current: vec![],
+        before: Break::Row,
+    };
+    splitter.split(tokens, "", 0);
+    splitter.flush(Break::Row);
+    join(splitter.pieces)
+}
+
+struct Splitter<'a> {
+    pieces: Vec<Piece<'a>>,
+    current: Vec<Token<'a>>,
+    before: Break,
+}
+
+impl<'a> Splitter<'a> {
+    fn flush(&mut self, next: Break) {
+        let tokens = std::mem::take(&mut self.current);
+        if !trimmed(&tokens).is_empty() {
+            self.pieces.push(Piece {
+                before: self.before,
+                tokens,
+            });
+            self.before = next;
+        } else if next == Break::Row {
+            self.before = next;
+        }
+    }
+
+    fn split(&mut self, tokens: &[Token<'a>], environment: &str, level: u32) {
+        let mut depth = 0;
+        let mut ampersands = 0;
+        let mut i = 0;
+        while i < tokens.len() {
+            let token = tokens[i];
+            let next = if depth == 0 {
+                self.structure(tokens, i, level)
+            } else {
+                None
+            };
+            if let Some(next) = next {
+                i = next;
+                continue;
+            }
+            let outside = depth == 0;
+            depth = (depth + nesting(&token)).max(0);
+            i += 1;
+            match token.kind {
+                Lexeme::Row if outside => {
+                    ampersands = 0;
+                    self.flush(Break::Row);
+                }
+                Lexeme::Ampersand if outside => {
+                    ampersands += 1;
+                    if ampersands % 2 == 0 && COLUMNS.contains(&environment)
+                        || (ampersands == 1 && environment == "cases")
+                    {
+                        self.flush(Break::Gap);
+                    }
+                }
+                Lexeme::Space(width) if outside && width >= 18 => {
+                    // A label behind the gap needs to see that one was written.
+                    let label_follows = tokens.get(i).is_some_and(|t| t.kind == Lexeme::Char('('));
+                    if !(label_follows && self.take_label(tokens, &mut i)) {
+                        self.flush(Break::Gap);
+                    }
+                }
+                Lexeme::Char(',' | ';') if outside => self.flush(Break::Comma),
+                Lexeme::Command(name) if outside && is_arrow(name) => self.flush(Break::Gap),
+                Lexeme::Text(text) if outside && super::text::joins(text) => {
+                    self.flush(Break::Gap);
+                    self.current.push(token);
+                }
+                _ => self.current.push(token),
+            }
+        }
+    }
+
+    /// `(8.6)` behind a gap, as a label on what stands before it.
+    fn take_label(&mut self, tokens: &[Token<'a>], i: &mut usize) -> bool {
+        let Some(end) = super::bracket_end(tokens, *i) else {
+            return false;
+        };
+        let text = super::text::plain(&tokens[*i + 1..end]);
+        let last = tokens
+            .get(end + 1)
+            .is_none_or(|t| matches!(t.kind, Lexeme::Row | Lexeme::Char('.' | ',')));
+        if !last || !super::text::is_label(&text) || self.current.is_empty() {
+            return false;
+        }
+        let span = tokens[*i].span;
+        self.current.push(Token {
+            kind: Lexeme::Space(18),
+            span,
+            spaced: false,
+        });
+        self.current.extend_from_slice(&tokens[*i..=end]);
+        *i = end + 1;
+        true
+    }
+
+    /// An environment of lines, or a bracket around one, is gone into; the index behind it is returned.
+    fn structure(&mut self, tokens: &[Token<'a>], i: usize, level: u32) -> Option<usize> {
+        if level > 8 {
+            return None;
+        }
+        let opens = matches!(
+            tokens[i].kind,
+            Lexeme::LeftNull | Lexeme::Char('{' | '[' | '(')
+        );
+        let begin = i + usize::from(opens);
+        let Lexeme::Begin(name) = tokens.get(begin)?.kind else {
+            return None;
+        };
+        let end = closing(tokens, begin);
+        let inside = tokens.get(begin + 1..end)?;
+        let listed = LISTS.contains(&name) || (name == "array" && holds_relation(inside));
+        let valued = matches!(name, "cases" | "dcases" | "rcases" | "array") && is_valued(inside);
+        if !listed || valued {
+            return None;
+        }
+        let mut after = (end + 1).min(tokens.len());
+        let closes = matches!(
+            tokens.get(after).map(|t| t.kind),
+            Some(Lexeme::RightNull | Lexeme::Char('}' | ']' | ')') | Lexeme::RightBar)
+        );
+        after += usize::from(closes);
+        self.split(inside, name, level + 1);
+        Some(after)
+    }
+}
+
+/// Whether a first column without relations says that values stand there: `1 & x > 0 \\ 0 & x < 0`.
+fn is_valued(inside: &[Token<'_>]) -> bool {
+    let rows = super::split_outside(inside, |t| t.kind == Lexeme::Row);
+    let mut firsts = rows
+        .into_iter()
+        .filter(|row| !trimmed(row).is_empty())
+        .map(|row| super::split_outside(row, |t| t.kind == Lexeme::Ampersand));
+    let alone = |cells: &Vec<&[Token<'_>]>| {
+        // In `a &=& b` the relation has a column of its own.
+        let first = cells.first().is_some_and(|cell| holds_relation(cell));
+        let next = cells.get(1).is_some_and(|cell| {
+            relations(trimmed(cell))
+                .first()
+                .is_some_and(|(at, ..)| *at == 0)
+        });
+        !first && !next
+    };
+    firsts.all(|cells| alone(&cells))
+}
+
+fn is_arrow(name: &str) -> bool {
+    matches!(
+        name,
+        "Rightarrow"
+            | "Longrightarrow"
+            | "implies"
+            | "iff"
+            | "Leftrightarrow"
+            | "therefore"
+            | "because"
+            | "hookrightarrow"
+            | "Longleftrightarrow"
+            | "Leftarrow"
+            | "leadsto"
+            | "downarrow"
+            | "Downarrow"
+            | "impliedby"
+            | "rightsquigarrow"
+    )
+}
+
+/// Whether a sign of relation stands in the rows outside inner brackets.
+pub(super) fn holds_relation(tokens: &[Token<'_>]) -> bool {
+    !relations(tokens).is_empty()
+}
+
+/// Pieces that go on from the one before are joined to it.
+fn join(pieces: Vec<Piece<'_>>) -> Vec<Piece<'_>> {
+    let mut out: Vec<Piece<'_>> = vec![];
+    for piece in pieces {
+        match out.last_mut() {
+            Some(last) if goes_on(last, &piece) => last.tokens.extend(piece.tokens),
+            _ => out.push(piece),
+        }
+    }
+    out
+}
+
+fn goes_on(last: &Piece<'_>, piece: &Piece<'_>) -> bool {
+    let signs = |kind: Option<Lexeme<'_>>| {
+        matches!(
+            kind,
+            Some(
+                Lexeme::Char('+' | '-' | '/' | '*')
+                    | Lexeme::Command("times" | "cdot" | "pm" | "mp")
+            )
+        )
+    };
+    let tokens = without_empty_groups(trimmed(&piece.tokens));
+    let first = tokens.first().map(|t| t.kind);
+    let ended = trimmed(&last.tokens).last().map(|t| t.kind);
+    let related = |piece: &Piece<'_>| !relations(trimmed(&piece.tokens)).is_empty();
+    let open_end = signs(ended) || ended == Some(Lexeme::Char('='));
+    let first_is_relation = relations(tokens).first().is_some_and(|(at, ..)| *at == 0);
+    match piece.before {
+        Break::Comma => false,
+        _ if open_end => true,
+        _ if first_is_relation => piece.before == Break::Gap && related(last),
+        _ => {
+            let plus = first == Some(Lexeme::Char('+'));
+            signs(first) && related(last) && (plus || !related(piece))
+        }
+    }
+}
+
+/// `{}` stands before a sign only for its spacing.
+fn without_empty_groups<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
+    match tokens {
+        [open, close, rest @ ..] if open.kind == Lexeme::Open && close.kind == Lexeme::Close => {
+            rest
+        }
+        _ => tokens,
+    }
+}
