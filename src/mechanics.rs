@@ -26,6 +26,7 @@ mod momentum;
 mod parallel_axis;
 mod possible_body;
 mod principal_axes;
+mod regressor;
 mod transport;
 
 pub use attitude::{
@@ -39,6 +40,7 @@ pub use momentum::{angular_momentum, force, moment_about_moving_point, momentum_
 pub use parallel_axis::parallel_axis;
 pub use possible_body::{ImpossibleInertia, possible_body};
 pub use principal_axes::{PrincipalAxes, principal_axes};
+pub use regressor::{InertiaParameters, regressor};
 pub use transport::{
     RelativeAcceleration, relative_acceleration, transport, transport_derived, transport_in_plane,
     transport_twice, velocity_in_moving_frame, velocity_in_moving_plane,

@@ -11,8 +11,8 @@
 pub(crate) mod runge_kutta;
 
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
-use nalgebra::{Matrix3, SMatrix, Vector3};
-use num_dual::DualSVec64;
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
+use num_dual::{Dual64, DualSVec64};
 
 /// The state after a step and its Jacobian of 6 rows and `N` columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,6 +67,52 @@ where
     let system = System::over(seed.inertia, *system.law(), added);
     let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
     read(&end)
+}
+
+impl StepJacobian<16> {
+    /// The state, and a covector of (θ', ω') times the matrix.
+    pub(crate) fn pulled_back(&self, covector: &Vector6<f64>) -> (State<f64>, SVector<f64, 16>) {
+        (self.state, self.matrix.tr_mul(covector))
+    }
+}
+
+/// One step of `scheme`, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), by running the step on
+/// dual numbers of one derivative.
+pub fn jvp<S, L>(
+    scheme: &S,
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+    direction: &SVector<f64, 16>,
+) -> (State<f64>, Vector6<f64>)
+where
+    S: Scheme<L> + ?Sized,
+    L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+{
+    let seed = Seed::new(
+        &|value, column| Dual64::new(value, direction[column]),
+        system.inertia(),
+        state,
+        step,
+    );
+    let added = seed.added + system.added().map(Number::of);
+    let system = System::over(seed.inertia, *system.law(), added);
+    let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
+    let attitude = Quaternion::new(end.attitude.components().map(|c| c.re));
+    let rate = Quaternion::new(end.attitude.components().map(|c| c.eps));
+    let (theta, omega) = (
+        (attitude.conjugate() * rate).v * 2.0,
+        end.angular_velocity.map(|c| c.eps),
+    );
+    let state = State {
+        attitude,
+        angular_velocity: end.angular_velocity.map(|c| c.re),
+    };
+    (
+        state,
+        Vector6::new(theta.x, theta.y, theta.z, omega.x, omega.y, omega.z),
+    )
 }
 
 /// A step's input as numbers of which column `c` is the variable `c`.

@@ -3,7 +3,8 @@
 use crate::motion::{
     Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
 };
-use num_dual::DualSVec64;
+use nalgebra::{SVector, Vector6};
+use num_dual::{Dual64, DualSVec64};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
 /// made unit after the step. It conserves neither energy nor momentum: both drift as t h⁴.
@@ -49,14 +50,42 @@ impl<L> Scheme<L> for Rk4 {
         L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
         DualSVec64<N>: Number,
     {
-        let added = system.added();
-        let law = |time: f64, omega: &_| {
-            let mut torque = TorqueLaw::<f64>::without_attitude(system.law(), time, omega)?;
-            torque.torque += added;
-            Some(torque)
-        };
-        let (inertia, inverse) = (system.inertia(), system.inverse());
-        runge_kutta::step_with_jacobian(inertia, inverse, law, time, state, step)
+        runge_kutta::step_with_jacobian(system, time, state, step)
             .unwrap_or_else(|| jacobian::by_dual_numbers(self, system, time, state, step))
+    }
+
+    /// Forward through the stages where the torque does not look at the attitude, else by dual numbers.
+    #[inline]
+    fn jvp(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+        direction: &SVector<f64, 16>,
+    ) -> (State<f64>, Vector6<f64>)
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+    {
+        runge_kutta::jvp(system, time, state, step, direction)
+            .unwrap_or_else(|| jacobian::jvp(self, system, time, state, step, direction))
+    }
+
+    /// Backwards through the stages where the torque does not look at the attitude, else by the whole matrix.
+    #[inline]
+    fn vjp(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+        covector: &Vector6<f64>,
+    ) -> (State<f64>, SVector<f64, 16>)
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<16>>,
+    {
+        runge_kutta::vjp(system, time, state, step, covector).unwrap_or_else(|| {
+            jacobian::by_dual_numbers(self, system, time, state, step).pulled_back(covector)
+        })
     }
 }

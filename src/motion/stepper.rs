@@ -1,7 +1,8 @@
 //! One interface to every way of moving a body through time.
 
 use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
-use num_dual::DualSVec64;
+use nalgebra::{SVector, Vector6};
+use num_dual::{Dual64, DualSVec64};
 
 /// A method that takes one step of a given length, over any number: on dual numbers the step is its own
 /// Jacobian.
@@ -34,6 +35,38 @@ pub trait Scheme<L> {
         DualSVec64<N>: Number,
     {
         jacobian::by_dual_numbers(self, system, time, state, step)
+    }
+
+    /// The step, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), without the matrix.
+    fn jvp(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+        direction: &SVector<f64, 16>,
+    ) -> (State<f64>, Vector6<f64>)
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+    {
+        jacobian::jvp(self, system, time, state, step, direction)
+    }
+
+    /// The step, and a `covector` of (θ', ω') times its Jacobian: the gradient of a cost of the result in all of
+    /// (θ, ω, torque, inertia, dt). By the whole matrix, unless the method knows better.
+    fn vjp(
+        &self,
+        system: &System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+        covector: &Vector6<f64>,
+    ) -> (State<f64>, SVector<f64, 16>)
+    where
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<16>>,
+    {
+        self.step_with_jacobian(system, time, state, step)
+            .pulled_back(covector)
     }
 }
 

@@ -5,9 +5,11 @@
 //! ∂θ'/∂θ is the turn of the step and ∂ω'/∂θ is 0. A change δI of the tensor acts as the moment
 //! −(δI α + ω × δI ω), so the inverse is never differentiated and repeated moments are nothing special.
 
-use crate::mechanics::{angular_momentum, apply, cross, skew};
-use crate::motion::{BodyTorque, Quaternion, State, StepJacobian};
-use nalgebra::{Matrix3, SMatrix, Vector3};
+mod products;
+
+use crate::mechanics::{angular_momentum, apply, cross, regressor, skew};
+use crate::motion::{Quaternion, State, StepJacobian, System, TorqueLaw};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 
 /// Six rows (θ', ω') of three columns, column by column.
 type Rows = [[f64; 6]; 3];
@@ -25,40 +27,38 @@ struct Stage {
     turn_rate: Quaternion<f64>,
 }
 
-/// The step and its Jacobian, or `None` if `law` gives a torque that depends on the attitude.
-pub(crate) fn step_with_jacobian<const N: usize>(
-    inertia: &Matrix3<f64>,
-    inverse: &Matrix3<f64>,
-    law: impl Fn(f64, &Vector3<f64>) -> Option<BodyTorque>,
+/// The step and its Jacobian, or `None` if the law gives a torque that depends on the attitude.
+pub(crate) fn step_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
     time: f64,
     state: &State<f64>,
     step: f64,
 ) -> Option<StepJacobian<N>> {
-    let start = state.angular_velocity;
-    let stage = |part: f64, before: Option<&Stage>| {
-        let span = part * step;
-        let (omega, turn) = before.map_or((start, Quaternion::identity()), |b| {
-            (
-                start + b.acceleration * span,
-                Quaternion::identity() + b.turn_rate * span,
-            )
-        });
-        let torque = law(time + span, &omega)?;
-        let momentum = angular_momentum(inertia, &omega);
-        Some(Stage {
-            acceleration: apply(inverse, &(torque.torque - cross(&omega, &momentum))),
-            slope: torque.by_angular_velocity + skew(&momentum) - skew(&omega) * inertia,
-            by_time: torque.by_time,
-            turn_rate: turn.rate(&omega),
-            omega,
-            turn,
-        })
-    };
-    let first = stage(0.0, None)?;
-    let second = stage(0.5, Some(&first))?;
-    let third = stage(0.5, Some(&second))?;
-    let fourth = stage(1.0, Some(&third))?;
-    Some(Back::new([first, second, third, fourth], inverse, step).finish(state))
+    Some(Back::new(system, time, state, step)?.finish(state))
+}
+
+/// The step and its Jacobian times a direction of the input.
+pub(crate) fn jvp<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+    direction: &SVector<f64, 16>,
+) -> Option<(State<f64>, Vector6<f64>)> {
+    let back = Back::new(system, time, state, step)?;
+    Some((back.state(state), back.along(direction)))
+}
+
+/// The step and a covector of its result times the Jacobian.
+pub(crate) fn vjp<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+    covector: &Vector6<f64>,
+) -> Option<(State<f64>, SVector<f64, 16>)> {
+    let back = Back::new(system, time, state, step)?;
+    Some((back.state(state), back.pulled_back(covector)))
 }
 
 /// Weights of the stages in the result, and the part of the step at which each stands.
@@ -69,23 +69,57 @@ struct Back<'a> {
     stages: [Stage; 4],
     inverse: &'a Matrix3<f64>,
     step: f64,
-    /// The turn of the step before it is made unit, and its rate's mean.
+    /// The turn of the step before it is made unit, and the mean of its rate.
     end: Quaternion<f64>,
     mean: Quaternion<f64>,
 }
 
 impl<'a> Back<'a> {
-    fn new(stages: [Stage; 4], inverse: &'a Matrix3<f64>, step: f64) -> Self {
+    /// The stages of a step, or `None` if the law gives a torque that depends on the attitude.
+    #[inline]
+    fn new<L: TorqueLaw<f64>>(
+        system: &'a System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
+    ) -> Option<Self> {
+        let (inertia, inverse) = (system.inertia(), system.inverse());
+        let start = state.angular_velocity;
+        let stage = |part: f64, before: Option<&Stage>| {
+            let span = part * step;
+            let (omega, turn) = before.map_or((start, Quaternion::identity()), |b| {
+                (
+                    start + b.acceleration * span,
+                    Quaternion::identity() + b.turn_rate * span,
+                )
+            });
+            let torque = system.law().without_attitude(time + span, &omega)?;
+            let momentum = angular_momentum(inertia, &omega);
+            let net = torque.torque + system.added() - cross(&omega, &momentum);
+            Some(Stage {
+                acceleration: apply(inverse, &net),
+                slope: torque.by_angular_velocity + skew(&momentum) - skew(&omega) * inertia,
+                by_time: torque.by_time,
+                turn_rate: turn.rate(&omega),
+                omega,
+                turn,
+            })
+        };
+        let first = stage(0.0, None)?;
+        let second = stage(0.5, Some(&first))?;
+        let third = stage(0.5, Some(&second))?;
+        let fourth = stage(1.0, Some(&third))?;
+        let stages = [first, second, third, fourth];
         let mean = (0..4).fold(stages[0].turn_rate * 0.0, |sum, i| {
             sum + stages[i].turn_rate * WEIGHTS[i]
         });
-        Self {
+        Some(Self {
             end: Quaternion::identity() + mean * step,
             stages,
             inverse,
             step,
             mean,
-        }
+        })
     }
 
     fn finish<const N: usize>(&self, state: &State<f64>) -> StepJacobian<N> {
@@ -139,21 +173,15 @@ impl<'a> Back<'a> {
                 }
             }
         }
-        let mean = (0..4).fold(Vector3::zeros(), |sum, i| {
-            sum + self.stages[i].acceleration * WEIGHTS[i]
-        });
         if N > 15 {
             let turned = (self.end.conjugate() * self.mean).v * (2.0 * unit);
             for i in 0..3 {
                 matrix[(i, 15)] += turned[i];
-                matrix[(3 + i, 15)] += mean[i];
+                matrix[(3 + i, 15)] += self.mean_acceleration()[i];
             }
         }
         StepJacobian {
-            state: State {
-                attitude: (state.attitude * turn).normalised(),
-                angular_velocity: state.angular_velocity + mean * self.step,
-            },
+            state: self.state(state),
             matrix,
         }
     }
@@ -170,19 +198,12 @@ impl<'a> Back<'a> {
             add(matrix, 6, of_moment);
         }
         if N > 9 {
-            let (w, a) = (&stage.omega, &stage.acceleration);
-            let moments = [
-                [a.x, w.x * w.z, -w.x * w.y],
-                [-w.y * w.z, a.y, w.y * w.x],
-                [w.z * w.y, -w.z * w.x, a.z],
-                [a.y - w.z * w.x, a.x + w.z * w.y, w.x * w.x - w.y * w.y],
-                [a.z + w.x * w.y, w.z * w.z - w.x * w.x, a.x - w.y * w.z],
-                [w.y * w.y - w.z * w.z, a.z - w.x * w.y, a.y + w.x * w.z],
-            ];
-            for (column, [x, y, z]) in (9..15).zip(moments) {
+            let moments = regressor(&stage.omega, &stage.acceleration);
+            for (column, moment) in (9..15).zip(moments.column_iter()) {
                 for row in 0..6 {
-                    matrix[(row, column)] -=
-                        of_moment[0][row] * x + of_moment[1][row] * y + of_moment[2][row] * z;
+                    matrix[(row, column)] -= of_moment[0][row] * moment[0]
+                        + of_moment[1][row] * moment[1]
+                        + of_moment[2][row] * moment[2];
                 }
             }
         }
