@@ -3,6 +3,7 @@
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
+mod certificates;
 mod check;
 mod derive;
 mod input;

@@ -5,6 +5,7 @@ use crate::notation::document::{Cell, Document};
 use crate::source::Span;
 use crate::verify::Report;
 
+pub mod certificate;
 pub mod derive;
 pub mod json;
 pub mod terminal;

@@ -1,6 +1,6 @@
 //! `polhode check`.
 
-use crate::cli::{input, output};
+use crate::cli::{certificates, input, output};
 use crate::diagnostic::Severity;
 use crate::notation::{self, document::Format};
 use crate::report::{Checked, Failure, json, terminal};
@@ -29,6 +29,9 @@ pub(super) struct Options {
     /// Write to a file instead of the terminal
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
+    /// Write the proofs into a folder, as texts and as a Python script that checks them again
+    #[arg(long, value_name = "DIR")]
+    certificate: Option<PathBuf>,
     /// Read every input as this kind of document [default: by the file's ending, Markdown for standard input]
     #[arg(long = "as", value_enum, value_name = "KIND")]
     kind: Option<Kind>,
@@ -85,6 +88,12 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     }
     for failure in &failures {
         eprintln!("error: {}: {}", failure.path, failure.message);
+    }
+    if let Some(folder) = &options.certificate {
+        match certificates::deliver(&checked, folder) {
+            0 => {}
+            failed => return failed,
+        }
     }
     let text = match options.format {
         Form::Text => checked

@@ -136,6 +136,11 @@ impl Atoms {
         &mut self.entities[entity.0 as usize]
     }
 
+    /// The number of variables.
+    pub(super) fn count(&self) -> usize {
+        self.atoms.len()
+    }
+
     /// What a variable stands for.
     pub(super) fn atom(&self, variable: Variable) -> &Atom {
         &self.atoms[variable as usize]

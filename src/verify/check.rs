@@ -9,6 +9,7 @@ use crate::verify::convention::convention;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
+use crate::verify::names;
 use crate::verify::prose::{Said, said, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
@@ -121,6 +122,7 @@ impl<'a> Checker<'a> {
             from_prose: self.from_prose,
             readings: self.reading.describe(),
             passed: self.passed,
+            variables: names::all(&self.theory.atoms),
         }
     }
 

@@ -54,6 +54,10 @@ pub(super) struct Ledger {
     /// Facts of laws; they do not depend on the premises in force.
     laws: HashMap<Variable, usize>,
     squares: HashMap<Variable, usize>,
+    /// Facts of premises solved for a variable: each rests on the rules before it, whichever are in force.
+    solved: HashMap<Variable, usize>,
+    /// The rates of facts.
+    rates_of: HashMap<usize, usize>,
     open: HashSet<Variable>,
 }
 
@@ -156,7 +160,7 @@ impl Theory {
     fn fact_of_part(&mut self, variable: Variable, part: (Entity, u8), order: u8) -> Option<usize> {
         let ruled = self.rules.get(&part).map(|(ruled, _)| *ruled);
         match ruled.filter(|&ruled| ruled <= order) {
-            Some(ruled) if ruled == order => self.premise_fact(variable, part),
+            Some(ruled) if ruled == order => self.solved_fact(variable, part),
             Some(_) => self.rate_fact(part, order),
             None => {
                 // The rate of a law's own value is the rate of that law.
@@ -192,6 +196,9 @@ impl Theory {
             return None;
         }
         let before = self.relation(lower)?.fact;
+        if let Some(&known) = self.ledger.rates_of.get(&before) {
+            return Some(known);
+        }
         let value = self.ledger.facts[before].value.clone();
         for variable in value.variables() {
             let known = self.atoms.rate(variable);
@@ -200,7 +207,18 @@ impl Theory {
             self.ledger.rates.insert(variable, ratio(&known));
         }
         let rate = rate(&value, &self.ledger.rates)?;
-        Some(self.ledger.push(rate, Reason::Rate(before)))
+        let fact = self.ledger.push(rate, Reason::Rate(before));
+        self.ledger.rates_of.insert(before, fact);
+        Some(fact)
+    }
+
+    fn solved_fact(&mut self, variable: Variable, part: (Entity, u8)) -> Option<usize> {
+        if let Some(&known) = self.ledger.solved.get(&variable) {
+            return Some(known);
+        }
+        let fact = self.premise_fact(variable, part)?;
+        self.ledger.solved.insert(variable, fact);
+        Some(fact)
     }
 
     /// A rule that was solved from a premise: what is left of the premise when the rules before are put in.

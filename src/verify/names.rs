@@ -6,6 +6,12 @@ use crate::verify::atoms::{Atom, Atoms, Owner};
 use crate::verify::quantity::{Quantity, Shape};
 use num_traits::One;
 
+/// Every variable in LaTeX, by its number.
+pub(super) fn all(atoms: &Atoms) -> Vec<String> {
+    let count = atoms.count() as Variable;
+    (0..count).map(|variable| latex(atoms, variable)).collect()
+}
+
 /// A variable in LaTeX.
 pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
     match atoms.atom(variable) {

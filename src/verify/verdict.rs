@@ -1,6 +1,6 @@
 //! What is said of each line.
 
-use crate::algebra::Proof;
+use crate::algebra::{Proof, Variable};
 use crate::source::Span;
 
 /// What a line is for.
@@ -160,6 +160,8 @@ pub struct Report {
     pub readings: Vec<String>,
     /// What was no line.
     pub passed: Vec<Passed>,
+    /// What each variable of the proofs stands for, in LaTeX, by its number.
+    pub variables: Vec<String>,
 }
 
 /// The sign convention for products of inertia.
@@ -183,6 +185,12 @@ pub struct Summary {
 }
 
 impl Report {
+    /// What a variable of a proof stands for, in LaTeX.
+    pub fn variable(&self, variable: Variable) -> &str {
+        let name = self.variables.get(variable as usize);
+        name.map_or("", String::as_str)
+    }
+
     /// Counts the verdicts.
     pub fn summary(&self) -> Summary {
         let mut summary = Summary::default();
