@@ -154,6 +154,27 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         &self.system
     }
 
+    /// Takes steps until `time` is reached, and calls `each` with the end of every one; the last ends at `time`.
+    pub(crate) fn steps_to(
+        &mut self,
+        time: f64,
+        mut each: impl FnMut(f64),
+    ) -> Result<(), MotionError> {
+        stepper::onward(time, self.time)?;
+        let first = self.taken;
+        while self.end < time {
+            if self.taken - first >= MOST_STEPS {
+                return Err(MotionError::TooManySteps {
+                    needed: f64::INFINITY,
+                    most: MOST_STEPS,
+                });
+            }
+            self.take(time)?;
+            each(self.end.min(time));
+        }
+        Ok(())
+    }
+
     /// One step of the error control's own length, with dense output if it reaches `time`.
     fn take(&mut self, time: f64) -> Result<(), MotionError> {
         let mut slopes = [[0.0; 8]; 16];
@@ -263,17 +284,7 @@ impl<L: TorqueLaw<f64>> Stepper for Dop853Motion<L> {
     }
 
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
-        stepper::onward(time, self.time)?;
-        let first = self.taken;
-        while self.end < time {
-            if self.taken - first >= MOST_STEPS {
-                return Err(MotionError::TooManySteps {
-                    needed: f64::INFINITY,
-                    most: MOST_STEPS,
-                });
-            }
-            self.take(time)?;
-        }
+        self.steps_to(time, |_| {})?;
         (self.time, self.state) = (time, self.state_at(time));
         Ok(())
     }

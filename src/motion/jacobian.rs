@@ -8,6 +8,7 @@
 //! the law, in the axes that the law names. The inertia is the tensor's own entries xx, yy, zz, xy, xz, yz (an
 //! off-diagonal entry and its mirror image move together), at constant ω.
 
+pub mod flow;
 pub(crate) mod runge_kutta;
 
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};

@@ -174,6 +174,32 @@ pub(crate) fn onward(time: f64, from: f64) -> Result<f64, MotionError> {
     }
 }
 
+/// The ends of equal steps from `start` to `time`, none longer than `longest`.
+pub(crate) fn ends(
+    start: f64,
+    time: f64,
+    longest: f64,
+) -> Result<impl Iterator<Item = f64>, MotionError> {
+    positive(longest)?;
+    let span = onward(time, start)?;
+    let needed = (span / longest).ceil();
+    if needed > MOST_STEPS as f64 {
+        return Err(MotionError::TooManySteps {
+            needed,
+            most: MOST_STEPS,
+        });
+    }
+    let count = needed as u64;
+    // Times as n · h: a sum of steps would drift.
+    Ok((1..=count).map(move |n| {
+        if n == count {
+            time
+        } else {
+            start + span * (n as f64 / needed)
+        }
+    }))
+}
+
 impl<S: Scheme<L>, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
     fn time(&self) -> f64 {
         self.time
@@ -189,21 +215,8 @@ impl<S: Scheme<L>, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
     }
 
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
-        let start = self.time;
-        let span = onward(time, start)?;
-        let needed = (span / self.longest).ceil();
-        if needed > MOST_STEPS as f64 {
-            return Err(MotionError::TooManySteps {
-                needed,
-                most: MOST_STEPS,
-            });
-        }
-        let count = needed as u64;
-        for n in 1..count {
-            self.step_until(start + span * (n as f64 / needed))?;
-        }
-        if count > 0 {
-            self.step_until(time)?;
+        for end in ends(self.time, time, self.longest)? {
+            self.step_until(end)?;
         }
         Ok(())
     }

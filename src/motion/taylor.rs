@@ -117,6 +117,34 @@ impl TaylorMotion {
         self.steps
     }
 
+    pub(crate) fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Takes steps until `time` is reached, and calls `each` with the end of every one; the last ends at `time`.
+    pub(crate) fn steps_to(
+        &mut self,
+        time: f64,
+        mut each: impl FnMut(f64),
+    ) -> Result<(), MotionError> {
+        stepper::onward(time, self.time)?;
+        let first = self.steps;
+        while self.end < time {
+            if self.steps - first >= MOST_STEPS {
+                return Err(MotionError::TooManySteps {
+                    needed: f64::INFINITY,
+                    most: MOST_STEPS,
+                });
+            }
+            each(self.end);
+            self.next_series()?;
+        }
+        if time > self.start {
+            each(time);
+        }
+        Ok(())
+    }
+
     fn end_of_series(&self) -> Result<f64, MotionError> {
         let span = self.series.span(self.tolerance);
         let end = self.start + span;
@@ -165,17 +193,7 @@ impl Stepper for TaylorMotion {
     }
 
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
-        stepper::onward(time, self.time)?;
-        let first = self.steps;
-        while self.end < time {
-            if self.steps - first >= MOST_STEPS {
-                return Err(MotionError::TooManySteps {
-                    needed: f64::INFINITY,
-                    most: MOST_STEPS,
-                });
-            }
-            self.next_series()?;
-        }
+        self.steps_to(time, |_| {})?;
         self.time = time;
         self.state = self.state_at(time);
         Ok(())
