@@ -7,6 +7,7 @@ mod corpus {
     pub(crate) mod family;
     pub(crate) mod mistake;
     pub(crate) mod page;
+    pub(crate) mod parse;
     pub(crate) mod random;
     pub(crate) mod rewrite;
     pub(crate) mod slopes;
@@ -18,6 +19,7 @@ use corpus::expr::Line;
 use corpus::family::{self, Family};
 use corpus::mistake::{self, Mistake};
 use corpus::page::Page;
+use corpus::parse;
 use corpus::random::Random;
 use corpus::rewrite::{rewritten, substituted};
 use corpus::style::Style;
@@ -66,13 +68,20 @@ fn the_families_and_their_rewritings_are_true_by_the_oracle() {
                 Style::BOOK.line(line)
             );
         }
-        for line in (0..20).flat_map(|_| lines(&family, &mut random)) {
+        let many: Vec<Line> = (0..20).flat_map(|_| lines(&family, &mut random)).collect();
+        for line in many {
             assert_eq!(
                 is_true(&worlds, &line),
                 Some(true),
                 "{}: {}",
                 family.name,
                 Style::BOOK.line(&line)
+            );
+            let text = Style::draw(&mut random).line(&line);
+            let read = parse::line(&text);
+            assert!(
+                read.is_some_and(|line| is_true(&worlds, &line) == Some(true)),
+                "{text}"
             );
         }
     }
@@ -89,6 +98,8 @@ struct Tally {
     /// By mistake: how many were made, how many named, how many repaired.
     named: BTreeMap<Mistake, [usize; 3]>,
     unnamed: Vec<String>,
+    /// Repairs that the oracle does not find true.
+    unsound: Vec<String>,
 }
 
 impl Tally {
@@ -123,36 +134,45 @@ impl Tally {
         self.wrong.extend(other.wrong);
         self.open.extend(other.open);
         self.unnamed.extend(other.unnamed);
+        self.unsound.extend(other.unsound);
     }
 
     fn print(&self) {
         println!("{} lines {:?}", self.lines, self.verdicts);
         for (mistake, [made, named, repaired]) in &self.named {
-            println!("{mistake:?}: {made} made, {named} named, {repaired} as they were");
+            println!("{mistake:?}: {made} made, {named} named, {repaired} repaired");
         }
-        for list in [&self.open, &self.unnamed] {
+        for list in [&self.open, &self.unnamed, &self.unsound] {
             println!("{}:\n{}", list.len(), list.join("\n"));
         }
     }
 
-    fn name(&mut self, mistake: Mistake, right: &str, text: &str, finding: &Finding) {
+    fn name(
+        &mut self,
+        mistake: Mistake,
+        worlds: &[World],
+        right: &str,
+        text: &str,
+        finding: &Finding,
+    ) {
         let counts = self.named.entry(mistake).or_default();
-        counts[0] += 1;
         let diagnosis = finding.diagnosis.as_ref();
         let kind = diagnosis.map_or("nothing", |d| d.kind);
         let named = mistake.kinds().contains(&kind);
         let suggestion = diagnosis
             .and_then(|d| d.suggestion.as_deref())
             .unwrap_or("");
-        let bare = |text: &str| {
-            text.chars()
-                .filter(|c| !c.is_whitespace())
-                .collect::<String>()
-        };
-        let repaired = bare(suggestion) == bare(right);
+        let repair = parse::line(suggestion);
+        let repaired = repair.as_ref().and_then(|line| is_true(worlds, line));
+        counts[0] += 1;
         counts[1] += usize::from(named);
-        counts[2] += usize::from(named && repaired);
-        if !named || !repaired {
+        counts[2] += usize::from(named && repaired == Some(true));
+        if diagnosis.is_some() && repaired != Some(true) {
+            let what = if repair.is_none() { "unread" } else { "false" };
+            self.unsound
+                .push(format!("{what}: {text}\n  {kind}: {suggestion}"));
+        }
+        if !named || repaired != Some(true) {
             self.unnamed.push(format!(
                 "{mistake:?}: {text}\n  is {right}\n  {kind}: {suggestion}"
             ));
@@ -263,7 +283,7 @@ fn spoil(
         let text = style.line(line);
         tally.enter(family.name, i != at, &text, finding.as_ref());
         if let (true, Some(finding)) = (i == at, finding) {
-            tally.name(mistake, &style.line(&lines[at]), &text, &finding);
+            tally.name(mistake, worlds, &style.line(&lines[at]), &text, &finding);
         }
     }
 }
