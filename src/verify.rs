@@ -41,6 +41,8 @@ mod theory;
 mod usage;
 mod value;
 mod verdict;
+mod vocabulary;
+mod wanted;
 mod world;
 
 pub use check::check;

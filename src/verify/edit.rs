@@ -1,6 +1,7 @@
 //! A change to the text of a line, in the author's own notation.
 
 use crate::source::Span;
+use unicode_normalization::UnicodeNormalization;
 
 /// A change to the text of a line.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +72,33 @@ pub(super) fn dotted(text: &str) -> String {
         }
         _ => format!("\\dot{{{base}}}{rest}"),
     }
+}
+
+/// The text of a symbol without the one dot over its letter; `None` where there is none.
+pub(super) fn undotted(text: &str) -> Option<String> {
+    let text = text.trim();
+    if let Some(inner) = text.strip_prefix("\\frac{d") {
+        return inner
+            .trim_end()
+            .strip_suffix("}{dt}")
+            .map(|inner| inner.trim().to_owned());
+    }
+    if let Some(rest) = text.strip_prefix("\\dot") {
+        let rest = rest.trim_start();
+        return Some(
+            match rest
+                .strip_prefix('{')
+                .and_then(|inner| inner.split_once('}'))
+            {
+                Some((inner, after)) if !inner.contains('{') => format!("{inner}{after}"),
+                _ => rest.to_owned(),
+            },
+        );
+    }
+    let split: String = text.nfd().collect();
+    split
+        .contains('\u{307}')
+        .then(|| split.replace('\u{307}', ""))
 }
 
 /// Edits at different places, as one text.

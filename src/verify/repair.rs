@@ -35,9 +35,15 @@ impl Checker<'_> {
             line,
             left: CANDIDATES,
         };
+        finding.diagnosis = self.convention_slip(line, &mut search);
+        if finding.diagnosis.is_some() {
+            return;
+        }
+        let mut all = self.wanted(line, &mut search);
+        all.extend(edits.iter().cloned());
+        all.sort_by_key(|edit| (edit.cost, edit.span));
         finding.diagnosis = self
-            .convention_slip(line, &mut search)
-            .or_else(|| self.single(&edits, &mut search))
+            .single(&all, &mut search)
             .or_else(|| self.alike(&edits, &mut search))
             .or_else(|| self.by_component(&edits, &mut search))
             .or_else(|| self.lost_term(line, &mut search))
@@ -182,7 +188,7 @@ impl Checker<'_> {
     }
 
     /// The equations of a text that stands in the place of the line.
-    fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
+    pub(super) fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
         let rows = reread(self.document.format, text);
         let [Row::Line(line)] = rows.as_slice() else {
             return None;

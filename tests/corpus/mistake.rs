@@ -40,11 +40,13 @@ impl Mistake {
             // difference of moments is a turned sign.
             Self::Sign => &["sign", "convention", "inertia-difference", "cross-order"],
             Self::Index => &["index", "inertia-difference"],
-            Self::LostDot => &["missing-dot"],
-            Self::ExtraDot => &["extra-dot"],
+            // L̇ = Iω has a dot too many on the left, or lacks one on the right.
+            Self::LostDot => &["missing-dot", "extra-dot"],
+            Self::ExtraDot => &["extra-dot", "missing-dot"],
             Self::Frame => &["frame", "missing-term", "extra-term"],
             Self::CrossOrder => &["cross-order", "sign"],
-            Self::LostTerm => &["missing-term"],
+            // M = (dL/dt)_xyz lacks ω × L, or names the wrong frame.
+            Self::LostTerm => &["missing-term", "frame"],
             Self::MomentDifference => &["inertia-difference", "sign", "index"],
             Self::Factor => &["factor"],
             Self::Convention => &["convention", "sign"],
