@@ -16,6 +16,7 @@ mod convention_slips;
 mod decide;
 mod edit;
 mod frame;
+mod given;
 mod index;
 mod integral;
 mod kernel;

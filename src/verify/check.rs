@@ -13,7 +13,7 @@ use crate::verify::names;
 use crate::verify::prose::{Said, said, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::role::role;
+use crate::verify::role::{asserts, role};
 use crate::verify::spelling::spell;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::{Premise, Taken, Theory};
@@ -53,6 +53,8 @@ pub(super) struct Checker<'a> {
     pub(super) dots_on_body: bool,
     /// The last side of the line before, for lines that go on.
     pub(super) last_side: Option<Node>,
+    /// Whether the sentence derives the line at hand: "hence", "gives".
+    pub(super) asserted: bool,
     pub(super) findings: Vec<Finding>,
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
@@ -96,6 +98,7 @@ impl<'a> Checker<'a> {
             known: BTreeSet::new(),
             dots_on_body: false,
             last_side: None,
+            asserted: false,
             findings: vec![],
             slips: vec![],
             sentence: String::new(),
@@ -283,6 +286,7 @@ impl<'a> Checker<'a> {
             match row {
                 Row::Line(line) => {
                     let role = self.mark.unwrap_or_else(|| role(&self.sentence));
+                    self.asserted = asserts(&self.sentence);
                     self.line(line, role);
                 }
                 Row::Expression(node) => self.expression(node),

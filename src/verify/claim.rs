@@ -10,7 +10,7 @@ use crate::verify::line::Read;
 use crate::verify::lower::{Trouble, TroubleKind};
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
-use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::symbol::{MAGNITUDE, Meaning, meaning};
 use crate::verify::usage::symbols;
 use crate::verify::verdict::{Finding, Verdict};
 
@@ -28,6 +28,9 @@ impl Checker<'_> {
             }
         }
         if let Some((read, decision)) = failed {
+            if !matches!(decision, Decision::Open(_)) && self.is_given(sides) {
+                return self.given(sides, finding);
+            }
             self.failed(sides, &read, decision, finding);
         }
     }
@@ -145,6 +148,7 @@ impl Checker<'_> {
                 Owner::Symbol(_) => true,
                 Owner::Quantity(quantity, variant) => {
                     !variant.is_empty()
+                        && variant != MAGNITUDE
                         && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
                 }
             };

@@ -2,8 +2,10 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::mechanics::{self, Products};
+use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::quantity::Quantity;
+use crate::verify::symbol::MAGNITUDE;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 
@@ -82,7 +84,15 @@ fn part(
     let Owner::Quantity(quantity, variant) = atoms.info(entity).owner.clone() else {
         return None;
     };
-    if !variant.is_empty() {
+    if variant == MAGNITUDE && order == 0 {
+        let vector = vector(atoms, quantity, 0);
+        let length = atoms.special(Atom::Kernel {
+            function: Function::Sqrt,
+            argument: vector.dot(&vector),
+        });
+        return Some(("magnitude", variable_fraction(length)));
+    }
+    if !variant.is_empty() && variant != MAGNITUDE {
         return None;
     }
     if quantity == Quantity::Inertia {

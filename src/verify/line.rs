@@ -1,6 +1,6 @@
 //! One line: its equations, and its verdict by its role.
 
-use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Relation, Symbol};
 use crate::source::Span;
 use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
@@ -9,7 +9,7 @@ use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::Quantity;
 use crate::verify::symbol::{Meaning, meaning};
-use crate::verify::usage::symbols;
+use crate::verify::usage::{Letter, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
@@ -28,6 +28,7 @@ impl Checker<'_> {
         if finding.verdict == Verdict::Refuted && finding.counterexample.is_some() {
             self.diagnose(line, &mut finding);
         }
+        self.reading.scalars.clear();
         self.last_side = line.sides.last().cloned();
         self.findings.push(finding);
     }
@@ -93,6 +94,7 @@ impl Checker<'_> {
                 }
             }
         }
+        keeps_its_value(&mut sides);
         if let Some(span) = sides.iter().find_map(error_in) {
             finding.verdict = Verdict::Unreadable;
             finding.reason = Some(span.0);
@@ -100,12 +102,34 @@ impl Checker<'_> {
             return;
         }
         self.note_origin(&sides);
+        self.note_scalars(&sides);
         if self.defines(&sides, line, role, finding) {
             return;
         }
         match role {
             Role::Claim => self.claim(&sides, finding),
             _ => self.accept(&sides, role, finding),
+        }
+    }
+
+    /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
+    fn note_scalars(&mut self, sides: &[Node]) {
+        // A symbol that is defined here takes any shape.
+        let new = sides.first().and_then(|side| self.new_symbol(side));
+        let sides = if new.is_some() { &sides[1..] } else { sides };
+        let tried = self.read(sides, Frame::Moving);
+        if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
+            return;
+        }
+        let bare = |s: &&Symbol| !s.style.vector && s.subscripts.is_empty();
+        self.reading.scalars = sides
+            .iter()
+            .flat_map(symbols)
+            .filter(bare)
+            .map(Letter::of)
+            .collect();
+        if self.read(sides, Frame::Moving).is_err() {
+            self.reading.scalars.clear();
         }
     }
 
@@ -185,6 +209,25 @@ impl Checker<'_> {
             (None, n) => format!("line {} ({})", finding.source_line, n + 1),
         }
     }
+}
+
+/// `X = const` says that the rate of X is zero.
+fn keeps_its_value(sides: &mut [Node]) {
+    let [left, right] = sides else { return };
+    if !matches!(&right.kind, Kind::Symbol(s) if s.name == "const" && s.style.upright) {
+        return;
+    }
+    left.kind = Kind::TimeDerivative {
+        operand: Box::new(left.clone()),
+        order: 1,
+        style: DerivativeStyle::Dots,
+        frame: None,
+    };
+    right.kind = Kind::Number(Number {
+        value: num_rational::BigRational::default(),
+        decimals: None,
+        exponent: 0,
+    });
 }
 
 /// The first error of a tree.

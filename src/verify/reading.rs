@@ -7,7 +7,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::quantity::Quantity;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What letters stand for.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +18,8 @@ pub(super) struct Reading {
     pub components: BTreeMap<Letter, (Quantity, u8)>,
     /// How letters are used.
     pub usage: Usage,
+    /// Letters of vectors that are numbers in the line that is being read.
+    pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
 }
 
@@ -67,6 +69,13 @@ impl Reading {
         reading
     }
 
+    /// Whether a vector's letter without a mark is a number: where the document sets it equal to a component, or where
+    /// only that makes sense of a line.
+    pub(super) fn is_scalar(&self, letter: &Letter) -> bool {
+        let named = self.usage.components_named.contains_key(letter);
+        self.scalars.contains(letter) || (named && self.usage.get(letter).crossed_bare == 0)
+    }
+
     /// The readings in words, for the report.
     pub(super) fn describe(&self) -> Vec<String> {
         let whole = self
@@ -88,11 +97,13 @@ impl Reading {
     fn listen(&mut self, document: &Document) {
         let mut before = String::new();
         let mut last: Vec<Letter> = vec![];
+        // Whether no paragraph ended since the last formula.
+        let mut near = false;
         for item in &document.items {
             match item {
                 Item::Prose { text, .. } => {
                     let text = text.to_lowercase();
-                    if let Some(quantity) = said_after(&text) {
+                    if let Some(quantity) = said_after(&text).or_else(|| apposition(&text, near)) {
                         last.drain(..)
                             .for_each(|letter| self.vote(letter, quantity, 3));
                     }
@@ -117,12 +128,14 @@ impl Reading {
                         }
                     }
                     last = named;
+                    near = !formula.display;
                     if formula.display {
                         before.clear();
                     }
                 }
                 Item::Heading { .. } => before.clear(),
-                Item::Break | Item::Comment { .. } => {}
+                Item::Break => near = false,
+                Item::Comment { .. } => {}
             }
         }
     }
@@ -198,7 +211,7 @@ impl Reading {
             }
             Quantity::FrameRate | Quantity::AngularVelocity => {
                 used.vector + used.component > 0
-                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w")
+                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
             _ => {
                 used.vector + used.component > 0
@@ -220,17 +233,31 @@ impl Reading {
         }
     }
 
+    /// Whether a letter is used in the document, with the marks of a rate.
+    fn has(&self, name: &str) -> bool {
+        let used = self.usage.get(&Letter::plain(name));
+        used.vector + used.component + used.bare > 0
+    }
+
+    /// Whether a letter stands for a mass: the document has a `g` and no vector or component of the letter.
+    fn weighs(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        used.vector + used.component == 0 && self.usage.get(&Letter::plain("g")).bare > 0
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;
         let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
         match letter.name.as_str() {
             "omega" => Some(Quantity::AngularVelocity),
+            "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
             "Omega" if directed => Some(Quantity::FrameRate),
             "alpha" if directed => Some(Quantity::AngularAcceleration),
             "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
-            "h" | "ell" if directed => Some(Quantity::Momentum),
-            "M" if directed || used.bare > 0 => Some(Quantity::Moment),
+            "h" | "ell" if directed && !taken(Quantity::Momentum) => Some(Quantity::Momentum),
+            "M" if directed || used.resultant > 0 => Some(Quantity::Moment),
+            "M" if used.bare > 0 && !self.weighs(letter) => Some(Quantity::Moment),
             "tau" => Some(Quantity::Moment),
             "N" | "Gamma" | "T" if directed => Some(Quantity::Moment),
             "I" | "J" => Some(Quantity::Inertia),
@@ -293,6 +320,22 @@ fn said_before(text: &str) -> Option<Quantity> {
     (text.len() - end < 60).then_some(quantity)?
 }
 
+/// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".
+fn apposition(text: &str, near: bool) -> Option<Quantity> {
+    let text = text.strip_prefix(' ').filter(|_| near)?;
+    let rest = ["the ", "its "]
+        .iter()
+        .find_map(|lead| text.strip_prefix(lead))?;
+    let rest = ["total ", "resultant ", "external ", "net "]
+        .iter()
+        .find_map(|word| rest.strip_prefix(word))
+        .unwrap_or(rest);
+    let found = PHRASES
+        .iter()
+        .filter(|(phrase, _)| rest.starts_with(phrase));
+    found.max_by_key(|(phrase, _)| phrase.len())?.1
+}
+
 /// The quantity that the words right after a letter name: "is the angular momentum".
 fn said_after(text: &str) -> Option<Quantity> {
     let text = text
@@ -301,6 +344,7 @@ fn said_after(text: &str) -> Option<Quantity> {
         .trim_start();
     let rest = [
         "is the ",
+        "is its ",
         "are the ",
         "denotes the ",
         "be the ",

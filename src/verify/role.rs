@@ -236,6 +236,11 @@ pub(super) fn role(sentence: &str) -> Role {
     }
 }
 
+/// Whether a sentence derives what follows it: "hence", "gives".
+pub(super) fn asserts(sentence: &str) -> bool {
+    last_of(&format!(" {} ", cleaned(sentence)), CLAIM).is_some()
+}
+
 fn last_of(text: &str, words: &[&str]) -> Option<usize> {
     words
         .iter()

@@ -21,6 +21,9 @@ pub(super) enum Meaning {
     Pi,
 }
 
+/// The variant of a vector quantity that is its length.
+pub(super) const MAGNITUDE: &str = "magnitude";
+
 /// The subscripts of a symbol, sorted by what they say.
 #[derive(Clone, Debug, Default)]
 struct Subscripts {
@@ -35,7 +38,7 @@ const POINTS: &[&str] = &[
     "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
 ];
 
-fn subscripts(symbol: &Symbol) -> Subscripts {
+fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let mut sorted = Subscripts::default();
     for text in &symbol.subscripts {
         let text = text.trim();
@@ -50,10 +53,13 @@ fn subscripts(symbol: &Symbol) -> Subscripts {
             sorted.variant.push_str(text);
         }
     }
+    let told = !reading
+        .usage
+        .always_wears(&Letter::of(symbol), &symbol.superscripts);
     for text in symbol
         .superscripts
         .iter()
-        .filter(|s| !POINTS.contains(&s.trim()))
+        .filter(|s| told && !POINTS.contains(&s.trim()))
     {
         sorted.variant.push('^');
         sorted.variant.push_str(text.trim());
@@ -74,7 +80,7 @@ fn point_and_index(text: &str) -> Option<(&str, u8)> {
 
 /// Decides what a symbol stands for.
 pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
-    let sorted = subscripts(symbol);
+    let sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
     if let Some(meaning) = constant(symbol, &sorted, reading) {
         return meaning;
@@ -85,12 +91,42 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
         return Meaning::Component(entity, component);
     }
+    let lone = unmarked && sorted.variant.is_empty() && !symbol.style.bar;
+    if lone && let Some(meaning) = scalar(&letter, reading, atoms) {
+        return meaning;
+    }
     match reading.quantities.get(&letter) {
         Some(&quantity) if is_quantity(quantity, symbol, &sorted, reading) => {
             of_quantity(quantity, &letter, &sorted, atoms)
         }
         _ => of_symbol(symbol, &letter, &sorted, reading, atoms),
     }
+}
+
+/// What a vector's letter stands for where it is written as a number: a component that the document calls so, the
+/// magnitude of a momentum or a moment, or else a number of its own.
+fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meaning> {
+    let quantity = *reading.quantities.get(letter)?;
+    if quantity.shape() != Shape::Vector || !reading.is_scalar(letter) {
+        return None;
+    }
+    if let Some(&component) = reading.usage.components_named.get(letter) {
+        let entity = quantity_entity(quantity, "", &letter.name, atoms);
+        return Some(Meaning::Component(entity, component));
+    }
+    let latex = latex_name(&letter.name);
+    let owner = if matches!(quantity, Quantity::Momentum | Quantity::Moment) {
+        Owner::Quantity(quantity, MAGNITUDE.to_owned())
+    } else {
+        Owner::Symbol(format!("{} number", letter.name))
+    };
+    let constant = !reading.usage.get(letter).moving;
+    Some(Meaning::Whole(atoms.entity(
+        &owner,
+        Shape::Scalar,
+        constant,
+        &latex,
+    )))
 }
 
 /// Unit vectors, the identity and π.

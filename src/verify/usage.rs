@@ -44,6 +44,10 @@ pub(super) struct Use {
     pub double: usize,
     /// Times with neither mark nor index.
     pub bare: usize,
+    /// Times as a factor of a cross product without a mark.
+    pub crossed_bare: usize,
+    /// Times as a resultant: ΣM, ΣF.
+    pub resultant: usize,
     /// Whether it stands under a derivative in time, or is called with `t`.
     pub moving: bool,
 }
@@ -54,8 +58,12 @@ pub(super) struct Usage {
     letters: BTreeMap<Letter, Use>,
     /// Subscripts met on each letter.
     pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
+    /// Superscripts met on each letter.
+    superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
     /// Letters with subscripts that stand under a derivative in time.
     moving: BTreeSet<(Letter, Vec<String>)>,
+    /// A letter without mark or index beside one of its components: `ω_z = ω`.
+    pub components_named: BTreeMap<Letter, u8>,
 }
 
 /// The index of an axis: `x`, `1` → 0 and so on.
@@ -122,9 +130,33 @@ impl Usage {
             .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
     }
 
+    /// Whether a letter always wears these superscripts, so that they tell nothing apart: ᴺωᴮ.
+    pub(super) fn always_wears(&self, letter: &Letter, superscripts: &[String]) -> bool {
+        self.superscripts
+            .get(letter)
+            .is_some_and(|met| met.len() == 1 && met.iter().all(|s| s == superscripts))
+    }
+
     fn line(&mut self, line: &Line) {
         for side in &line.sides {
             self.node(side);
+        }
+        for pair in line.sides.windows(2) {
+            self.named_component(&pair[0], &pair[1]);
+            self.named_component(&pair[1], &pair[0]);
+        }
+    }
+
+    /// `ω_z = ω`: the bare letter is that component.
+    fn named_component(&mut self, whole: &Node, part: &Node) {
+        let (Kind::Symbol(bare), Kind::Symbol(component)) = (&inner(whole).kind, &inner(part).kind)
+        else {
+            return;
+        };
+        let unmarked = !bare.style.vector && bare.subscripts.is_empty();
+        let index = component.subscripts.iter().find_map(|s| axis(s));
+        if let (true, Some(index)) = (unmarked && bare.name == component.name, index) {
+            self.components_named.insert(Letter::of(bare), index);
         }
     }
 
@@ -180,7 +212,9 @@ impl Usage {
         if let Kind::Symbol(symbol) = &inner(operand).kind
             && symbol.subscripts.iter().all(|s| axis(s).is_none())
         {
-            self.letters.entry(Letter::of(symbol)).or_default().vector += 1;
+            let entry = self.letters.entry(Letter::of(symbol)).or_default();
+            entry.vector += 1;
+            entry.crossed_bare += usize::from(!symbol.style.vector && !symbol.style.bar);
         }
     }
 
@@ -199,6 +233,11 @@ impl Usage {
         } else {
             entry.bare += 1;
         }
+        entry.resultant += usize::from(symbol.resultant);
+        self.superscripts
+            .entry(Letter::of(symbol))
+            .or_default()
+            .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
     }

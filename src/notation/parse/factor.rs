@@ -91,13 +91,16 @@ impl<'a> Parser<'_, 'a> {
             Some(Lexeme::Open) => self.braces(start),
             Some(Lexeme::Superscript) => self.prescripted(start),
             Some(Lexeme::Char('(' | '[' | '{' | '⟨' | '⌊') | Lexeme::LeftNull) => {
-                self.bracket(start)
+                let node = self.bracket(start);
+                self.unit(node, start)
             }
             Some(Lexeme::Char('|' | '‖') | Lexeme::LeftBar) => self.norm(start),
             Some(Lexeme::Begin(name)) => self.environment(name, start),
             Some(Lexeme::Text(text)) => {
                 self.at += 1;
-                self.upright(text.trim().to_owned(), start)
+                let constant = super::text::is_constant(text);
+                let name = if constant { "const" } else { text.trim() };
+                self.upright(name.to_owned(), start)
             }
             Some(Lexeme::Command(name)) => self.command(name, start),
             Some(_) => {

@@ -1,7 +1,7 @@
 //! One relation: sides, signs of relation, labels and remarks.
 
 use super::factor::RELATIONS;
-use super::text::{Words, words};
+use super::text::{Words, is_constant, is_unit, words};
 use super::{Parser, nesting};
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::notation::document::Row;
@@ -23,11 +23,24 @@ pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     let mut shown = vec![];
     let mut depth = 0;
     let mut before: Option<Lexeme<'_>> = None;
+    // A unit stands behind a number, a bracket or another unit.
+    let mut measured = false;
     tokens.retain(|token| {
         depth += nesting(token);
+        let behind_value = measured;
+        measured = match token.kind {
+            Lexeme::Number(_) | Lexeme::Char(')' | ']' | '/') => true,
+            Lexeme::Text(_) => measured,
+            Lexeme::Space(_) | Lexeme::Command("cdot") | Lexeme::Superscript => measured,
+            _ => false,
+        };
         match token.kind {
             Lexeme::Tag(text) => shown.push(super::text::tag(text)),
             Lexeme::Label(text) => marks.labels.push(text.to_owned()),
+            Lexeme::Text(text) if is_constant(text) || (behind_value && is_unit(text)) => {
+                before = Some(token.kind);
+                return true;
+            }
             Lexeme::Text(text) if depth == 0 && !is_operand(text, before) => match words(text) {
                 Words::Label(label) => shown.push(label),
                 Words::Remark(remark) if remark.is_empty() => {}
@@ -57,7 +70,7 @@ fn is_operand(text: &str, before: Option<Lexeme<'_>>) -> bool {
         Some(Lexeme::Subscript | Lexeme::Superscript) => true,
         Some(Lexeme::Char('=' | '+' | '-' | '/' | '*')) => true,
         Some(Lexeme::Command(name)) if super::factor::is_operator(name) => true,
-        Some(Lexeme::Number(_)) if super::text::is_unit(text) => true,
+        Some(Lexeme::Number(_)) if is_unit(text) => true,
         _ => super::text::is_symbol(text),
     }
 }

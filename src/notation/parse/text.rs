@@ -152,6 +152,17 @@ const UNITS: &[&str] = &[
     "ms", "Nm", "kN", "kJ", "lb", "ft", "slug", "rev", "Pa", "in",
 ];
 
+/// Whether a text says that the left side keeps its value: `\text{const}`.
+pub(super) fn is_constant(text: &str) -> bool {
+    matches!(
+        text.trim()
+            .trim_end_matches('.')
+            .to_ascii_lowercase()
+            .as_str(),
+        "const" | "constant" | "konst"
+    )
+}
+
 /// Whether a text is a unit of measurement: `kg m^2`, `rad/s`.
 pub(super) fn is_unit(text: &str) -> bool {
     let mut pieces = text
@@ -169,7 +180,11 @@ impl Parser<'_, '_> {
         let text = match self.peek() {
             Some(Lexeme::Text(text)) if is_unit(text) => {
                 self.at += 1;
-                text.trim().to_owned()
+                let mut text = text.trim().to_owned();
+                while let Some(more) = self.more_unit() {
+                    text.push_str(&more);
+                }
+                text
             }
             Some(Lexeme::Command("mathrm" | "rm" | "si" | "unit" | "mathsf")) => {
                 self.at += 1;
@@ -202,18 +217,22 @@ impl Parser<'_, '_> {
         }
         probe.skip_spaces();
         let slash = probe.take(Lexeme::Char('/')) || probe.take(Lexeme::Command("cdot"));
-        if matches!(
-            probe.peek(),
-            Some(Lexeme::Command("mathrm" | "rm" | "mathsf"))
-        ) {
-            probe.at += 1;
-            let text = unit_text(probe.argument());
-            if is_unit(&text) && probe.at > before {
-                self.at = probe.at;
-                return Some(format!("{}{text}", if slash { "/" } else { " " }));
+        let text = match probe.peek()? {
+            Lexeme::Command("mathrm" | "rm" | "mathsf") => {
+                probe.at += 1;
+                unit_text(probe.argument())
             }
-        }
-        None
+            Lexeme::Text(text) => {
+                probe.at += 1;
+                text.to_owned()
+            }
+            _ => return None,
+        };
+        let sign = if slash { "/" } else { " " };
+        (is_unit(&text) && probe.at > before).then(|| {
+            self.at = probe.at;
+            format!("{sign}{text}")
+        })
     }
 }
 
