@@ -20,12 +20,15 @@
 //! # Ok::<(), polhode::motion::MotionError>(())
 //! ```
 
+#[cfg(feature = "batch")]
+mod batch;
 mod body;
 mod cayley;
 mod dop853;
 mod error;
 mod free_body;
 mod implicit_midpoint;
+mod lanes;
 mod moser_veselov;
 mod number;
 mod quaternion;
@@ -40,12 +43,15 @@ mod torque;
 
 pub mod jacobian;
 
+#[cfg(feature = "batch")]
+pub use batch::{Batch, BodyDiverged, Jacobians};
 pub use body::Body;
 pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;
 pub use free_body::FreeBody;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use jacobian::StepJacobian;
+pub use lanes::{LANES, Lanes};
 pub use moser_veselov::MoserVeselov;
 pub use number::Number;
 pub use quaternion::Quaternion;

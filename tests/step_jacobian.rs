@@ -53,7 +53,7 @@ fn assert_matches<S: Scheme<Torque>>(scheme: &S, case: &Case, exact: &SMatrix<f6
         // Torque and inertia act over the smallest moment.
         let width = match column {
             6..15 => 4e-3 * least,
-            15 => 4e-3_f64.min(0.3 * case.step),
+            15 => 4e-3_f64.min(0.1 * case.step),
             _ => 4e-3,
         };
         let [coarse, middle, fine] =

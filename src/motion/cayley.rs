@@ -84,11 +84,12 @@ impl<T: Number> Equation<T> {
             }
             before = size;
         }
-        let nothing = T::zero() / T::zero();
-        (
-            Vector3::from_element(nothing),
-            Matrix3::from_element(nothing),
-        )
+        // The root of a negative number marks what has not settled, and of values side by side that one alone.
+        let change = apply(&self.inverse_slope(&c), &self.residual(&c));
+        let room = (T::one() + c.dot(&c)) * T::of(1e-18) - change.dot(&change);
+        let mark = room.sqrt() * T::zero();
+        let c = c.map(|c| c + mark);
+        (c, self.inverse_slope(&c))
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::motion::{
     Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
 };
-use nalgebra::{SVector, Vector6};
+use crate::scalar::Jet;
+use nalgebra::{ArrayStorage, SMatrix, SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
@@ -50,8 +51,31 @@ impl<L> Scheme<L> for Rk4 {
         L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
         DualSVec64<N>: Number,
     {
-        runge_kutta::step_with_jacobian(system, time, state, step)
-            .unwrap_or_else(|| jacobian::by_dual_numbers(self, system, time, state, step))
+        match runge_kutta::step_with_jacobian(system, time, state, step) {
+            Some((state, columns)) => StepJacobian {
+                state,
+                matrix: SMatrix::from_data(ArrayStorage(columns)),
+            },
+            None => jacobian::by_dual_numbers(self, system, time, state, step),
+        }
+    }
+
+    /// Backwards through the stages where the torque does not look at the attitude, else by jets.
+    #[inline(always)]
+    fn step_with_columns<const N: usize, T: Number>(
+        &self,
+        system: &System<T, L>,
+        time: T,
+        state: &mut State<T>,
+        step: T,
+        columns: &mut [[T; 6]; N],
+    ) where
+        L: Copy + TorqueLaw<T> + TorqueLaw<Jet<T, N>>,
+    {
+        match runge_kutta::step_with_jacobian(system, time, state, step) {
+            Some(found) => (*state, *columns) = found,
+            None => jacobian::by_jets(self, system, time, state, step, columns),
+        }
     }
 
     /// Forward through the stages where the torque does not look at the attitude, else by dual numbers.

@@ -1,6 +1,7 @@
 //! One interface to every way of moving a body through time.
 
 use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
+use crate::scalar::Jet;
 use nalgebra::{SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
@@ -35,6 +36,22 @@ pub trait Scheme<L> {
         DualSVec64<N>: Number,
     {
         jacobian::by_dual_numbers(self, system, time, state, step)
+    }
+
+    /// The step of `state` where it stands and the columns of its Jacobian, over any number: several bodies side by side
+    /// too.
+    #[inline(always)]
+    fn step_with_columns<const N: usize, T: Number>(
+        &self,
+        system: &System<T, L>,
+        time: T,
+        state: &mut State<T>,
+        step: T,
+        columns: &mut [[T; 6]; N],
+    ) where
+        L: Copy + TorqueLaw<T> + TorqueLaw<Jet<T, N>>,
+    {
+        jacobian::by_jets(self, system, time, state, step, columns);
     }
 
     /// The step, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), without the matrix.

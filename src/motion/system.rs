@@ -24,7 +24,11 @@ impl<L: TorqueLaw<f64>> System<f64, L> {
     /// A tensor that no body has.
     pub fn new(inertia: Matrix3<f64>, law: L) -> Result<Self, MotionError> {
         possible_body(&inertia).map_err(MotionError::Inertia)?;
-        Ok(Self::over(inertia, law, Vector3::zeros()))
+        let products = [inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]];
+        Ok(Self {
+            principal: products.iter().all(|p| *p == 0.0),
+            ..Self::over(inertia, law, Vector3::zeros())
+        })
     }
 }
 
@@ -50,6 +54,13 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
             added,
             principal: false,
         }
+    }
+
+    /// The same system, its axes known to be principal or not.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn along_axes(self, principal: bool) -> Self {
+        Self { principal, ..self }
     }
 
     /// The inertia tensor.

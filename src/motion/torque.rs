@@ -49,20 +49,20 @@ pub trait TorqueLaw<T: Number> {
 
     /// The torque with its derivatives, if it does not look at the attitude: then the fast Jacobians can be
     /// taken. Must agree with [`torque`](Self::torque).
-    fn without_attitude(&self, _time: f64, _angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
+    fn without_attitude(&self, _time: T, _angular_velocity: &Vector3<T>) -> Option<BodyTorque<T>> {
         None
     }
 }
 
 /// A torque in body axes and its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyTorque {
+pub struct BodyTorque<T = f64> {
     /// N m.
-    pub torque: Vector3<f64>,
+    pub torque: Vector3<T>,
     /// Row: component of the torque; column: component of ω.
-    pub by_angular_velocity: Matrix3<f64>,
+    pub by_angular_velocity: Matrix3<T>,
     /// The partial derivative in time.
-    pub by_time: Vector3<f64>,
+    pub by_time: Vector3<T>,
 }
 
 impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
@@ -144,11 +144,12 @@ impl<T: Number> TorqueLaw<T> for Torque {
     }
 
     #[inline]
-    fn without_attitude(&self, time: f64, angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
+    fn without_attitude(&self, time: T, angular_velocity: &Vector3<T>) -> Option<BodyTorque<T>> {
+        let zero = Vector3::from_element(T::zero());
         let still = BodyTorque {
-            torque: Vector3::zeros(),
-            by_angular_velocity: Matrix3::zeros(),
-            by_time: Vector3::zeros(),
+            torque: zero,
+            by_angular_velocity: Matrix3::from_element(T::zero()),
+            by_time: zero,
         };
         match *self {
             Self::None => Some(still),
@@ -156,12 +157,12 @@ impl<T: Number> TorqueLaw<T> for Torque {
                 frame: Frame::Body,
                 value,
             } => Some(BodyTorque {
-                torque: value,
+                torque: lift(&value),
                 ..still
             }),
             Self::Damping { coefficient } => Some(BodyTorque {
-                torque: angular_velocity * -coefficient,
-                by_angular_velocity: Matrix3::from_diagonal_element(-coefficient),
+                torque: angular_velocity * T::of(-coefficient),
+                by_angular_velocity: Matrix3::from_diagonal_element(T::of(-coefficient)),
                 ..still
             }),
             Self::Sinusoid {
@@ -170,10 +171,11 @@ impl<T: Number> TorqueLaw<T> for Torque {
                 angular_frequency,
                 phase,
             } => {
-                let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
+                let (sine, cosine) = (T::of(angular_frequency) * time + T::of(phase)).sin_cos();
+                let amplitude = lift(&amplitude);
                 Some(BodyTorque {
                     torque: amplitude * sine,
-                    by_time: amplitude * (cosine * angular_frequency),
+                    by_time: amplitude * (cosine * T::of(angular_frequency)),
                     ..still
                 })
             }

@@ -1,4 +1,5 @@
 //! Bodies, torques and states for the tests of a step: repeated moments, plates and needles in any axes.
+#![allow(dead_code, reason = "no test takes all of it")]
 
 use nalgebra::{Matrix3, Vector3};
 use polhode::motion::{Frame, Quaternion, State, System, Torque};
@@ -82,7 +83,6 @@ pub(crate) fn cases() -> impl Strategy<Value = Case> {
 
 /// The case with a step in which the body turns by less than a radian: further out a method of high order has
 /// derivatives too steep for differences.
-#[allow(dead_code, reason = "not every test tames its cases")]
 pub(crate) fn tamed(case: &Case) -> Case {
     let least = case.inertia.symmetric_eigenvalues().min();
     let torque = match case.torque {

@@ -2,10 +2,10 @@
 
 use super::{Back, PARTS, Stage, WEIGHTS};
 use crate::mechanics::{apply, regressor};
-use crate::motion::{Quaternion, State};
+use crate::motion::Quaternion;
 use nalgebra::{SVector, Vector3, Vector6};
 
-impl Back<'_> {
+impl Back<'_, f64> {
     /// The Jacobian times a direction of the input (θ, ω, torque, inertia, dt): forward through the stages.
     pub(super) fn along(&self, direction: &SVector<f64, 16>) -> Vector6<f64> {
         let part = |first: usize| direction.fixed_rows::<3>(first).into_owned();
@@ -82,24 +82,10 @@ impl Back<'_> {
         result[15] = span;
         result
     }
-
-    /// The state after the step from `state`.
-    pub(super) fn state(&self, state: &State<f64>) -> State<f64> {
-        State {
-            attitude: (state.attitude * self.end.normalised()).normalised(),
-            angular_velocity: state.angular_velocity + self.mean_acceleration() * self.step,
-        }
-    }
-
-    pub(super) fn mean_acceleration(&self) -> Vector3<f64> {
-        (0..4).fold(Vector3::zeros(), |sum, i| {
-            sum + self.stages[i].acceleration * WEIGHTS[i]
-        })
-    }
 }
 
 /// The angular velocity of a stage as a quaternion.
-fn pure(stage: &Stage) -> Quaternion<f64> {
+fn pure(stage: &Stage<f64>) -> Quaternion<f64> {
     Quaternion {
         w: 0.0,
         v: stage.omega,

@@ -1,0 +1,91 @@
+//! Bodies side by side against bodies one by one, and against moving their bytes.
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::{Matrix3, Vector3};
+use polhode::motion::{Batch, Jacobians, Rk4, Scheme, State, StepJacobian, System, Torque};
+use std::hint::black_box;
+
+const STEP: f64 = 0.01;
+
+fn tensor() -> Matrix3<f64> {
+    Matrix3::new(0.6, 0.02, -0.03, 0.02, 0.8, 0.05, -0.03, 0.05, 1.0)
+}
+
+fn states(count: usize) -> Vec<State<f64>> {
+    (0..count)
+        .map(|i| {
+            let x = 1e-3 * (i % 1000) as f64;
+            State::at_rest().turning(Vector3::new(3.0, 0.5 + x, -0.9))
+        })
+        .collect()
+}
+
+fn steps(c: &mut Criterion) {
+    for (name, count) in [("in cache", 256), ("in memory", 400_000)] {
+        let mut group = c.benchmark_group(format!("a step of each body, {name}"));
+        group.throughput(Throughput::Elements(count as u64));
+        let states = states(count);
+        let system = System::new(tensor(), Torque::None).expect("a body");
+        let mut alone = states.clone();
+        group.bench_function("one by one", |b| {
+            b.iter(|| {
+                for state in &mut alone {
+                    *state = Rk4.step(black_box(&system), 0.0, state, STEP);
+                }
+            });
+        });
+        let mut advance = |name: &str, mut batch: Batch| {
+            group.bench_function(name, |b| {
+                b.iter(|| batch.advance(&Rk4, Torque::None, STEP, 1).expect("finite"));
+            });
+        };
+        let shared = |inertia| Batch::sharing(inertia, states.iter().copied()).expect("a body");
+        advance("side by side", shared(tensor()));
+        let principal = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+        advance("side by side, principal axes", shared(principal));
+        let own = Batch::of_bodies(states.iter().map(|s| (tensor(), *s))).expect("bodies");
+        advance("side by side, own tensors", own);
+        let (from, mut to) = (states.clone(), states.clone());
+        group.bench_function("copy of the states", |b| {
+            b.iter(|| to.copy_from_slice(black_box(&from)));
+        });
+        group.finish();
+    }
+}
+
+fn jacobians(c: &mut Criterion) {
+    for (name, count) in [("in cache", 256), ("in memory", 40_000)] {
+        let mut group = c.benchmark_group(format!("a step of each body with 15 columns, {name}"));
+        group.throughput(Throughput::Elements(count as u64));
+        let states = states(count);
+        let system = System::new(tensor(), Torque::None).expect("a body");
+        let mut found: Vec<StepJacobian<15>> = states
+            .iter()
+            .map(|s| Rk4.step_with_jacobian(&system, 0.0, s, STEP))
+            .collect();
+        group.bench_function("one by one", |b| {
+            b.iter(|| {
+                for (state, out) in states.iter().zip(&mut found) {
+                    *out = Rk4.step_with_jacobian(black_box(&system), 0.0, state, STEP);
+                }
+            });
+        });
+        let mut batch = Batch::sharing(tensor(), states.iter().copied()).expect("a body");
+        let mut all = Jacobians::<15>::new();
+        group.bench_function("side by side", |b| {
+            b.iter(|| {
+                batch
+                    .step_with_jacobian(&Rk4, Torque::None, STEP, &mut all)
+                    .expect("finite");
+            });
+        });
+        let (from, mut to) = (found.clone(), found.clone());
+        group.bench_function("copy of the Jacobians", |b| {
+            b.iter(|| to.copy_from_slice(black_box(&from)));
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, steps, jacobians);
+criterion_main!(benches);

@@ -1,0 +1,205 @@
+//! Bodies side by side move as each would alone.
+#![cfg(feature = "batch")]
+
+#[path = "reference/cases.rs"]
+mod cases;
+
+use cases::cases;
+use nalgebra::{Matrix3, Vector3};
+use polhode::motion::{
+    Batch, Dop853, FixedStep, Frame, ImplicitMidpoint, Jacobians, Lanes, MoserVeselov, Number, Rk4,
+    Scheme, Splitting, State, Stepper, System, Taylor, Torque, jacobian,
+};
+use proptest::prelude::*;
+
+fn laws() -> [Torque; 4] {
+    let v = Vector3::new(0.3, -0.5, 0.2);
+    [
+        Torque::None,
+        Torque::Damping { coefficient: 0.1 },
+        Torque::Gravity {
+            weight: 3.0,
+            arm: v,
+        },
+        Torque::Sinusoid {
+            frame: Frame::Space,
+            amplitude: v,
+            angular_frequency: 3.0,
+            phase: 0.4,
+        },
+    ]
+}
+
+fn states(count: usize) -> Vec<State<f64>> {
+    (0..count)
+        .map(|i| {
+            let x = i as f64;
+            State::new([1.0, 0.1 * x, -0.3, 0.02 * x], [1.0, 0.3 * x, -0.7]).expect("a state")
+        })
+        .collect()
+}
+
+fn tensor() -> Matrix3<f64> {
+    Matrix3::new(2.0, -0.3, 0.2, -0.3, 2.5, 0.4, 0.2, 0.4, 3.0)
+}
+
+/// Twenty steps of each body in a batch and alone.
+fn assert_as_alone<S: Scheme<Torque> + Sync>(scheme: &S, inertia: Matrix3<f64>, law: Torque) {
+    let states = states(11);
+    let mut batch = Batch::sharing(inertia, states.iter().copied()).expect("a body");
+    batch.advance(scheme, law, 0.02, 20).expect("finite");
+    let system = System::new(inertia, law).expect("a body");
+    for (start, end) in states.iter().zip(batch.states()) {
+        let mut alone = *start;
+        for n in 0..20 {
+            alone = scheme.step(&system, 0.02 * f64::from(n), &alone, 0.02);
+        }
+        assert_eq!(alone, end, "{law:?}");
+    }
+}
+
+#[test]
+fn explicit_steps_are_the_same_to_the_bit() {
+    for law in laws() {
+        for inertia in [
+            tensor(),
+            Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)),
+        ] {
+            assert_as_alone(&Rk4, inertia, law);
+            assert_as_alone(&Dop853, inertia, law);
+            assert_as_alone(&Splitting::FOURTH, inertia, law);
+            assert_as_alone(&Taylor::of_order(8), inertia, law);
+        }
+    }
+}
+
+/// The slowest of eight decides how often Newton's method goes on: the others settle a rounding further.
+#[test]
+fn implicit_steps_are_the_same_to_rounding() {
+    let states = states(11);
+    let compare = |end: State<f64>, alone: State<f64>| {
+        // A few roundings of numbers below ten.
+        assert!(alone.difference(&end).amax() < 1e-14);
+    };
+    for law in laws() {
+        let system = System::new(tensor(), law).expect("a body");
+        let mut batch = Batch::sharing(tensor(), states.iter().copied()).expect("a body");
+        batch
+            .advance(&ImplicitMidpoint, law, 0.1, 1)
+            .expect("finite");
+        for (start, end) in states.iter().zip(batch.states()) {
+            compare(end, ImplicitMidpoint.step(&system, 0.0, start, 0.1));
+        }
+        let mut batch = Batch::sharing(tensor(), states.iter().copied()).expect("a body");
+        batch
+            .advance(&MoserVeselov::FOURTH, law, 0.1, 1)
+            .expect("finite");
+        for (start, end) in states.iter().zip(batch.states()) {
+            compare(end, MoserVeselov::FOURTH.step(&system, 0.0, start, 0.1));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(30) })]
+
+    #[test]
+    fn bodies_of_their_own_tensors_and_their_jacobians_are_as_alone(
+        members in prop::collection::vec(cases(), 1..20),
+    ) {
+        let law = members[0].torque;
+        let bodies = members.iter().map(|c| (c.inertia, c.state));
+        let mut batch = Batch::of_bodies(bodies).expect("bodies");
+        let mut all = Jacobians::<15>::new();
+        batch.step_with_jacobian(&Rk4, law, 0.05, &mut all).expect("finite");
+        for (i, case) in members.iter().enumerate() {
+            let system = System::over(case.inertia, law, Vector3::zeros());
+            let alone = Rk4.step_with_jacobian::<15>(&system, 0.0, &case.state, 0.05);
+            let found = all.of_body(i).expect("a body");
+            let looks_away = !matches!(law,
+                Torque::Gravity { .. }
+                | Torque::Constant { frame: Frame::Space, .. }
+                | Torque::Sinusoid { frame: Frame::Space, .. });
+            if looks_away {
+                prop_assert_eq!(batch.state(i), Some(alone.state));
+                prop_assert_eq!(found, alone.matrix);
+            } else {
+                // By jets here, by num-dual there: rounding times the condition of the tensor, twice.
+                let least = case.inertia.symmetric_eigenvalues().min();
+                let loss = 1e-14 * (case.inertia.trace() / least).powi(2);
+                prop_assert!((found - alone.matrix).amax() < loss * (1.0 + alone.matrix.amax()));
+            }
+        }
+        prop_assert!(batch.state(members.len()).is_none());
+        prop_assert!(all.of_body(members.len()).is_none());
+    }
+}
+
+#[test]
+fn other_schemes_have_jacobians_in_a_batch_too() {
+    let states = states(9);
+    for law in laws() {
+        let system = System::new(tensor(), law).expect("a body");
+        let mut batch = Batch::sharing(tensor(), states.iter().copied()).expect("a body");
+        let mut all = Jacobians::<9>::new();
+        batch
+            .step_with_jacobian(&Splitting::SECOND, law, 0.1, &mut all)
+            .expect("finite");
+        for (i, start) in states.iter().enumerate() {
+            let alone =
+                jacobian::by_dual_numbers::<9, _, _>(&Splitting::SECOND, &system, 0.0, start, 0.1);
+            let apart = all.of_body(i).expect("a body") - alone.matrix;
+            assert!(apart.amax() < 1e-13);
+        }
+    }
+}
+
+#[test]
+fn any_count_of_bodies_is_a_batch() {
+    for count in [0, 1, 7, 8, 9] {
+        let mut batch = Batch::sharing(tensor(), states(count)).expect("a body");
+        batch.advance(&Rk4, Torque::None, 0.1, 3).expect("finite");
+        assert_eq!(batch.states().count(), count);
+        assert_eq!((batch.len(), batch.is_empty()), (count, count == 0));
+        assert!((batch.time() - 0.3).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn the_body_that_stops_being_finite_is_named() {
+    let broken = |time: Lanes, state: &State<Lanes>| {
+        // The root of a negative number, for bodies that spin fast about y, from t = 0.2 on.
+        let late = if time.to_array()[0] < 0.21 {
+            100.0
+        } else {
+            2.0
+        };
+        let root = num_traits::Zero::zero();
+        let y = state.angular_velocity.y;
+        let mark = polhode::scalar::Real::sqrt(&(Lanes::of(late) - y * y)) * Lanes::of(0.0);
+        Vector3::new(mark, root, root)
+    };
+    let mut batch = Batch::sharing(Matrix3::identity(), states(20)).expect("a body");
+    batch.advance(&Rk4, broken, 0.1, 2).expect("finite so far");
+    let error = batch.advance(&Rk4, broken, 0.1, 1).expect_err("a NaN");
+    assert_eq!(error.body, 5);
+    assert!((error.time - 0.2).abs() < 1e-15);
+    assert!(error.to_string().contains("body 5"));
+    assert!(Batch::sharing(-tensor(), states(1)).is_err());
+    let bodies = [
+        (tensor(), State::at_rest()),
+        (tensor() * 0.0, State::at_rest()),
+    ];
+    assert!(Batch::of_bodies(bodies).is_err());
+}
+
+#[test]
+fn a_batch_moves_as_a_run_of_fixed_steps() {
+    let law = laws()[2];
+    let mut batch = Batch::sharing(tensor(), states(3)).expect("a body");
+    batch.advance(&Rk4, law, 0.0625, 16).expect("finite");
+    let system = System::new(tensor(), law).expect("a body");
+    let mut run = FixedStep::new(Rk4, system, states(3)[2], 0.0625).expect("a step");
+    run.advance_to(1.0).expect("finite");
+    assert_eq!(batch.state(2).as_ref(), Some(run.state()));
+}
