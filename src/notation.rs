@@ -144,10 +144,9 @@ fn unreadable(message: &str, help: Option<&str>, span: Span) -> Reading {
     }
 }
 
-/// The formula of a region of a text that begins at `offset` of the source.
-fn formula(text: &str, offset: usize, region: &Region, macros: &Macros) -> Vec<Item> {
+/// The formula of a region, whose inside is `inner`, of a text that begins at `offset` of the source.
+fn formula(inner: &str, offset: usize, region: &Region, macros: &Macros) -> Vec<Item> {
     let span = Span::new(offset + region.outer.start, offset + region.outer.end);
-    let inner = text.get(region.inner.clone()).unwrap_or("");
     let reading = if region.closed {
         reading(inner, offset + region.inner.start, macros)
     } else {

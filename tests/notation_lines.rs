@@ -143,7 +143,7 @@ fn decoration_is_passed_over() {
 fn words_names_and_units_are_told_apart() {
     each_reads(&[
         (r"T = \text{const}", "T = up:const"),
-        (r"T = \text{ constant}.", "T = up:constant"),
+        (r"T = \text{ constant}.", "T = up:const"),
         (
             r"\text{KE} = \frac12 I\omega^2",
             "up:KE = (* (/ 1 2) I (^ omega 2))",

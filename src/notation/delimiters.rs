@@ -3,6 +3,8 @@
 //! This is settled on the bytes of the file, before anything else is read: inside mathematics `\\`, `_` and a leading
 //! `+` mean something else than in the text around it.
 
+mod code;
+
 use std::ops::Range;
 
 /// A formula in a text, as ranges of bytes.
@@ -43,6 +45,19 @@ const DISPLAYS: &[&str] = &[
     "subequations",
 ];
 
+/// What authors call the two ends of a display in their own files.
+const ABBREVIATED: &[(&str, &str)] = &[
+    ("be", "ee"),
+    ("beq", "eeq"),
+    ("bea", "eea"),
+    ("beqn", "eeqn"),
+    ("beqa", "eeqa"),
+    ("bal", "eal"),
+    ("ba", "ea"),
+    ("bse", "ese"),
+    ("bg", "eg"),
+];
+
 /// The formulas of a text in order.
 pub(crate) fn regions(text: &str, dialect: Dialect) -> Vec<Region> {
     let mut scan = Scan {
@@ -75,6 +90,8 @@ impl Scan<'_> {
                 self.skip_past("-->")
             }
             [b'%', ..] if self.dialect == Dialect::Latex => self.skip_past("\n"),
+            [b'\\', b'v' | b'i' | b'b', ..] if self.dialect == Dialect::Latex && self.hidden() => {}
+            [b'\\', b'\\', b'(' | b'[', ..] if self.dialect == Dialect::Markdown => self.escaped(),
             [b'$', b'$', ..] => self.delimited("$$", "$$", true),
             [b'$', ..] => self.inline(),
             [b'\\', b'[', ..] => self.delimited("\\[", "\\]", true),
@@ -85,83 +102,70 @@ impl Scan<'_> {
         }
     }
 
+    /// `\verb|$x$|` and `\iffalse … \fi` hold no mathematics, and an abbreviation may open a display: `\be … \ee`.
+    fn hidden(&mut self) -> bool {
+        let rest = &self.text[self.at..];
+        if let Some(inner) = rest.strip_prefix("\\verb")
+            && let Some(mark) = inner.bytes().next().filter(u8::is_ascii_punctuation)
+        {
+            let length = find(&inner.as_bytes()[1..], &[mark]).unwrap_or(0);
+            self.at += "\\verb".len() + 1 + length + 1;
+            return true;
+        }
+        if rest.starts_with("\\iffalse") {
+            self.skip_past("\\fi");
+            return true;
+        }
+        let name = &rest[1..=rest[1..]
+            .bytes()
+            .take_while(u8::is_ascii_alphabetic)
+            .count()];
+        let Some((open, close)) = ABBREVIATED.iter().find(|(open, _)| *open == name) else {
+            return false;
+        };
+        // Where it is defined it opens nothing.
+        if rest[1 + open.len()..].starts_with(['{', '}']) {
+            return false;
+        }
+        let close = format!("\\{close}");
+        let inner = self.at + 1 + open.len();
+        let Some(length) = find_command(&self.bytes[inner..], close.as_bytes()) else {
+            return false;
+        };
+        let end = inner + length + close.len();
+        self.found.push(Region {
+            outer: self.at..end,
+            inner: inner..inner + length,
+            display: true,
+            closed: true,
+        });
+        self.at = end;
+        true
+    }
+
+    /// `\\( … \\)` and `\\[ … \\]`, escaped once more for a program that takes one backslash off.
+    fn escaped(&mut self) {
+        let start = self.at;
+        let display = self.bytes[start + 2] == b'[';
+        let close: &[u8] = if display { b"\\\\]" } else { b"\\\\)" };
+        let inner = start + 3;
+        let limit = paragraph_end(self.bytes, inner);
+        self.at = inner;
+        if let Some(length) = find(&self.bytes[inner..limit], close) {
+            self.at = inner + length + close.len();
+            self.found.push(Region {
+                outer: start..self.at,
+                inner: inner..inner + length,
+                display,
+                closed: true,
+            });
+        }
+    }
+
     fn skip_past(&mut self, end: &str) {
         let rest = &self.text.as_bytes()[self.at..];
         let found = find(rest, end.as_bytes());
         self.at = found.map_or(self.bytes.len(), |i| self.at + i + end.len());
-    }
-
-    /// Code between backticks, or a fence at the start of a line; a fence of the language `math` is a display.
-    fn code(&mut self) {
-        let mark = self.bytes[self.at];
-        let run = self.bytes[self.at..]
-            .iter()
-            .take_while(|b| **b == mark)
-            .count();
-        let line_start = self.bytes[..self.at]
-            .iter()
-            .rposition(|b| *b == b'\n')
-            .map_or(0, |i| i + 1);
-        let starts_line = self.bytes[line_start..self.at]
-            .iter()
-            .all(|b| matches!(b, b' ' | b'\t' | b'>'));
-        if run >= 3 && starts_line {
-            return self.fence(run, mark);
-        }
-        if mark == b'~' {
-            self.at += run;
-            return;
-        }
-        let ticks = vec![b'`'; run];
-        let start = self.at + run;
-        let limit = paragraph_end(self.bytes, start);
-        let mut from = start;
-        while let Some(i) = find(&self.bytes[from..limit], &ticks) {
-            let close = self.bytes[from + i..limit]
-                .iter()
-                .take_while(|b| **b == b'`')
-                .count();
-            if close == run {
-                self.at = from + i + run;
-                return;
-            }
-            from += i + close;
-        }
-        self.at = start;
-    }
-
-    fn fence(&mut self, run: usize, mark: u8) {
-        let start = self.at;
-        let line_end = |from: usize| {
-            find(&self.bytes[from..], b"\n").map_or(self.bytes.len(), |i| from + i + 1)
-        };
-        let body = line_end(start);
-        let language = self.text.get(start + run..body).unwrap_or("").trim();
-        let mut line = body;
-        let mut close = self.bytes.len();
-        while line < self.bytes.len() {
-            let end = line_end(line);
-            let text = self.text.get(line..end).unwrap_or("").trim();
-            if text.len() >= run && text.bytes().all(|b| b == mark) {
-                close = line;
-                break;
-            }
-            line = end;
-        }
-        let end = if close < self.bytes.len() {
-            line_end(close)
-        } else {
-            close
-        };
-        if language == "math" {
-            self.found.push(Region {
-                outer: start..end,
-                inner: body.min(close)..close,
-                display: true,
-                closed: close < end,
-            });
-        }
-        self.at = end.max(start + run);
     }
 
     fn delimited(&mut self, open: &str, close: &str, display: bool) {
@@ -204,14 +208,17 @@ impl Scan<'_> {
         let end = inner + length;
         let text = &self.bytes[inner..end];
         let spaced = text.last().is_some_and(u8::is_ascii_whitespace);
-        let money = self.bytes.get(end + 1).is_some_and(u8::is_ascii_digit) && spaced;
-        if money {
+        let follows = self.bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
+        if (follows && spaced) || is_money(text) {
             self.at += 1;
             return;
         }
+        // In one dialect backticks stand inside the dollars.
+        let ticked = length > 2 && text.starts_with(b"`") && text.ends_with(b"`");
+        let inside = inner + usize::from(ticked)..end - usize::from(ticked);
         self.found.push(Region {
             outer: start..end + 1,
-            inner: inner..end,
+            inner: inside,
             display: false,
             closed: true,
         });
@@ -263,6 +270,29 @@ impl Scan<'_> {
             }
         }
     }
+}
+
+/// A price and what stands behind it, up to the next dollar.
+fn is_money(text: &[u8]) -> bool {
+    let plain = !text.iter().any(|b| matches!(b, b'=' | b'\\' | b'^' | b'_'));
+    let word = text
+        .split(|b| !b.is_ascii_alphabetic())
+        .any(|run| run.len() > 2);
+    let spaced = text.last().is_some_and(u8::is_ascii_whitespace);
+    text.first().is_some_and(u8::is_ascii_digit) && plain && (word || spaced)
+}
+
+/// The offset of a command that no letter follows.
+fn find_command(bytes: &[u8], command: &[u8]) -> Option<usize> {
+    let mut from = 0;
+    while let Some(i) = find(&bytes[from..], command) {
+        let end = from + i + command.len();
+        if !bytes.get(end).is_some_and(u8::is_ascii_alphabetic) {
+            return Some(from + i);
+        }
+        from = end;
+    }
+    None
 }
 
 /// The offset of a pattern.

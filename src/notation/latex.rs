@@ -52,6 +52,9 @@ const SECTIONS: &[(&str, u8)] = &[
     ("title", 1),
 ];
 
+/// No heading is longer than this.
+const LONGEST_HEADING: usize = 1000;
+
 /// The items of a file.
 pub(crate) fn items(
     text: &str,
@@ -68,6 +71,7 @@ pub(crate) fn items(
         text,
         front,
         items: vec![],
+        done: 0,
     };
     reader.settings(&text[..start]);
     if let Some(i) = text[..start].find("\\title{") {
@@ -79,8 +83,13 @@ pub(crate) fn items(
     let mut at = start;
     for region in regions(&text[start..end], Dialect::Latex) {
         reader.words(at, start + region.outer.start);
-        at = start + region.outer.end;
-        let found = formula(&text[start..end], start, &region, &macros);
+        // A formula in a heading names its subject; it states nothing.
+        at = reader.done.max(start + region.outer.end);
+        if reader.done > start + region.outer.start {
+            continue;
+        }
+        let inner = &text[start..end][region.inner.clone()];
+        let found = formula(inner, start, &region, &macros);
         reader.items.extend(found);
     }
     reader.words(at, end);
@@ -96,6 +105,8 @@ struct Reader<'a> {
     text: &'a str,
     front: &'a mut FrontMatter,
     items: Vec<Item>,
+    /// Up to where the file is read.
+    done: usize,
 }
 
 impl Reader<'_> {
@@ -199,7 +210,12 @@ impl Reader<'_> {
             used += 1;
         }
         if let Some((_, level)) = SECTIONS.iter().find(|(section, _)| *section == name) {
-            return used + self.heading(&rest[used..], *level, at);
+            let length = self.heading(at + used, *level, at);
+            self.done = at + used + length;
+            return used + length;
+        }
+        if name == "footnote" {
+            self.prose(" ", at, at + used);
         }
         if matches!(name, "item" | "par") {
             self.items.push(Item::Break);
@@ -213,7 +229,11 @@ impl Reader<'_> {
         used
     }
 
-    fn heading(&mut self, rest: &str, level: u8, at: usize) -> usize {
+    fn heading(&mut self, from: usize, level: u8, at: usize) -> usize {
+        // Formulas may stand in it, so it ends where the file says and not at the next of them.
+        let rest = self.text[from..]
+            .get(..LONGEST_HEADING)
+            .unwrap_or(&self.text[from..]);
         let Some(inner) = rest.strip_prefix('{') else {
             return 0;
         };

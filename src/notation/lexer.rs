@@ -1,6 +1,7 @@
 //! From the characters of a formula to tokens.
 
 mod command;
+mod word;
 
 use crate::notation::token::{Letters, Lexeme, Token};
 use crate::notation::unicode;
@@ -14,6 +15,8 @@ pub(crate) fn tokens(text: &str, offset: usize, letters: Letters) -> Vec<Token<'
         at: 0,
         letters,
         spaced: false,
+        brackets: vec![],
+        integral: false,
         out: Vec::with_capacity(text.len() / 2),
     };
     while lexer.step() {}
@@ -26,6 +29,10 @@ struct Lexer<'a> {
     at: usize,
     letters: Letters,
     spaced: bool,
+    /// For each open parenthesis of plain text, whether it stands for braces.
+    brackets: Vec<bool>,
+    /// Whether an integral was met, under which x is a coordinate.
+    integral: bool,
     out: Vec<Token<'a>>,
 }
 
@@ -36,6 +43,7 @@ impl<'a> Lexer<'a> {
 
     fn push(&mut self, kind: Lexeme<'a>, start: usize) {
         let span = Span::new(self.offset + start, self.offset + self.at);
+        self.integral |= matches!(kind, Lexeme::Command("int" | "iint" | "iiint"));
         self.out.push(Token {
             kind,
             span,
@@ -56,14 +64,19 @@ impl<'a> Lexer<'a> {
             '%' => self.comment(start),
             '{' => self.push(Lexeme::Open, start),
             '}' => self.push(Lexeme::Close, start),
-            '^' => self.push(Lexeme::Superscript, start),
+            '^' => {
+                self.push(Lexeme::Superscript, start);
+                self.raised_bracket();
+            }
             '_' => self.subscript(start),
             '&' => self.push(Lexeme::Ampersand, start),
             // Inside a formula only a box has them: `\fbox{$a = b$}`.
             '$' => {}
-            '~' => self.push(Lexeme::Space(6), start),
+            '~' if self.letters == Letters::Single => self.push(Lexeme::Space(6), start),
             '0'..='9' | '.' if c != '.' || self.digit_follows() => self.number(start),
             'a'..='z' | 'A'..='Z' => self.letters(c, start),
+            '(' | ')' => self.bracket(c, start),
+            '!'..='~' if self.letters == Letters::Words && self.spelled_sign(start) => {}
             '!'..='~' => self.push(Lexeme::Char(c), start),
             _ => self.unicode(c, start),
         }
@@ -98,6 +111,7 @@ impl<'a> Lexer<'a> {
         }
         self.exponent();
         self.push(Lexeme::Number(&self.text[start..self.at]), start);
+        self.unit();
     }
 
     /// `\frac12`: a command takes one digit for an argument, as in TeX.
@@ -132,49 +146,6 @@ impl<'a> Lexer<'a> {
         if (1..=4).contains(&digits) {
             self.at += 1 + sign + digits;
         }
-    }
-
-    fn letters(&mut self, c: char, start: usize) {
-        if self.letters == Letters::Words {
-            let length = self.text[start..]
-                .bytes()
-                .take_while(u8::is_ascii_alphanumeric)
-                .count();
-            self.at = start + length;
-            if self.word(start) {
-                return;
-            }
-            self.at = start + 1;
-        }
-        self.letter(Lexeme::Letter(c), start);
-    }
-
-    /// A word of plain text whose meaning is known; its tokens are those of the same thing in LaTeX.
-    fn word(&mut self, start: usize) -> bool {
-        let word = &self.text[start..self.at];
-        let Some(spelling) = unicode::word(word) else {
-            return false;
-        };
-        if spelling.dots > 0 {
-            self.push(
-                Lexeme::Command(if spelling.dots == 1 { "dot" } else { "ddot" }),
-                start,
-            );
-            self.push(Lexeme::Open, start);
-        }
-        self.push(spelling.base, start);
-        if !spelling.subscript.is_empty() {
-            self.push(Lexeme::Subscript, start);
-            self.push(Lexeme::Open, start);
-            for c in spelling.subscript.chars() {
-                self.push(Lexeme::Letter(c), start);
-            }
-            self.push(Lexeme::Close, start);
-        }
-        if spelling.dots > 0 {
-            self.push(Lexeme::Close, start);
-        }
-        true
     }
 
     /// A letter with the combining marks that follow it, as accents around it.

@@ -35,6 +35,7 @@ impl Macros {
                 }
                 "DeclareMathOperator" => operator(rest),
                 "def" | "gdef" => def(rest),
+                "let" => alias(rest),
                 _ => None,
             };
             if let Some((name, found)) = defined {
@@ -207,6 +208,22 @@ fn operator(text: &str) -> Option<(String, Macro)> {
             arguments: 0,
             default: None,
             body: format!("\\operatorname{{{body}}}"),
+        },
+    ))
+}
+
+/// `\let\eps=\epsilon`.
+fn alias(text: &str) -> Option<(String, Macro)> {
+    let (name, rest) = name(text)?;
+    let rest = rest.trim_start().trim_start_matches('=').trim_start();
+    let (body, _) = argument(rest).filter(|(body, _)| body.starts_with('\\'))?;
+    let body = body.to_owned();
+    Some((
+        name,
+        Macro {
+            arguments: 0,
+            default: None,
+            body,
         },
     ))
 }

@@ -1,11 +1,12 @@
 //! Markdown with mathematics.
 
 use crate::notation::delimiters::{Dialect, Region, regions};
-use crate::notation::document::Item;
+use crate::notation::document::{Item, Row};
 use crate::notation::formula;
 use crate::notation::macros::Macros;
 use crate::source::Span;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use std::borrow::Cow;
 use std::ops::Range;
 
 /// Reads Markdown whose first byte stands at `offset` of the source.
@@ -44,6 +45,24 @@ fn masked(text: &str, regions: &[Region]) -> String {
     }
     out.push_str(&text[at..]);
     out
+}
+
+/// The inside of a formula; the marks of a quotation at the start of its lines give way to spaces.
+fn unquoted<'a>(text: &'a str, region: &Region) -> Cow<'a, str> {
+    let inner = text.get(region.inner.clone()).unwrap_or("");
+    let line = text[..region.outer.start].rfind('\n').map_or(0, |i| i + 1);
+    let mark = |c: char| matches!(c, '>' | ' ' | '\t');
+    if !text[line..].trim_start().starts_with('>') || !inner.contains('\n') {
+        return Cow::Borrowed(inner);
+    }
+    let mut lines = inner.split_inclusive('\n');
+    let mut out = lines.next().unwrap_or("").to_owned();
+    for line in lines {
+        let rest = line.trim_start_matches(mark);
+        out.extend(std::iter::repeat_n(' ', line.len() - rest.len()));
+        out.push_str(rest);
+    }
+    Cow::Owned(out)
 }
 
 struct Reader<'a> {
@@ -140,7 +159,34 @@ impl Reader<'_> {
         }
     }
 
+    /// `{#eq-euler}` and `(eq:euler)` behind a display name it.
+    fn label<'w>(&mut self, words: &'w str) -> &'w str {
+        let text = words.trim_start();
+        let found = [("{#", '}'), ("(eq:", ')')]
+            .iter()
+            .find(|(open, _)| text.starts_with(open));
+        let line = match self.items.last_mut() {
+            Some(Item::Formula(formula)) if formula.display => formula.rows.last_mut(),
+            _ => None,
+        };
+        let (Some((open, close)), Some(Row::Line(line))) = (found, line) else {
+            return words;
+        };
+        let Some(end) = text.find(*close) else {
+            return words;
+        };
+        let name = text[open.len()..end].split_whitespace().next();
+        let prefix = if *close == ')' { "eq:" } else { "" };
+        line.labels
+            .extend(name.map(|name| format!("{prefix}{name}")));
+        &text[end + 1..]
+    }
+
     fn prose(&mut self, words: &str, range: &Range<usize>) {
+        let words = self.label(words);
+        if words.is_empty() {
+            return;
+        }
         if let Some((_, heading, _)) = &mut self.heading {
             heading.push_str(words);
             return;
@@ -158,7 +204,8 @@ impl Reader<'_> {
     }
 
     fn formula(&mut self, region: Region) {
-        let found = formula(self.text, self.offset, &region, self.macros);
+        let inner = unquoted(self.text, &region);
+        let found = formula(&inner, self.offset, &region, self.macros);
         // A formula in a heading names its subject; it states nothing.
         if self.heading.is_none() {
             self.items.extend(found);

@@ -24,6 +24,8 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 
+pub(crate) use text::is_unit;
+
 /// Groups inside groups beyond this are refused: nobody writes them, and each costs a stack frame.
 const DEEPEST: u32 = 48;
 

@@ -1,37 +1,25 @@
 //! Plain text: formulas on lines of their own or inside sentences, in Unicode or ASCII.
 
+mod look;
+
 use crate::notation::document::{Item, Row};
 use crate::notation::items;
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
-use crate::notation::token::Letters;
-use crate::notation::unicode;
+use crate::notation::token::{Letters, Lexeme, Token};
 use crate::source::Span;
+use look::{is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
 pub(crate) fn read(text: &str, offset: usize) -> Vec<Item> {
     let mut reader = Reader {
+        text,
         offset,
         items: vec![],
     };
     let mut at = 0;
-    let mut lines = text.split_inclusive('\n').peekable();
-    while let Some(line) = lines.next() {
-        let level = lines.peek().and_then(|next| underline(next));
-        match level {
-            Some(level) if !line.trim().is_empty() => {
-                let span = reader.span(at, line.trim_end().len());
-                reader.items.push(Item::Heading {
-                    level,
-                    text: line.trim().to_owned(),
-                    span,
-                });
-                at += line.len() + lines.next().map_or(0, str::len);
-                continue;
-            }
-            _ => reader.line(line, at),
-        }
-        at += line.len();
+    while at < text.len() {
+        at = reader.line(at);
     }
     reader.items
 }
@@ -48,38 +36,89 @@ fn underline(line: &str) -> Option<u8> {
     }
 }
 
-struct Reader {
+fn line_end(text: &str, at: usize) -> usize {
+    text[at..].find('\n').map_or(text.len(), |i| at + i + 1)
+}
+
+struct Reader<'a> {
+    text: &'a str,
     offset: usize,
     items: Vec<Item>,
 }
 
-impl Reader {
+impl<'a> Reader<'a> {
     fn span(&self, start: usize, length: usize) -> Span {
         Span::new(self.offset + start, self.offset + start + length)
     }
 
-    fn line(&mut self, line: &str, at: usize) {
-        let text = line.trim_end();
-        if text.trim().is_empty() {
+    /// Reads the line at an offset, with what goes on from it, and returns where the next begins.
+    fn line(&mut self, at: usize) -> usize {
+        let end = line_end(self.text, at);
+        let line = self.text[at..end].trim_end();
+        if line.trim().is_empty() {
             self.items.push(Item::Break);
-            return;
+            return end;
         }
-        if let Some(heading) = text.strip_prefix('#') {
-            let text = heading.trim_start_matches('#').trim().to_owned();
-            let level = u8::try_from(line.bytes().take_while(|b| *b == b'#').count())
-                .unwrap_or(6)
-                .min(6);
-            let span = self.span(at, line.trim_end().len());
+        if let Some(after) = self.heading(line, at, end) {
+            return after;
+        }
+        let body = line.trim_start();
+        let mut start = at + line.len() - body.len();
+        let marker = marker(body);
+        if marker > 0 && marker < body.len() {
+            self.items.push(Item::Break);
+            self.prose(&body[..marker], start);
+            start += marker;
+        }
+        let body = &self.text[start..at + line.len()];
+        if !is_formula(labelled(body).0) {
+            self.sentence(body, start);
+            self.prose(" ", start + body.len());
+            return end;
+        }
+        let last = self.continued(start, at + line.len(), end);
+        self.display(&self.text[start..last], start);
+        line_end(self.text, last.max(at))
+    }
+
+    fn heading(&mut self, line: &str, at: usize, end: usize) -> Option<usize> {
+        let span = self.span(at, line.len());
+        let next = line_end(self.text, end);
+        if let Some(level) = underline(&self.text[end..next]) {
+            let text = line.trim().to_owned();
             self.items.push(Item::Heading { level, text, span });
-            return;
+            return Some(next);
         }
-        let lead = text.len() - text.trim_start().len();
-        if is_formula(text) {
-            self.formula(text.trim_start(), at + lead, true);
-            return;
+        let text = line.trim_start_matches('#');
+        let level = line.len() - text.len();
+        if level == 0 || !text.starts_with(' ') {
+            return None;
         }
-        self.sentence(text, at);
-        self.prose(" ", at + text.len());
+        let level = u8::try_from(level).unwrap_or(6).min(6);
+        let text = text.trim().to_owned();
+        self.items.push(Item::Heading { level, text, span });
+        Some(end)
+    }
+
+    /// Where a formula that ends at `last` really ends: a line that ends with a sign goes on, and so does one before a
+    /// line that begins with a sign and holds no relation.
+    fn continued(&self, start: usize, mut last: usize, mut next: usize) -> usize {
+        let signs = ['+', '-', '−', '*', '·', '×', '/'];
+        while next < self.text.len() && labelled(&self.text[start..last]).1.is_none() {
+            let end = line_end(self.text, next);
+            let line = self.text[next..end].trim_end();
+            let body = labelled(line.trim()).0;
+            let open = self.text[start..last].ends_with(signs)
+                || self.text[start..last].ends_with(['=', '(', ',']);
+            let goes_on = body.starts_with(signs) && !body.contains(['=', '<', '>', '≈']);
+            let joins = open && !is_formula(body) || goes_on;
+            if body.is_empty() || !joins || !is_mathematical(body) {
+                break;
+            }
+            last = next + line.len();
+            next = end;
+        }
+        last
     }
 
     fn prose(&mut self, words: &str, at: usize) {
@@ -99,18 +138,18 @@ impl Reader {
         }
     }
 
-    fn formula(&mut self, text: &str, at: usize, display: bool) {
-        let reading = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
+    /// A formula on a line of its own.
+    fn display(&mut self, text: &'a str, at: usize) {
+        let (body, label) = labelled(text);
+        let mut tokens = tokens(body, self.offset + at, Letters::Words);
+        tokens.extend(label.map(|label| Token {
+            kind: Lexeme::Tag(label),
+            span: self.span(at + body.len(), text.len() - body.len()),
+            spaced: true,
+        }));
         let span = self.span(at, text.len());
-        if !display
-            && reading
-                .rows
-                .iter()
-                .any(|row| matches!(row, Row::Unreadable { .. }))
-        {
-            return self.prose(text, at);
-        }
-        self.items.extend(items(reading, display, span));
+        self.items
+            .extend(items(parse::rows::rows(&tokens), true, span));
     }
 
     /// A sentence: the runs of mathematical words in it are formulas.
@@ -118,109 +157,19 @@ impl Reader {
         let mut from = 0;
         for (start, end) in runs(text) {
             self.prose(&text[from..start], at + from);
-            self.formula(&text[start..end], at + start, false);
+            self.inline(&text[start..end], at + start);
             from = end;
         }
         self.prose(&text[from..], at + from);
     }
-}
 
-/// How much a word looks like mathematics.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd)]
-enum Look {
-    Words,
-    /// Could be either: a bracket, a number, a lone letter.
-    Weak,
-    Strong,
-}
-
-/// Short words of English that are no letters of a formula.
-const SHORT: &[&str] = &[
-    "a", "an", "as", "at", "be", "by", "do", "if", "in", "is", "it", "no", "of", "on", "or", "so",
-    "to", "up", "us", "we", "he", "my", "go",
-];
-
-fn look(word: &str) -> Look {
-    let core = word.trim_matches(['.', ',', ';', ':']);
-    let strong = core.chars().any(|c| {
-        matches!(
-            c,
-            '=' | '^' | '_' | '²' | '³' | '½' | '×' | '·' | '−' | '√' | '∂' | '∫'
-        ) || ('Α'..='ω').contains(&c)
-            || ('₀'..='₉').contains(&c)
-            || ('\u{300}'..='\u{36f}').contains(&c)
-            || !unicode::decomposed(c).1.is_empty()
-    });
-    let known = |word: &str| unicode::word(word).is_some();
-    if strong || known(core) || is_rate(core) {
-        return Look::Strong;
-    }
-    let runs = || {
-        core.split(|c: char| !c.is_alphabetic())
-            .filter(|run| !run.is_empty())
-    };
-    let english = |run: &str| SHORT.contains(&run) || run.chars().count() > 2;
-    let sentence_letter = matches!(core, "A" | "I") && word != core;
-    if core.is_empty() || sentence_letter || runs().any(|run| english(run) && !known(run)) {
-        return Look::Words;
-    }
-    Look::Weak
-}
-
-/// `dT/dt`.
-fn is_rate(word: &str) -> bool {
-    let mut parts = word.splitn(2, '/');
-    let differential =
-        |part: Option<&str>| part.is_some_and(|p| p.starts_with('d') && p.chars().count() <= 4);
-    differential(parts.next()) && differential(parts.next())
-}
-
-/// A line that is a formula as a whole: a relation, and no words.
-fn is_formula(text: &str) -> bool {
-    let related = text.contains(['=', '≈', '≠', '≡', '<', '>']);
-    let label = text
-        .rfind("  (")
-        .filter(|&i| text.ends_with(')') && i > 0)
-        .unwrap_or(text.len());
-    related
-        && text[..label]
-            .split_whitespace()
-            .all(|word| look(word) != Look::Words || matches!(word, "A" | "I" | "a" | "A," | "I,"))
-}
-
-/// The runs of words that hold something strongly mathematical, as ranges of bytes.
-fn runs(text: &str) -> Vec<(usize, usize)> {
-    let mut out = vec![];
-    let mut run: Option<(usize, usize, bool)> = None;
-    let mut at = 0;
-    for piece in text.split_inclusive(char::is_whitespace) {
-        let word = piece.trim_end();
-        let look = look(word);
-        let lone_letter = word.len() == 1 && matches!(word, "A" | "I" | "a");
-        let after_operator = run.is_some_and(|(start, end, _)| {
-            text[start..end].ends_with(['=', '+', '-', '−', '/', '*', '(', '×', '·'])
-        });
-        let belongs = look != Look::Words
-            || (after_operator && word.trim_end_matches(['.', ',']).len() == 1)
-            || (lone_letter && run.is_some());
-        if belongs && !word.is_empty() {
-            let stop = word.ends_with(['.', ',', ';', ':']);
-            let end = at + word.trim_end_matches(['.', ',', ';', ':']).len();
-            let strong = look == Look::Strong;
-            run = Some(run.map_or((at, end, strong), |(start, _, before)| {
-                (start, end, before || strong)
-            }));
-            if stop {
-                out.extend(run.take());
-            }
-        } else if !word.is_empty() {
-            out.extend(run.take());
+    fn inline(&mut self, text: &str, at: usize) {
+        let reading = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
+        let broken = |row: &Row| matches!(row, Row::Unreadable { .. });
+        if reading.rows.iter().any(broken) {
+            return self.prose(text, at);
         }
-        at += piece.len();
+        let span = self.span(at, text.len());
+        self.items.extend(items(reading, false, span));
     }
-    out.extend(run);
-    out.into_iter()
-        .filter(|(start, end, strong)| *strong && end > start)
-        .map(|(start, end, _)| (start, end))
-        .collect()
 }

@@ -211,24 +211,44 @@ pub(crate) struct Spelling<'a> {
     pub(crate) dots: u8,
 }
 
-const WORDS: &[&str] = &[
+const GREEK: &[&str] = &[
     "alpha", "beta", "gamma", "delta", "epsilon", "eta", "theta", "kappa", "lambda", "mu", "nu",
     "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma", "Delta",
-    "Theta", "Lambda", "Sigma", "Phi", "Psi", "ell", "sin", "cos", "tan", "cot", "exp", "ln",
-    "sqrt", "det", "arctan", "arcsin", "arccos", "sinh", "cosh", "tanh", "cross", "dot",
+    "Theta", "Lambda", "Sigma", "Phi", "Psi", "ell",
+];
+
+/// Whether a word is the name of a Greek letter.
+pub(crate) fn is_greek(word: &str) -> bool {
+    GREEK.contains(&word)
+}
+
+const WORDS: &[&str] = &[
+    "sin", "cos", "tan", "cot", "exp", "ln", "log", "sqrt", "det", "arctan", "arcsin", "arccos",
+    "sinh", "cosh", "tanh", "cross", "skew", "sum",
 ];
 
 /// What a word of plain text stands for, where it is known: Greek names, functions, components that run
 /// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
 pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
     let (stem, dots) = undotted(word);
-    if let Some(name) = WORDS.iter().find(|w| **w == stem && stem != "dot") {
+    if let Some(name) = WORDS.iter().chain(GREEK).find(|w| **w == stem) {
         let base = match *name {
             "cross" => Lexeme::Command("times"),
             name => Lexeme::Command(name),
         };
         return Some(Spelling {
             base,
+            subscript: "",
+            dots,
+        });
+    }
+    let mut letters = stem.chars();
+    if let (Some(c), None, true) = (letters.next(), letters.next(), dots > 0)
+        && c != 'w'
+        && c.is_ascii_alphabetic()
+    {
+        return Some(Spelling {
+            base: Lexeme::Letter(c),
             subscript: "",
             dots,
         });

@@ -132,9 +132,18 @@ impl<'a> Lexer<'a> {
             "rvert" => self.push(Lexeme::RightBar, start),
             "vert" | "mid" => self.push(Lexeme::Char('|'), start),
             "|" | "Vert" | "lVert" | "rVert" => self.push(Lexeme::Char('‖'), start),
-            "#" | "$" | "%" | "&" | "_" => {
+            // Exported Markdown escapes what it need not.
+            "_" => self.push(Lexeme::Subscript, start),
+            "#" | "$" | "%" | "&" | "*" => {
                 self.push(Lexeme::Char(name.chars().next().unwrap_or(' ')), start)
             }
+            "newcommand"
+            | "renewcommand"
+            | "providecommand"
+            | "DeclareMathOperator"
+            | "def"
+            | "gdef"
+            | "let" => self.definition(name),
             "left" | "right" => self.delimiter(name == "left", start),
             "begin" | "end" => self.environment(name == "begin", start),
             "tag" | "label" => self.tag(name == "tag", start),
@@ -158,6 +167,33 @@ impl<'a> Lexer<'a> {
         if self.rest().starts_with('*') {
             self.at += 1;
         }
+    }
+
+    /// A definition states nothing; what it defines is known already.
+    fn definition(&mut self, name: &str) {
+        self.starred();
+        let rest = self.rest();
+        let brace = rest.find('{').unwrap_or(rest.len());
+        if name == "let" {
+            let names = rest.trim_start_matches(['\\', ' ', '=']);
+            self.at += rest.len() - names.len();
+            let letters = |c: char| c.is_ascii_alphabetic() || matches!(c, '\\' | '=');
+            self.at += names.len() - names.trim_start_matches(letters).len();
+            return;
+        }
+        let named = rest[..brace].contains('\\');
+        if named {
+            self.at += brace;
+        } else {
+            let _ = self.braced();
+        }
+        let rest = self.rest();
+        let brace = rest.find('{').unwrap_or(rest.len());
+        let options = rest[..brace].trim();
+        if options.is_empty() || options.starts_with('[') {
+            self.at += brace;
+        }
+        let _ = self.braced();
     }
 
     fn hspace(&mut self, start: usize) {

@@ -1,8 +1,9 @@
 //! One factor: whatever stands between two signs of operation.
 
 use super::{DEEPEST, Parser, letter};
-use crate::notation::ast::{Kind, Node, Style, Symbol};
+use crate::notation::ast::{Bracket, Factor, Kind, Node, Operator, Style, Symbol};
 use crate::notation::token::Lexeme;
+use crate::source::Span;
 
 /// Commands that are relations, arrows or separators: no factor begins with them.
 pub(crate) const RELATIONS: &[&str] = &[
@@ -180,6 +181,7 @@ impl<'a> Parser<'_, 'a> {
             "det" | "tr" | "exp" | "ln" | "log" | "max" | "min" => self.function(name, start),
             "underbrace" | "overbrace" => self.braced_remark(),
             "stackrel" | "overset" => self.stacked(start),
+            "crossof" | "dotof" => self.product_of(name == "crossof", start),
             "imath" => self.symbol("i".into(), start),
             "jmath" => self.symbol("j".into(), start),
             "unit" | "si" => {
@@ -193,6 +195,40 @@ impl<'a> Parser<'_, 'a> {
                 None => self.unknown(name, start),
             },
         }
+    }
+
+    /// `cross(a, b)` and `dot(a, b)` of plain text.
+    fn product_of(&mut self, cross: bool, start: usize) -> Node {
+        let operands = self.bracket_inside().map(|(from, to)| {
+            self.at = to + 1;
+            super::split_outside(&self.tokens[from..to], |t| t.kind == Lexeme::Char(','))
+        });
+        let Some([left, right]) = operands.as_deref() else {
+            return self.error("a product of two things in brackets belongs here");
+        };
+        let operator = if cross {
+            Operator::Cross
+        } else {
+            Operator::Dot
+        };
+        let empty = |node: &Node| Span {
+            start: node.span.start,
+            end: node.span.start,
+        };
+        let operands = [(Operator::Juxtaposed, *left), (operator, *right)];
+        let factors = operands.map(|(operator, tokens)| {
+            let inner = self.inside(tokens).whole();
+            let span = inner.span;
+            let kind = Kind::Group(Bracket::Round, Box::new(inner));
+            let node = Node { kind, span };
+            Factor {
+                operator,
+                sign: empty(&node),
+                node,
+            }
+        });
+        let product = self.node(Kind::Product(factors.into()), start);
+        self.grouped(Bracket::Round, product, start)
     }
 
     /// What follows an unknown command is read on, and the error stands at the command.
@@ -267,7 +303,7 @@ impl<'a> Parser<'_, 'a> {
 }
 
 /// A call of the innermost symbol: `\dot\theta(t)` is the rate of θ(t).
-fn called(head: Node, arguments: Vec<Node>, span: crate::source::Span) -> Node {
+fn called(head: Node, arguments: Vec<Node>, span: Span) -> Node {
     let kind = match head.kind {
         Kind::TimeDerivative {
             operand,

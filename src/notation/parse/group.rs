@@ -114,7 +114,7 @@ impl<'t, 'a> Scan<'t, 'a> {
         );
         let idle = match last {
             None => !script,
-            Some(last) => group.idle || is_sign(last.kind),
+            Some(last) => group.idle || is_sign(last.kind) || is_function(inside),
         };
         if idle && !group.argument {
             self.dropped[group.open] = true;
@@ -135,6 +135,22 @@ impl<'t, 'a> Scan<'t, 'a> {
         {
             group.idle = true;
         }
+    }
+}
+
+/// `{\operatorname{skew}}` is what a macro of that name leaves.
+fn is_function(tokens: &[Token<'_>]) -> bool {
+    match tokens {
+        [one] => {
+            matches!(one.kind, Lexeme::Command(name) if super::function::named(name).is_some())
+        }
+        [first, second, .., last] if tokens.len() < 24 => {
+            first.kind == Lexeme::Command("operatorname")
+                && second.kind == Lexeme::Open
+                && last.kind == Lexeme::Close
+                && super::closing(tokens, 1) + 1 == tokens.len()
+        }
+        _ => false,
     }
 }
 

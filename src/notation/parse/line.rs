@@ -25,30 +25,30 @@ pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     let mut before: Option<Lexeme<'_>> = None;
     // A unit stands behind a number, a bracket or another unit.
     let mut measured = false;
+    let named = named_side(tokens);
     tokens.retain(|token| {
         depth += nesting(token);
         let behind_value = measured;
-        measured = match token.kind {
-            Lexeme::Number(_) | Lexeme::Char(')' | ']' | '/') => true,
-            Lexeme::Text(_) => measured,
-            Lexeme::Space(_) | Lexeme::Command("cdot") | Lexeme::Superscript => measured,
-            _ => false,
-        };
+        measured = measures(token.kind, measured);
         match token.kind {
             Lexeme::Tag(text) => shown.push(super::text::tag(text)),
             Lexeme::Label(text) => marks.labels.push(text.to_owned()),
-            Lexeme::Text(text) if is_constant(text) || (behind_value && is_unit(text)) => {
-                before = Some(token.kind);
-                return true;
-            }
-            Lexeme::Text(text) if depth == 0 && !is_operand(text, before) => match words(text) {
-                Words::Label(label) => shown.push(label),
-                Words::Remark(remark) if remark.is_empty() => {}
-                Words::Remark(remark) if before.is_none() => {
-                    marks.words.push((remark, token.span));
+            Lexeme::Text(text)
+                if depth == 0
+                    && named != Some(token.span)
+                    && !is_constant(text)
+                    && !(behind_value && is_unit(text))
+                    && !is_operand(text, before) =>
+            {
+                match words(text) {
+                    Words::Label(label) => shown.push(label),
+                    Words::Remark(remark) if remark.is_empty() => {}
+                    Words::Remark(remark) if before.is_none() => {
+                        marks.words.push((remark, token.span));
+                    }
+                    Words::Remark(remark) => marks.remarks.push(remark),
                 }
-                Words::Remark(remark) => marks.remarks.push(remark),
-            },
+            }
             Lexeme::Space(_) | Lexeme::Ampersand => return true,
             kind => {
                 before = Some(kind);
@@ -61,6 +61,30 @@ pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     shown.append(&mut marks.labels);
     marks.labels = shown;
     marks
+}
+
+/// Whether a unit may stand behind a token, given whether one might before it.
+fn measures(kind: Lexeme<'_>, measured: bool) -> bool {
+    match kind {
+        Lexeme::Number(_) | Lexeme::Char(')' | ']' | '/') => true,
+        Lexeme::Text(_) | Lexeme::Space(_) | Lexeme::Command("cdot") | Lexeme::Superscript => {
+            measured
+        }
+        _ => false,
+    }
+}
+
+/// The text that is the whole left side of a row: `\text{Torque} = I\alpha`.
+fn named_side(tokens: &[Token<'_>]) -> Option<Span> {
+    let [first, rest @ ..] = trimmed(tokens) else {
+        return None;
+    };
+    let next = rest.iter().find(|t| !is_blank(t))?;
+    let related = relation(std::slice::from_ref(next)).is_some();
+    match first.kind {
+        Lexeme::Text(text) if related && !super::text::joins(text) => Some(first.span),
+        _ => None,
+    }
 }
 
 /// Whether a text is a part of the expression: a name such as `\text{Iyy}`, a unit, or whatever stands where only an
@@ -243,11 +267,15 @@ fn side(tokens: &[Token<'_>], end: Span) -> Node {
     Parser::new(trimmed(tokens), end).whole()
 }
 
+fn is_blank(token: &Token<'_>) -> bool {
+    matches!(token.kind, Lexeme::Space(_) | Lexeme::Ampersand)
+}
+
 /// Without spaces, alignment marks and the punctuation of the sentence at the ends.
 pub(super) fn trimmed<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
-    let blank = |t: &&Token<'_>| matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand);
+    let blank = |t: &&Token<'_>| is_blank(t);
     let closing =
-        |t: &&Token<'_>| blank(t) || matches!(t.kind, Lexeme::Char('.' | ',' | ';' | ':'));
+        |t: &&Token<'_>| is_blank(t) || matches!(t.kind, Lexeme::Char('.' | ',' | ';' | ':'));
     let from = tokens.iter().take_while(blank).count();
     let to = tokens[from..].iter().rev().take_while(closing).count();
     &tokens[from..tokens.len() - to]

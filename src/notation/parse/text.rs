@@ -164,7 +164,7 @@ pub(super) fn is_constant(text: &str) -> bool {
 }
 
 /// Whether a text is a unit of measurement: `kg m^2`, `rad/s`.
-pub(super) fn is_unit(text: &str) -> bool {
+pub(crate) fn is_unit(text: &str) -> bool {
     let mut pieces = text
         .split(|c: char| !c.is_ascii_alphabetic())
         .filter(|p| !p.is_empty())

@@ -1,0 +1,236 @@
+//! The words of plain text: `wxdot`, `I_xx`, `omega_x_dot`, `torque`, and the signs that ASCII spells out.
+
+use super::Lexer;
+use crate::notation::parse::is_unit;
+use crate::notation::token::{Letters, Lexeme};
+use crate::notation::unicode;
+
+/// Functions that may run into their argument: `sinx`.
+const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "sqrt"];
+
+impl<'a> Lexer<'a> {
+    /// Letters that touch: in LaTeX a symbol each, in plain text a word where its meaning is known.
+    pub(super) fn letters(&mut self, c: char, start: usize) {
+        if self.letters == Letters::Words {
+            let word = run(&self.text[start..], |b| b.is_ascii_alphanumeric());
+            let name = run(&self.text[start..], |b| {
+                b.is_ascii_alphanumeric() || b == b'_'
+            });
+            if self.crosses(word, start) || self.dotted_name(name, start) || self.word(word, start)
+            {
+                return;
+            }
+            self.at = start + 1;
+        }
+        self.letter(Lexeme::Letter(c), start);
+    }
+
+    /// A word whose meaning is known; its tokens are those of the same thing in LaTeX.
+    fn word(&mut self, word: &'a str, start: usize) -> bool {
+        self.at = start + word.len();
+        if matches!(word, "cross" | "dot") && self.rest().starts_with('(') {
+            let name = if word == "cross" { "crossof" } else { "dotof" };
+            self.push(Lexeme::Command(name), start);
+            return true;
+        }
+        if word == "w" {
+            self.push(Lexeme::Command("omega"), start);
+            return true;
+        }
+        if let Some(spelling) = unicode::word(word) {
+            self.spelled(&spelling, start);
+            return true;
+        }
+        // `sinx` and `Iomega` are two words each.
+        let function = FUNCTIONS.iter().find(|f| {
+            let rest = word.strip_prefix(**f).unwrap_or("");
+            rest.len() == 1 || unicode::is_greek(rest)
+        });
+        if let Some(function) = function {
+            self.at = start + function.len();
+            self.push(Lexeme::Command(function), start);
+            return true;
+        }
+        if word.get(1..).is_some_and(unicode::is_greek) {
+            return false;
+        }
+        let vowel = word.contains(['a', 'e', 'i', 'o', 'u']);
+        let named = word.len() >= 4 && vowel && word.bytes().all(|b| b.is_ascii_alphabetic());
+        if named {
+            self.push(Lexeme::Text(word), start);
+        }
+        named
+    }
+
+    fn spelled(&mut self, spelling: &unicode::Spelling<'a>, start: usize) {
+        if spelling.dots > 0 {
+            let dot = if spelling.dots == 1 { "dot" } else { "ddot" };
+            self.push(Lexeme::Command(dot), start);
+            self.push(Lexeme::Open, start);
+        }
+        self.push(spelling.base, start);
+        if !spelling.subscript.is_empty() {
+            self.push(Lexeme::Subscript, start);
+            self.push(Lexeme::Open, start);
+            for c in spelling.subscript.chars() {
+                self.push(Lexeme::Letter(c), start);
+            }
+            self.push(Lexeme::Close, start);
+        }
+        if spelling.dots > 0 {
+            self.push(Lexeme::Close, start);
+        }
+    }
+
+    /// `w_x_dot`, `omega_dot_x`, `dot_L`: a name with the word dot in it.
+    fn dotted_name(&mut self, name: &'a str, start: usize) -> bool {
+        let dot = |part: &str| matches!(part, "dot" | "ddot");
+        let parts: Vec<&'a str> = name.split('_').filter(|part| !part.is_empty()).collect();
+        let Some(found) = parts.iter().position(|part| dot(part)) else {
+            return false;
+        };
+        let mut rest = parts.iter().filter(|part| !dot(part));
+        let Some(base) = rest.next() else {
+            return false;
+        };
+        let end = start + name.len();
+        self.at = end;
+        let command = if parts[found] == "dot" { "dot" } else { "ddot" };
+        self.push(Lexeme::Command(command), start);
+        self.push(Lexeme::Open, start);
+        if !self.word(base, start) {
+            for c in base.chars() {
+                self.push(Lexeme::Letter(c), start);
+            }
+        }
+        for part in rest {
+            self.push(Lexeme::Subscript, start);
+            self.push(Lexeme::Open, start);
+            for c in part.chars() {
+                self.push(Lexeme::Letter(c), start);
+            }
+            self.push(Lexeme::Close, start);
+        }
+        self.at = end;
+        self.push(Lexeme::Close, start);
+        true
+    }
+
+    /// The x of `w x L`: alone between two operands. Under an integral, or beside another coordinate, it is one.
+    fn crosses(&mut self, word: &str, start: usize) -> bool {
+        let behind = &self.text[start + word.len()..];
+        if word != "x" || !self.spaced || !behind.starts_with([' ', '\t']) {
+            return false;
+        }
+        let next = behind.trim_start();
+        let operand = next.starts_with(|c: char| c.is_alphanumeric() || matches!(c, '(' | '['));
+        let following = run(next, |b| b.is_ascii_alphanumeric());
+        let coordinate = matches!(following, "x" | "y" | "z" | "dm" | "dt" | "d");
+        let ended = matches!(
+            self.out.last().map(|t| t.kind),
+            Some(Lexeme::Letter(_) | Lexeme::Close | Lexeme::Text(_) | Lexeme::Char(')' | ']'))
+        ) || matches!(self.out.last().map(|t| t.kind), Some(Lexeme::Command(name)) if unicode::is_greek(name));
+        if !operand || coordinate || !ended || self.integral {
+            return false;
+        }
+        self.at = start + 1;
+        self.push(Lexeme::Command("times"), start);
+        true
+    }
+
+    /// Signs that plain text spells with two characters.
+    pub(super) fn spelled_sign(&mut self, start: usize) -> bool {
+        let rest = &self.text[start..];
+        let arrows = ["<=>", "==>", "=>", "-->", "->"];
+        let found = arrows.iter().find(|arrow| rest.starts_with(**arrow));
+        let (kind, length) = match found {
+            Some(arrow) if arrow.contains('-') => (Lexeme::Command("to"), arrow.len()),
+            Some(arrow) => (Lexeme::Command("Rightarrow"), arrow.len()),
+            None if rest.starts_with("**") => (Lexeme::Superscript, 2),
+            None if rest.starts_with("~=") => (Lexeme::Command("approx"), 2),
+            None if rest.starts_with("||") => (Lexeme::Char('‖'), 2),
+            None if rest.starts_with('@') => (Lexeme::Char('*'), 1),
+            None if self.dots_product(rest) => (Lexeme::Command("cdot"), 1),
+            None => return false,
+        };
+        self.at = start + length;
+        self.push(kind, start);
+        if kind == Lexeme::Superscript {
+            self.raised_bracket();
+        }
+        true
+    }
+
+    /// The point of `w.L`: between two letters and close to both.
+    fn dots_product(&self, rest: &str) -> bool {
+        let mut next = rest.chars();
+        let letters = self.out.last().is_some_and(|t| {
+            matches!(
+                t.kind,
+                Lexeme::Letter(_) | Lexeme::Command(_) | Lexeme::Close
+            )
+        });
+        next.next() == Some('.')
+            && !self.spaced
+            && letters
+            && next.next().is_some_and(char::is_alphabetic)
+    }
+
+    /// `^(2n)` raises what stands in the bracket.
+    pub(super) fn raised_bracket(&mut self) {
+        if self.letters == Letters::Words && self.rest().starts_with('(') {
+            let start = self.at;
+            self.at += 1;
+            self.push(Lexeme::Open, start);
+            self.brackets.push(true);
+        }
+    }
+
+    /// A bracket, which groups like braces where it was raised.
+    pub(super) fn bracket(&mut self, c: char, start: usize) {
+        let raised = match c {
+            '(' => {
+                self.brackets.push(false);
+                false
+            }
+            _ => self.brackets.pop().unwrap_or(false),
+        };
+        self.push(
+            if raised {
+                Lexeme::Close
+            } else {
+                Lexeme::Char(c)
+            },
+            start,
+        );
+    }
+
+    /// A unit of measurement behind a number: `kg m^2`, `rad/s`, as far as nothing but units follows.
+    pub(super) fn unit(&mut self) {
+        if self.letters == Letters::Single {
+            return;
+        }
+        let rest = self.rest();
+        let lead = rest.len() - rest.trim_start_matches(' ').len();
+        let inner = &rest[lead..];
+        let end = inner
+            .find(|c: char| {
+                !(c.is_alphanumeric() || matches!(c, ' ' | '/' | '^' | '-' | '*' | '·' | '²' | '³'))
+            })
+            .unwrap_or(inner.len());
+        let text = inner[..end].trim_end();
+        let sure = [
+            "kg", "rad", "Nm", "N m", "N*m", "N·m", "deg", "rpm", "Hz", "m/s",
+        ];
+        if sure.iter().any(|unit| text.starts_with(unit)) && is_unit(text) {
+            let start = self.at + lead;
+            self.at = start + text.len();
+            self.push(Lexeme::Text(&inner[..text.len()]), start);
+        }
+    }
+}
+
+/// The bytes at the start of a text that are of a kind.
+fn run(text: &str, kind: impl Fn(u8) -> bool) -> &str {
+    &text[..text.bytes().take_while(|b| kind(*b)).count()]
+}

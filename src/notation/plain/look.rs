@@ -1,0 +1,199 @@
+//! What in a plain text looks like mathematics.
+
+use crate::notation::parse::is_unit;
+use crate::notation::unicode;
+
+/// How much a word looks like mathematics.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd)]
+enum Look {
+    Words,
+    /// Could be either: a bracket, a number, a lone letter.
+    Weak,
+    Strong,
+}
+
+/// Short words of English that are no letters of a formula.
+const SHORT: &[&str] = &[
+    "a", "an", "as", "at", "be", "by", "do", "if", "in", "is", "it", "no", "of", "on", "or", "so",
+    "to", "up", "us", "we", "he", "my", "go", "am", "me", "eq", "vs",
+];
+
+const ARROWS: &[&str] = &["=>", "==>", "->", "-->", "<=>", "⇒", "⟹", "→", "⇔", "∴"];
+
+fn look(word: &str) -> Look {
+    let core = word.trim_matches(['.', ',', ';', ':']);
+    if ARROWS.contains(&core) {
+        return Look::Words;
+    }
+    let strong = core.chars().any(|c| {
+        matches!(
+            c,
+            '=' | '^' | '_' | '½' | '×' | '·' | '−' | '√' | '∂' | '∫' | '≈' | '≠' | '≡'
+        ) || ('Α'..='ω').contains(&c)
+            || ('\u{300}'..='\u{36f}').contains(&c)
+            || unicode::script(c).is_some()
+            || !unicode::decomposed(c).1.is_empty()
+    });
+    let known = |word: &str| unicode::word(word).is_some();
+    if strong || known(core) || is_rate(core) {
+        return Look::Strong;
+    }
+    if core.contains(['/', '^', '*']) && is_unit(core) {
+        return Look::Weak;
+    }
+    let sentence_letter = matches!(core, "A" | "I") && word != core;
+    let mut runs = core
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|run| !run.is_empty());
+    if core.is_empty() || sentence_letter || runs.any(|run| is_english(run) && !known(run)) {
+        return Look::Words;
+    }
+    Look::Weak
+}
+
+/// More than two letters, or one of the short words.
+fn is_english(run: &str) -> bool {
+    let letters = run.chars().filter(|c| c.is_alphabetic()).count();
+    letters > 2 || SHORT.contains(&run.to_ascii_lowercase().as_str()) && !matches!(run, "A")
+}
+
+/// `dT/dt`.
+fn is_rate(word: &str) -> bool {
+    let mut parts = word.splitn(2, '/');
+    let differential =
+        |part: Option<&str>| part.is_some_and(|p| p.starts_with('d') && p.chars().count() <= 4);
+    differential(parts.next()) && differential(parts.next())
+}
+
+fn is_relation(word: &str) -> bool {
+    matches!(word, "=" | "≈" | "≡" | ":=" | "≔" | "==" | "~=")
+}
+
+fn is_constant(word: &str) -> bool {
+    let word = word.trim_end_matches(['.', ',', ';']);
+    matches!(word, "const" | "constant")
+}
+
+/// The body of a line and the label behind it: `L = I w   (2)`.
+pub(super) fn labelled(text: &str) -> (&str, Option<&str>) {
+    let whole = (text, None);
+    let Some(inner) = text.strip_suffix(')') else {
+        return whole;
+    };
+    let Some(open) = inner.rfind('(') else {
+        return whole;
+    };
+    let before = &text[..open];
+    let body = before.trim_end_matches([' ', '\t', '.', '·', '…', '-', '—']);
+    let apart = before[body.len()..].chars().count() > 1 || before.ends_with('\t');
+    let label = inner[open + 1..].trim();
+    let short = label.len() <= 8 && label.starts_with(|c: char| c.is_ascii_alphanumeric());
+    let plain = label
+        .bytes()
+        .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'\'' | b'-'));
+    match apart && short && plain && !body.is_empty() {
+        true => (body, Some(label)),
+        false => whole,
+    }
+}
+
+/// The bytes of a list marker and the space behind it: `- `, `* `, `1. `, `(a) `.
+pub(super) fn marker(text: &str) -> usize {
+    let Some(space) = text.find(' ') else {
+        return 0;
+    };
+    let word = &text[..space];
+    let number = word.trim_start_matches('(').trim_end_matches(['.', ')']);
+    let counted = word.ends_with(['.', ')'])
+        && (1..=3).contains(&number.len())
+        && (number.bytes().all(|b| b.is_ascii_digit())
+            || (number.len() == 1 && word.ends_with(')'))
+            || number.bytes().all(|b| matches!(b, b'i' | b'v' | b'x')));
+    if counted || matches!(word, "-" | "*" | "•" | "–" | "+" | "o") {
+        text.len() - text[space..].trim_start().len()
+    } else {
+        0
+    }
+}
+
+/// Whether every word of a text may belong to a formula.
+pub(super) fn is_mathematical(text: &str) -> bool {
+    let letter = |word: &str| matches!(word.trim_end_matches(','), "A" | "I" | "a");
+    text.split_whitespace().all(|word| {
+        look(word) != Look::Words || letter(word) || is_constant(word) || ARROWS.contains(&word)
+    })
+}
+
+/// A line that is a formula as a whole: a relation, and no words but a name before it.
+pub(super) fn is_formula(text: &str) -> bool {
+    let related = text.contains(['=', '≈', '≠', '≡', '<', '>']);
+    let mut words = text.split_whitespace();
+    let named = words
+        .next()
+        .is_some_and(|w| w.chars().all(char::is_alphabetic))
+        && words.next().is_some_and(is_relation);
+    let body = match named {
+        true => text.trim_start().split_once(char::is_whitespace),
+        false => None,
+    };
+    related && is_mathematical(body.map_or(text, |(_, rest)| rest))
+}
+
+/// A run of mathematical words under construction.
+struct Run {
+    start: usize,
+    end: usize,
+    strong: bool,
+}
+
+/// The runs of words that hold something strongly mathematical, as ranges of bytes.
+pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
+    let mut out: Vec<Run> = vec![];
+    let mut run: Option<Run> = None;
+    let mut before = None;
+    let mut at = 0;
+    for piece in text.split_inclusive(char::is_whitespace) {
+        let word = piece.trim_end();
+        if !word.is_empty() {
+            let end = at + word.trim_end_matches(['.', ',', ';', ':']).len();
+            if belongs(word, run.as_ref().map(|run| &text[run.start..run.end])) {
+                let strong = look(word) == Look::Strong;
+                let mut next = run.take().unwrap_or(Run {
+                    start: at,
+                    end,
+                    strong: false,
+                });
+                // A name in words stands before its sign: "the energy = ½ I ω²".
+                if next.end == end && is_relation(word) {
+                    next.start = before.unwrap_or(at);
+                }
+                next.end = end.max(next.start);
+                next.strong |= strong;
+                if word.ends_with(['.', ',', ';', ':']) {
+                    out.push(next);
+                } else {
+                    run = Some(next);
+                }
+            } else {
+                out.extend(run.take());
+            }
+            before = word.chars().all(char::is_alphabetic).then_some(at);
+        }
+        at += piece.len();
+    }
+    out.extend(run);
+    out.into_iter()
+        .filter(|run| run.strong && run.end > run.start)
+        .map(|run| (run.start, run.end))
+        .collect()
+}
+
+/// Whether a word goes on with the run before it.
+fn belongs(word: &str, run: Option<&str>) -> bool {
+    let operators = ['=', '+', '-', '−', '/', '*', '(', '×', '·'];
+    let open = run.is_some_and(|run| run.ends_with(operators));
+    let letter = word.trim_end_matches(['.', ',']).len() == 1;
+    look(word) != Look::Words
+        || (open && (letter || is_constant(word)))
+        || (run.is_some() && matches!(word, "A" | "I" | "a"))
+}

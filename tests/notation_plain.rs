@@ -1,0 +1,177 @@
+//! Plain text, in ASCII and in Unicode: the formulas in it, and what they are.
+
+#[path = "notation/outline.rs"]
+mod outline;
+
+use outline::{document, plain};
+use polhode::notation::document::{Format, Item};
+use polhode::notation::read;
+
+fn each_reads(cases: &[(&str, &str)]) {
+    for (source, expected) in cases {
+        assert_eq!(&plain(source), expected, "{source}");
+    }
+}
+
+/// The formulas of a text and where each begins.
+fn places(text: &str) -> Vec<(usize, String)> {
+    let (document, _) = read("notes.txt", text, Format::Text);
+    let formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => {
+            let (line, _) = document.source.line_column(formula.span.start);
+            Some((line, outline::rows(&formula.rows)))
+        }
+        _ => None,
+    });
+    formulas.collect()
+}
+
+#[test]
+fn names_of_programs_are_symbols_with_indices_and_dots() {
+    each_reads(&[
+        (
+            "M_x = I_xx*wdot_x - (I_yy - I_zz)*w_y*w_z",
+            "M_x = (+ (* I_xx (dot omega_x)) (- (* (group (+ I_yy (- I_zz))) omega_y omega_z)))",
+        ),
+        (
+            "Mz = Izz wzdot - (Ixx - Iyy) wx wy",
+            "M_z = (+ (* I_zz (dot omega_z)) (- (* (group (+ I_xx (- I_yy))) omega_x omega_y)))",
+        ),
+        (
+            "hxdot = Ixx*pdot - Ixz*rdot",
+            "(dot h_x) = (+ (* I_xx (dot p)) (- (* I_xz (dot r))))",
+        ),
+        ("I1*w1dot = 0", "(* I_1 (dot omega_1)) = 0"),
+        ("w_x_dot = 0", "(dot omega_x) = 0"),
+        ("wx_dot = 0", "(dot omega_x) = 0"),
+        ("omega_dot_x = 0", "(dot omega_x) = 0"),
+        ("omega_x_ddot = 0", "(ddot omega_x) = 0"),
+        ("thetaddot = 0", "(ddot theta) = 0"),
+        ("L_G = I_G omega", "L_G = (* I_G omega)"),
+        ("pq = qr", "(* p q) = (* q r)"),
+        ("torque = I alpha", "up:torque = (* I alpha)"),
+        ("M_x = 0 => w_x = const", "M_x = 0\nomega_x = up:const"),
+    ]);
+}
+
+#[test]
+fn signs_of_programs_and_of_unicode_are_operators() {
+    each_reads(&[
+        ("T = 0.5*I*w**2", "T = (* 1/2:1 I (^ omega 2))"),
+        ("f = a^(2n)", "f = (^ a (* 2 n))"),
+        ("f = e^(-k t)", "f = (exp (- (* k t)))"),
+        (
+            "dL/dt = (dL/dt)_body + w x L",
+            "(d/dt L) = (+ (d/dt@body L) (* omega × L))",
+        ),
+        (
+            "M = I*alpha + w x (I*w)",
+            "M = (+ (* I alpha) (* omega × (group (* I omega))))",
+        ),
+        (
+            "M = cross(w, I w)",
+            "M = (group (* (group omega) × (group (* I omega))))",
+        ),
+        ("T = 1/2 w.L", "T = (* (/ 1 2) omega · L)"),
+        ("L = I @ w", "L = (* I omega)"),
+        ("I_xy = ∫ x y dm", "I_xy = (int (* x y) m)"),
+        ("m x y = 0", "(* m x y) = 0"),
+        ("I_xx = 2.5e-3 kg m^2", "I_xx = (unit 1/400:1 \"kg m^2\")"),
+        ("a ≈ b ≠ c", "a ~ b /= c"),
+        ("sinx = cosOmega", "(sin x) = (cos Omega)"),
+    ]);
+}
+
+#[test]
+fn letters_with_marks_and_small_letters_are_those_of_latex() {
+    each_reads(&[
+        (
+            "ω̇ₓ + ½ Iₓₓ ωₓ² = 0",
+            "(+ (dot omega_x) (* (/ 1 2) I_xx (^ omega_x 2))) = 0",
+        ),
+        (
+            "ω̇₁ = (I₂ − I₃)/I₁ ω₂ω₃",
+            "(dot omega_1) = (* (/ (group (+ I_2 (- I_3))) I_1) omega_2 omega_3)",
+        ),
+        ("θ̈ + Ω²θ = 0", "(+ (ddot theta) (* (^ Omega 2) theta)) = 0"),
+        ("L⃗ = I ω⃗", "vec:L = (* I vec:omega)"),
+        ("𝐋 = 𝐈𝝎", "L = (* I omega)"),
+        ("q̇ = ½ q ⊗ ω", "(dot q) = (* (/ 1 2) q ⊗ omega)"),
+        ("R Rᵀ = 1", "(* R (T R)) = 1"),
+        ("ΣM = dL/dt", "sum:M = (d/dt L)"),
+        ("ẋ = ẏ", "(dot x) = (dot y)"),
+        ("d²θ/dt² = 0", "(d2/dt2 theta) = 0"),
+    ]);
+}
+
+#[test]
+fn sentences_keep_their_words_and_give_their_formulas() {
+    let text = "Assume I₁ = I₂ = A.\nSo ω₃ is constant, since ω̇₃ = 0. The energy = ½ I ω².\n\
+                The torque is zero => L is constant.\n";
+    assert_eq!(
+        places(text),
+        [
+            (1, "I_1 = I_2 = A".to_owned()),
+            (2, "omega_3".to_owned()),
+            (2, "(dot omega_3) = 0".to_owned()),
+            (2, "up:energy = (* (/ 1 2) I (^ omega 2))".to_owned()),
+        ]
+    );
+    let (document, troubles) = read("notes.txt", text, Format::Text);
+    assert_eq!(troubles, []);
+    let words: String = document
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Prose { text, .. } => Some(text.as_str()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(
+        words,
+        "Assume . So  is constant, since . The . The torque is zero => L is constant. "
+    );
+}
+
+#[test]
+fn a_formula_may_run_over_lines_and_carry_a_label() {
+    let text = "\
+  M_x = I_xx*wdot_x
+        - (I_yy - I_zz)*w_y*w_z   (4a)
+  L = a +
+      b
+    = c ... (5)
+1. T = 0
+(a) H = 0
+- w_x = 0
+";
+    assert_eq!(
+        places(text),
+        [
+            (
+                1,
+                "M_x = (+ (* I_xx (dot omega_x)) (- (* (group (+ I_yy (- I_zz))) omega_y omega_z))) \
+                 #(4a)"
+                    .to_owned()
+            ),
+            (3, "L = (+ a b)".to_owned()),
+            (5, "= c #(5)".to_owned()),
+            (6, "T = 0".to_owned()),
+            (7, "H = 0".to_owned()),
+            (8, "omega_x = 0".to_owned()),
+        ]
+    );
+}
+
+#[test]
+fn what_is_only_text_gives_no_formula() {
+    for text in [
+        "I am a rigid body. A body of mass is at rest, e.g. here - or there.",
+        "See section 3 (b) and page 12-14.",
+        "It was 5 o'clock; he / she went.",
+        "----\n* * *\n",
+        "x",
+    ] {
+        assert_eq!(document(text, Format::Text), "", "{text}");
+    }
+}
