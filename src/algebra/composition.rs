@@ -35,7 +35,7 @@ pub fn compose(
     for (monomial, coefficient) in polynomial.terms() {
         let mut product = Polynomial::constant(coefficient.clone());
         let mut used = vec![0; below.distinct.len()];
-        for (variable, exponent) in monomial.powers() {
+        for (variable, exponent) in monomial.factors() {
             let image = images.get(&variable);
             let known = powers.entry(variable).or_insert_with(|| {
                 let base =
@@ -107,7 +107,7 @@ impl Denominators {
         }
         for (monomial, _) in polynomial.terms() {
             let mut used = vec![0; all.distinct.len()];
-            for (variable, exponent) in monomial.powers() {
+            for (variable, exponent) in monomial.factors() {
                 if let Some(&class) = all.class.get(&variable) {
                     used[class] += exponent;
                 }

@@ -3,6 +3,8 @@
 use std::cmp::Ordering;
 use std::fmt;
 
+mod short;
+
 /// A variable: an index whose meaning the caller keeps.
 pub type Variable = u32;
 
@@ -15,11 +17,13 @@ const FULL: u128 = 0x8080_8080_8080_8080_8080_8080_8080_8080;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Monomial(Form);
 
-/// The packed form holds the total degree in the top byte and below it the exponent of variable 0, 1, … 14. A
-/// monomial that fits is always packed, so that equal monomials have equal forms.
+/// The packed form holds the total degree in the top byte and below it the exponent of variable 0, 1, … 14. The short
+/// form lists up to seven variables with their exponents in one word, of any document ([`short`] says how). A monomial
+/// is in the first form that it fits, so that equal monomials have equal forms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
     Packed(u128),
+    Short(u128),
     Sparse(Box<[(Variable, u32)]>),
 }
 
@@ -32,13 +36,18 @@ impl Monomial {
 
     /// A variable.
     pub fn of(variable: Variable) -> Self {
-        Self::from_powers([(variable, 1)])
+        Self::ascending(&[(variable, 1)])
     }
 
     /// A product of powers of different variables.
     pub fn from_powers(powers: impl IntoIterator<Item = (Variable, u32)>) -> Self {
         let mut powers: Vec<_> = powers.into_iter().filter(|&(_, e)| e > 0).collect();
         powers.sort_unstable();
+        Self::ascending(&powers)
+    }
+
+    /// Of powers with variables ascending and no exponent zero.
+    fn ascending(powers: &[(Variable, u32)]) -> Self {
         let degree: u64 = powers.iter().map(|&(_, e)| u64::from(e)).sum();
         if degree < 128 && powers.last().is_none_or(|&(v, _)| v < PACKED) {
             let packed = powers
@@ -48,28 +57,53 @@ impl Monomial {
                 });
             return Self(Form::Packed(packed));
         }
-        Self(Form::Sparse(powers.into()))
+        match short::word(powers) {
+            Some(word) => Self(Form::Short(word)),
+            None => Self(Form::Sparse(powers.into())),
+        }
+    }
+
+    /// Of a word in the short form, brought to the form that is its own.
+    fn from_word(word: u128) -> Self {
+        let largest = Factors::Short(word << 8).last();
+        if word >> 120 < 128 && largest.is_none_or(|(v, _)| v < PACKED) {
+            let degree = word & 0xff << 120;
+            let packed = Factors::Short(word << 8)
+                .fold(degree, |packed, (v, e)| packed | u128::from(e) << shift(v));
+            return Self(Form::Packed(packed));
+        }
+        Self(Form::Short(word))
+    }
+
+    /// The monomial in the short form, where it fits.
+    #[inline]
+    fn word(&self) -> Option<u128> {
+        match self.0 {
+            Form::Short(word) => Some(word),
+            Form::Packed(word) => short::of_packed(word),
+            Form::Sparse(_) => None,
+        }
+    }
+
+    /// Variables and their exponents, variables ascending.
+    pub fn factors(&self) -> impl Iterator<Item = (Variable, u32)> {
+        match &self.0 {
+            Form::Packed(word) => Factors::Packed(word << 8, 0),
+            Form::Short(word) => Factors::Short(word << 8),
+            Form::Sparse(powers) => Factors::Sparse(powers.iter()),
+        }
     }
 
     /// Variables and their exponents, variables ascending.
     pub fn powers(&self) -> Vec<(Variable, u32)> {
-        match &self.0 {
-            Form::Packed(0) => vec![],
-            Form::Packed(word) => {
-                let power = |v| ((word >> shift(v)) & 0x7f) as u32;
-                (0..PACKED)
-                    .map(|v| (v, power(v)))
-                    .filter(|&(_, e)| e > 0)
-                    .collect()
-            }
-            Form::Sparse(powers) => powers.to_vec(),
-        }
+        self.factors().collect()
     }
 
     /// The sum of the exponents.
+    #[inline]
     pub fn degree(&self) -> u32 {
         match &self.0 {
-            Form::Packed(word) => (word >> 120) as u32,
+            Form::Packed(word) | Form::Short(word) => (word >> 120) as u32,
             Form::Sparse(powers) => powers.iter().map(|&(_, e)| e).sum(),
         }
     }
@@ -80,6 +114,7 @@ impl Monomial {
         match &self.0 {
             Form::Packed(word) if variable < PACKED => ((word >> shift(variable)) & 0x7f) as u32,
             Form::Packed(_) => 0,
+            Form::Short(word) => short::exponent(*word, variable),
             Form::Sparse(powers) => powers
                 .binary_search_by_key(&variable, |&(v, _)| v)
                 .map_or(0, |i| powers[i].1),
@@ -96,7 +131,7 @@ impl Monomial {
                 return Self(Form::Packed(sum));
             }
         }
-        Self::merged(&self.powers(), &other.powers(), |a, b| a + b)
+        self.merged(other, |a, b| a + b)
     }
 
     /// The quotient, where every power is there.
@@ -106,49 +141,93 @@ impl Monomial {
             let difference = (a | FULL) - b;
             return (difference & FULL == FULL).then_some(Self(Form::Packed(difference & !FULL)));
         }
-        let powers = self.powers();
-        let rest = |v: Variable| other.exponent(v);
-        let enough = other.powers().iter().all(|&(v, e)| self.exponent(v) >= e);
-        enough.then(|| Self::from_powers(powers.into_iter().map(|(v, e)| (v, e - rest(v)))))
+        let enough = other.factors().all(|(v, e)| self.exponent(v) >= e);
+        enough.then(|| self.merged(other, |a, b| a.saturating_sub(b)))
     }
 
     /// The least common multiple.
     pub fn lcm(&self, other: &Self) -> Self {
-        Self::merged(&self.powers(), &other.powers(), u32::max)
+        self.merged(other, u32::max)
     }
 
     /// The greatest common divisor.
     pub fn gcd(&self, other: &Self) -> Self {
-        Self::merged(&self.powers(), &other.powers(), u32::min)
+        self.merged(other, u32::min)
     }
 
     /// The monomial without a variable.
     pub fn without(&self, variable: Variable) -> Self {
-        Self::from_powers(self.powers().into_iter().filter(|&(v, _)| v != variable))
+        match &self.0 {
+            Form::Packed(word) if variable < PACKED => {
+                let exponent = word >> shift(variable) & 0x7f;
+                Self(Form::Packed(
+                    word - (exponent << shift(variable)) - (exponent << 120),
+                ))
+            }
+            Form::Packed(word) => Self(Form::Packed(*word)),
+            _ => Self::from_powers(self.factors().filter(|&(v, _)| v != variable)),
+        }
     }
 
-    fn merged(
-        a: &[(Variable, u32)],
-        b: &[(Variable, u32)],
-        join: impl Fn(u32, u32) -> u32,
-    ) -> Self {
-        let (mut i, mut j, mut powers) = (0, 0, Vec::with_capacity(a.len() + b.len()));
-        while i < a.len() || j < b.len() {
-            let (left, right) = (a.get(i), b.get(j));
-            let next = left
-                .map_or(u32::MAX, |p| p.0)
-                .min(right.map_or(u32::MAX, |p| p.0));
-            let take = |p: Option<&(Variable, u32)>, at: &mut usize| match p {
-                Some(&(v, e)) if v == next => {
-                    *at += 1;
-                    e
-                }
-                _ => 0,
-            };
-            let exponents = (take(left, &mut i), take(right, &mut j));
-            powers.push((next, join(exponents.0, exponents.1)));
+    /// Both joined, exponent by exponent.
+    fn merged(&self, other: &Self, join: impl Fn(u32, u32) -> u32) -> Self {
+        if let (Some(a), Some(b)) = (self.word(), other.word())
+            && let Some(word) = short::merged(a, b, &join)
+        {
+            return Self::from_word(word);
         }
-        Self::from_powers(powers)
+        let (mut a, mut b) = (self.factors().peekable(), other.factors().peekable());
+        let mut powers = vec![];
+        while let Some(next) = first(a.peek(), b.peek()) {
+            let left = a.next_if(|&(v, _)| v == next).map_or(0, |(_, e)| e);
+            let right = b.next_if(|&(v, _)| v == next).map_or(0, |(_, e)| e);
+            let exponent = join(left, right);
+            if exponent > 0 {
+                powers.push((next, exponent));
+            }
+        }
+        Self::ascending(&powers)
+    }
+}
+
+/// The lower of the next variables.
+fn first(a: Option<&(Variable, u32)>, b: Option<&(Variable, u32)>) -> Option<Variable> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.0.min(b.0)),
+        (one, other) => one.or(other).map(|p| p.0),
+    }
+}
+
+/// The factors of a monomial that are still to come.
+enum Factors<'a> {
+    /// The bytes of the exponents, the next one on top, and the variable that it belongs to.
+    Packed(u128, Variable),
+    /// The entries of a short word, the next one on top.
+    Short(u128),
+    Sparse(std::slice::Iter<'a, (Variable, u32)>),
+}
+
+impl Iterator for Factors<'_> {
+    type Item = (Variable, u32);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        match self {
+            Self::Packed(0, _) => None,
+            Self::Packed(word, variable) => {
+                let empty = word.leading_zeros() / 8;
+                let (found, rest) = (*variable + empty, *word << (8 * empty));
+                let exponent = (rest >> 120) as u32;
+                (*word, *variable) = (rest << 8, found + 1);
+                Some((found, exponent))
+            }
+            Self::Short(word) => {
+                let entry = short::entry(*word);
+                *word <<= short::ENTRY;
+                entry
+            }
+            Self::Sparse(powers) => powers.next().copied(),
+        }
     }
 }
 
@@ -160,24 +239,39 @@ fn shift(variable: Variable) -> u32 {
 impl Ord for Monomial {
     #[inline]
     fn cmp(&self, other: &Self) -> Ordering {
-        if let (Form::Packed(a), Form::Packed(b)) = (&self.0, &other.0) {
-            return a.cmp(b);
+        match (&self.0, &other.0) {
+            (Form::Packed(a), Form::Packed(b)) | (Form::Short(a), Form::Short(b)) => {
+                return a.cmp(b);
+            }
+            _ => {}
         }
-        self.degree()
-            .cmp(&other.degree())
-            .then_with(|| lexicographic(&self.powers(), &other.powers()))
+        let degrees = self.degree().cmp(&other.degree());
+        if degrees != Ordering::Equal {
+            return degrees;
+        }
+        match (self.word(), other.word()) {
+            (Some(a), Some(b)) => a.cmp(&b),
+            _ => lexicographic(self.factors(), other.factors()),
+        }
     }
 }
 
 /// The higher power of the first variable that differs is the greater.
-fn lexicographic(a: &[(Variable, u32)], b: &[(Variable, u32)]) -> Ordering {
-    for (&(v, e), &(w, f)) in a.iter().zip(b) {
-        let order = w.cmp(&v).then(e.cmp(&f));
-        if order != Ordering::Equal {
-            return order;
+fn lexicographic(
+    mut a: impl Iterator<Item = (Variable, u32)>,
+    mut b: impl Iterator<Item = (Variable, u32)>,
+) -> Ordering {
+    loop {
+        match (a.next(), b.next()) {
+            (Some((v, e)), Some((w, f))) => {
+                let order = w.cmp(&v).then(e.cmp(&f));
+                if order != Ordering::Equal {
+                    return order;
+                }
+            }
+            (a, b) => return a.is_some().cmp(&b.is_some()),
         }
     }
-    a.len().cmp(&b.len())
 }
 
 impl PartialOrd for Monomial {
@@ -189,8 +283,55 @@ impl PartialOrd for Monomial {
 
 impl fmt::Debug for Monomial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.powers()
-            .iter()
-            .try_for_each(|(v, e)| write!(f, "·v{v}^{e}"))
+        self.factors().try_for_each(|(v, e)| write!(f, "·v{v}^{e}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Powers whose monomials fall into every form, and near the bounds between them.
+    fn powers() -> impl Strategy<Value = Vec<(Variable, u32)>> {
+        let variable = prop_oneof![0u32..4, 13u32..18, 1020u32..1025];
+        let exponent = prop_oneof![1u32..4, 30u32..34, 62u32..66, 126u32..130];
+        prop::collection::btree_map(variable, exponent, 0..9)
+            .prop_map(|map| map.into_iter().collect())
+    }
+
+    fn joined(
+        a: &[(Variable, u32)],
+        b: &[(Variable, u32)],
+        join: impl Fn(u32, u32) -> u32,
+    ) -> Vec<(Variable, u32)> {
+        let at = |list: &[(Variable, u32)], v| list.iter().find(|p| p.0 == v).map_or(0, |p| p.1);
+        let mut variables: Vec<_> = a.iter().chain(b).map(|p| p.0).collect();
+        variables.sort_unstable();
+        variables.dedup();
+        let all = variables.into_iter().map(|v| (v, join(at(a, v), at(b, v))));
+        all.filter(|&(_, e)| e > 0).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn every_form_agrees_with_lists_of_powers(a in powers(), b in powers()) {
+            let (p, q) = (Monomial::from_powers(a.clone()), Monomial::from_powers(b.clone()));
+            prop_assert_eq!(p.powers(), a.clone());
+            prop_assert_eq!(p.times(&q).powers(), joined(&a, &b, |x, y| x + y));
+            prop_assert_eq!(p.gcd(&q).powers(), joined(&a, &b, u32::min));
+            prop_assert_eq!(p.lcm(&q).powers(), joined(&a, &b, u32::max));
+            prop_assert_eq!(p.times(&q).quotient(&q), Some(p.clone()));
+            let divides = b.iter().all(|&(v, e)| p.exponent(v) >= e);
+            prop_assert_eq!(p.quotient(&q).is_some(), divides);
+            let degree = |list: &[(Variable, u32)]| list.iter().map(|p| p.1).sum::<u32>();
+            let order = degree(&a).cmp(&degree(&b)).then_with(|| lexicographic(a.iter().copied(), b.iter().copied()));
+            prop_assert_eq!(p.cmp(&q), order);
+            for &(variable, exponent) in &a {
+                prop_assert_eq!(p.exponent(variable), exponent);
+                let rest: Vec<_> = a.iter().copied().filter(|f| f.0 != variable).collect();
+                prop_assert_eq!(p.without(variable), Monomial::from_powers(rest));
+            }
+        }
     }
 }

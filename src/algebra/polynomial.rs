@@ -93,7 +93,7 @@ impl Polynomial {
         let mut found: Vec<_> = self
             .terms
             .iter()
-            .flat_map(|(m, _)| m.powers())
+            .flat_map(|(m, _)| m.factors())
             .map(|(v, _)| v)
             .collect();
         found.sort_unstable();
@@ -150,7 +150,7 @@ impl Polynomial {
         let mut sum = T::zero();
         for (monomial, coefficient) in &self.terms {
             let mut product = lift(coefficient);
-            for (variable, exponent) in monomial.powers() {
+            for (variable, exponent) in monomial.factors() {
                 let Ok(place) = variables.binary_search(&variable) else {
                     continue;
                 };

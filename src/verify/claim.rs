@@ -36,7 +36,7 @@ impl Checker<'_> {
     }
 
     pub(super) fn proved(&mut self, read: &Read, proof: Proof, finding: &mut Finding) {
-        finding.uses = needed(&mut self.theory, &read.equations);
+        finding.uses = needed(&mut self.theory, &read.equations, &proof);
         finding.conditions = self.conditions(&proof);
         finding.verdict = Verdict::Proved(proof);
         if read.ambiguous && !self.dots_on_body {

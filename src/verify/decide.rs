@@ -204,8 +204,9 @@ pub(super) fn component(value: &Value, place: usize) -> Option<String> {
     }
 }
 
-/// The smallest set of named laws and premises that the equations need, found by leaving each out in turn.
-pub(super) fn needed(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
+/// The smallest set of named laws and premises that the equations need, found by leaving each out in turn; a proof that
+/// is known tells of some that they are not needed.
+pub(super) fn needed(theory: &mut Theory, equations: &[Equation], proof: &Proof) -> Vec<Name> {
     let residuals: Vec<Fraction> = equations
         .iter()
         .flat_map(|e| e.residual.entries.clone())
@@ -213,16 +214,21 @@ pub(super) fn needed(theory: &mut Theory, equations: &[Equation]) -> Vec<Name> {
     let names = reached(theory, &residuals);
     let mut dropped: BTreeSet<Name> = theory.left_out.clone();
     let mut kept = vec![];
+    // As long as nothing that stands in the proof was left out, the proof holds.
+    let (inside, mut whole) = (proof.premises(), true);
     for name in names {
         let mut without = dropped.clone();
         without.insert(name.clone());
-        let holds = theory.without(without.clone(), |theory| {
-            equations
-                .iter()
-                .all(|e| passes_filter(theory, &e.residual) == Some(true))
-        });
+        let stands = inside.contains(name.as_str());
+        let holds = (whole && !stands)
+            || theory.without(without.clone(), |theory| {
+                equations
+                    .iter()
+                    .all(|e| passes_filter(theory, &e.residual) == Some(true))
+            });
         if holds {
             dropped = without;
+            whole &= !stands;
         } else {
             kept.push(name);
         }

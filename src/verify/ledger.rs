@@ -8,7 +8,6 @@ use crate::algebra::{
 };
 use crate::verify::atoms::{Atom, Entity, variable_fraction};
 use crate::verify::certify::Elimination;
-use crate::verify::law::law;
 use crate::verify::theory::Theory;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -166,7 +165,7 @@ impl Theory {
                 // The rate of a law's own value is the rate of that law.
                 if order > 0 {
                     let lower = self.atoms.part(part.0, part.1, order - 1);
-                    if law(&mut self.atoms, self.setting, lower).is_some() {
+                    if self.law(lower).is_some() {
                         return self.rate_fact(part, order);
                     }
                 }
@@ -179,7 +178,7 @@ impl Theory {
         if let Some(&fact) = self.ledger.laws.get(&variable) {
             return Some(fact);
         }
-        let (name, value) = law(&mut self.atoms, self.setting, variable)?;
+        let (name, value) = self.law(variable)?;
         if self.left_out.contains(name) {
             return None;
         }

@@ -39,7 +39,7 @@ impl Theory {
                 written,
                 Rule {
                     name: premise.name.clone(),
-                    value,
+                    value: value.into(),
                 },
             );
             taken = Taken::Solved;

@@ -11,6 +11,7 @@ use crate::verify::ledger::{Ledger, Source};
 use crate::verify::quantity::Quantity;
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// The name of a premise as it appears in `uses`: a law, `line 12`, or words of the document.
 pub(super) type Name = String;
@@ -21,7 +22,7 @@ pub(super) struct Rule {
     /// Whose word it is.
     pub name: Name,
     /// The value.
-    pub value: Fraction,
+    pub value: Arc<Fraction>,
 }
 
 /// An equation of the document that is in force: each residual is zero.
@@ -73,6 +74,8 @@ pub(super) struct Theory {
     pub(super) normals: HashMap<Variable, Fraction>,
     /// Where the rules come from.
     pub(super) sources: HashMap<(Entity, u8), Source>,
+    /// What the laws say of variables, whichever are left out.
+    laws: HashMap<Variable, Option<(&'static str, Arc<Fraction>)>>,
     /// Facts for proofs.
     pub(super) ledger: Ledger,
     open: BTreeSet<Variable>,
@@ -92,6 +95,7 @@ impl Theory {
             rules: HashMap::new(),
             normals: HashMap::new(),
             sources: HashMap::new(),
+            laws: HashMap::new(),
             ledger: Ledger::default(),
             open: BTreeSet::new(),
             exhausted: false,
@@ -106,6 +110,7 @@ impl Theory {
     /// Changes the setting; what was solved is solved again.
     pub(super) fn set(&mut self, change: impl FnOnce(&mut Setting)) {
         change(&mut self.setting);
+        self.laws.clear();
         self.rebuild();
     }
 
@@ -152,6 +157,8 @@ impl Theory {
         if residuals.iter().all(Zero::is_zero) {
             return Taken::Known;
         }
+        // A definition may have told that a symbol moves.
+        self.laws.clear();
         let before = self.premises.clone();
         self.premises.push(premise);
         match self.rebuild() {
@@ -224,7 +231,7 @@ impl Theory {
                             self.exhausted = true;
                             return None;
                         }
-                        value = self.atoms.derivative(&value);
+                        value = Arc::new(self.atoms.derivative(&value));
                     }
                     return Some(Rule {
                         name: rule.name,
@@ -235,7 +242,7 @@ impl Theory {
             Atom::Kernel { function, argument } => {
                 let reduced = self.normal(&argument);
                 if reduced != argument {
-                    let value = self.kernel(function, reduced);
+                    let value = Arc::new(self.kernel(function, reduced));
                     return Some(Rule {
                         name: String::new(),
                         value,
@@ -244,9 +251,20 @@ impl Theory {
             }
             _ => {}
         }
-        let (name, value) = law(&mut self.atoms, self.setting, variable)?;
+        let (name, value) = self.law(variable)?;
         let name = name.to_owned();
         (!self.left_out.contains(&name)).then_some(Rule { name, value })
+    }
+
+    /// What a law says of a variable, whether it is left out or not.
+    pub(super) fn law(&mut self, variable: Variable) -> Option<(&'static str, Arc<Fraction>)> {
+        if let Some(known) = self.laws.get(&variable) {
+            return known.clone();
+        }
+        let found = law(&mut self.atoms, self.setting, variable);
+        let found = found.map(|(name, value)| (name, Arc::new(value)));
+        self.laws.insert(variable, found.clone());
+        found
     }
 
     /// A fraction with every rule put in, down to free variables.

@@ -6,7 +6,7 @@ use crate::scalar::{Field, Prime};
 use crate::verify::atoms::{Atom, Owner};
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::Theory;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// A scalar that worlds are made of.
 pub(super) trait Substance: Field {
@@ -63,7 +63,8 @@ impl Substance for Rational {
 /// A value for every variable that is asked for.
 pub(super) struct World<'a, T> {
     theory: &'a mut Theory,
-    values: HashMap<Variable, T>,
+    /// By variable.
+    values: Vec<Option<T>>,
     open: BTreeSet<Variable>,
     state: u64,
 }
@@ -74,7 +75,7 @@ impl<'a, T: Substance> World<'a, T> {
         let state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D_4C95_7F2D;
         Self {
             theory,
-            values: HashMap::new(),
+            values: vec![],
             open: BTreeSet::new(),
             state,
         }
@@ -90,20 +91,23 @@ impl<'a, T: Substance> World<'a, T> {
     }
 
     fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
-        let mut values = HashMap::new();
-        for variable in polynomial.variables() {
-            values.insert(variable, self.variable(variable)?);
+        let mut sum = T::zero();
+        for (monomial, coefficient) in polynomial.terms() {
+            let mut product = T::lift(coefficient)?;
+            for (variable, exponent) in monomial.factors() {
+                let value = self.variable(variable)?;
+                for _ in 0..exponent {
+                    product *= value.clone();
+                }
+            }
+            sum += product;
         }
-        for (_, coefficient) in polynomial.terms() {
-            T::lift(coefficient)?;
-        }
-        let at = |v| values.get(&v).cloned().unwrap_or_else(T::zero);
-        Some(polynomial.evaluate(at, |c| T::lift(c).unwrap_or_else(T::zero)))
+        Some(sum)
     }
 
     /// The value of a variable.
     pub(super) fn variable(&mut self, variable: Variable) -> Option<T> {
-        if let Some(value) = self.values.get(&variable) {
+        if let Some(Some(value)) = self.values.get(variable as usize) {
             return Some(value.clone());
         }
         let ruled = if self.open.insert(variable) {
@@ -120,8 +124,16 @@ impl<'a, T: Substance> World<'a, T> {
             return None;
         }
         let value = value?;
-        self.values.insert(variable, value.clone());
+        self.keep(variable, value.clone());
         Some(value)
+    }
+
+    fn keep(&mut self, variable: Variable, value: T) {
+        let place = variable as usize;
+        if self.values.len() <= place {
+            self.values.resize(place + 1, None);
+        }
+        self.values[place] = Some(value);
     }
 
     fn free(&mut self, variable: Variable) -> Option<T> {
@@ -131,7 +143,7 @@ impl<'a, T: Substance> World<'a, T> {
                 argument,
             } => {
                 self.circle(argument);
-                self.values.get(&variable).cloned()
+                self.values.get(variable as usize).cloned().flatten()
             }
             Atom::Kernel {
                 function: Function::Sqrt,
@@ -175,8 +187,8 @@ impl<'a, T: Substance> World<'a, T> {
             self.theory.atoms.special(sin),
             self.theory.atoms.special(cos),
         );
-        self.values.insert(sin, (u.clone() + u) / whole.clone());
-        self.values.insert(cos, (T::one() - square) / whole);
+        self.keep(sin, (u.clone() + u) / whole.clone());
+        self.keep(cos, (T::one() - square) / whole);
     }
 
     /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).
