@@ -5,6 +5,7 @@
 mod certificate;
 mod combination;
 mod composition;
+mod divide;
 mod fraction;
 mod groebner;
 mod linear;

@@ -197,18 +197,6 @@ impl Polynomial {
         (self.len().saturating_mul(other.len()) <= most).then(|| self.clone() * other.clone())
     }
 
-    /// The quotient, where the division leaves nothing.
-    pub fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
-        let (lead, by) = divisor.terms.first()?;
-        let (mut rest, mut quotient) = (self.clone(), vec![]);
-        while let Some((monomial, coefficient)) = rest.terms.first() {
-            let (m, c) = (monomial.quotient(lead)?, coefficient.clone() / by.clone());
-            rest -= divisor.times_term(&m, &c);
-            quotient.push((m, c));
-        }
-        Some(Self::from_terms(quotient))
-    }
-
     /// The greatest monomial that divides every term.
     pub fn common_monomial(&self) -> Monomial {
         let mut monomials = self.terms.iter().map(|(m, _)| m);

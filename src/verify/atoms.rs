@@ -304,6 +304,7 @@ fn usual_letter(quantity: Quantity) -> &'static str {
         Quantity::FrameRate => "\\Omega",
         Quantity::AngularAcceleration => "\\alpha",
         Quantity::Momentum => "L",
+        Quantity::RelativeMomentum => "h",
         Quantity::Moment => "M",
         Quantity::Inertia => "I",
         Quantity::Energy => "T",

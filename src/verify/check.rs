@@ -55,6 +55,8 @@ pub(super) struct Checker<'a> {
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
     pub(super) asserted: bool,
+    /// Whether the line at hand stands apart from the text.
+    pub(super) displayed: bool,
     pub(super) findings: Vec<Finding>,
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
@@ -90,6 +92,10 @@ impl<'a> Checker<'a> {
             products,
             dynamics: Dynamics::Inverse,
             origin_moves: false,
+            gyrostat: reading
+                .quantities
+                .values()
+                .any(|&q| q == Quantity::RelativeMomentum),
         };
         let mut checker = Self {
             document,
@@ -99,6 +105,7 @@ impl<'a> Checker<'a> {
             dots_on_body: false,
             last_side: None,
             asserted: false,
+            displayed: false,
             findings: vec![],
             slips: vec![],
             sentence: String::new(),
@@ -282,6 +289,7 @@ impl<'a> Checker<'a> {
     }
 
     fn formula(&mut self, formula: &Formula) {
+        self.displayed = formula.display;
         for row in &formula.rows {
             match row {
                 Row::Line(line) => {

@@ -136,9 +136,7 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
         let mut world: World<Rational> = World::new(theory, seed);
         let entries: Option<Vec<Rational>> = tensor.iter().map(|e| world.fraction(e)).collect();
         let Some(entries) = entries else { continue };
-        let number = |r: &Rational| r.to_big().to_f64().unwrap_or(f64::NAN);
-        let body = nalgebra::Matrix3::from_iterator(entries.iter().map(number));
-        if possible_body(&body).is_err() {
+        if !can_exist(&entries) {
             continue;
         }
         let sides = |world: &mut World<Rational>, value: &Value| -> Option<Vec<Rational>> {
@@ -189,6 +187,14 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
         });
     }
     None
+}
+
+/// Whether a body can have a tensor, a thin rod included: its moment about itself is the limit zero.
+fn can_exist(tensor: &[Rational]) -> bool {
+    let number = |r: &Rational| r.to_big().to_f64().unwrap_or(f64::NAN);
+    let body = nalgebra::Matrix3::from_iterator(tensor.iter().map(number));
+    let thickness = 1e-9 * body.trace();
+    possible_body(&(body + nalgebra::Matrix3::from_diagonal_element(thickness))).is_ok()
 }
 
 /// The name of an entry of a grid.

@@ -16,7 +16,7 @@ impl Checker<'_> {
             return false;
         };
         let zero = matches!(&value.kind, Kind::Number(n) if num_traits::Zero::is_zero(&n.value));
-        if zero && self.asserted {
+        if zero && self.asserted && self.displayed {
             return false;
         }
         let free = given.iter().all(|side| self.is_free_input(side));

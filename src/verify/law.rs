@@ -36,6 +36,8 @@ pub(super) struct Setting {
     pub products: Products,
     /// The direction in which the moment equation is solved.
     pub dynamics: Dynamics,
+    /// Whether the body carries wheels with an angular momentum of their own.
+    pub gyrostat: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
     pub origin_moves: bool,
 }
@@ -118,7 +120,8 @@ fn determined(
 ) -> Option<(&'static str, Fraction)> {
     use Quantity::{
         Acceleration, AngularAcceleration, AngularVelocity, Energy, Force, FrameRate,
-        LinearMomentum, Mass, Moment, Momentum, OriginVelocity, Position, Power, Velocity,
+        LinearMomentum, Mass, Moment, Momentum, OriginVelocity, Position, Power, RelativeMomentum,
+        Velocity,
     };
     match quantity {
         FrameRate if setting.axes == Axes::Body => Some((
@@ -130,10 +133,14 @@ fn determined(
                 inertia(atoms, setting.products),
                 vector(atoms, AngularVelocity, 0),
             );
-            Some((
-                "inertia",
-                mechanics::angular_momentum(&inertia, &omega)[component].clone(),
-            ))
+            let own = mechanics::angular_momentum(&inertia, &omega)[component].clone();
+            Some(match setting.gyrostat {
+                true => (
+                    "gyrostat",
+                    own + vector(atoms, RelativeMomentum, 0)[component].clone(),
+                ),
+                false => ("inertia", own),
+            })
         }
         Moment if setting.dynamics == Dynamics::Inverse => {
             Some(("moment", space_rate(atoms, Momentum, component)))
@@ -141,10 +148,12 @@ fn determined(
         OriginVelocity if !setting.origin_moves => Some(("origin at rest", Fraction::zero())),
         Energy => {
             let half = Fraction::from_ratio(1, 2);
-            let (omega, momentum) = (
-                vector(atoms, AngularVelocity, 0),
-                vector(atoms, Momentum, 0),
-            );
+            let omega = vector(atoms, AngularVelocity, 0);
+            // Of the body alone: what its wheels have beside depends on how they are made.
+            let momentum = match setting.gyrostat {
+                true => mechanics::angular_momentum(&inertia(atoms, setting.products), &omega),
+                false => vector(atoms, Momentum, 0),
+            };
             Some(("energy", half * omega.dot(&momentum)))
         }
         Power => {
@@ -205,7 +214,12 @@ fn angular_acceleration(
     }
     let inertia = inertia(atoms, setting.products);
     let omega = vector(atoms, Quantity::AngularVelocity, 0);
-    let moment = vector(atoms, Quantity::Moment, 0);
+    let mut moment = vector(atoms, Quantity::Moment, 0);
+    if setting.gyrostat {
+        let wheels = vector(atoms, Quantity::RelativeMomentum, 0);
+        let rate = vector(atoms, Quantity::RelativeMomentum, 1);
+        moment -= mechanics::transport(&rate, &omega, &wheels);
+    }
     let alpha = mechanics::angular_acceleration(&inertia, &omega, &moment);
     let mut value = alpha[usize::from(component)].clone();
     for _ in 1..order {

@@ -27,6 +27,10 @@ impl Lowering<'_> {
             match factor.operator {
                 Operator::Juxtaposed => {
                     run = Some(match run.take() {
+                        // Two vectors side by side are a dyad.
+                        Some(left) if left.is_vector() && value.is_vector() => {
+                            left.times(&value.transposed()).map_err(ill)?
+                        }
                         Some(left) => left.times(&value).map_err(ill)?,
                         None => value,
                     });

@@ -11,6 +11,8 @@ pub enum Quantity {
     AngularAcceleration,
     /// L = I ω.
     Momentum,
+    /// h, of wheels relative to the body that carries them.
+    RelativeMomentum,
     /// ΣM.
     Moment,
     /// The inertia tensor.
@@ -84,6 +86,7 @@ impl Quantity {
             Self::FrameRate => "angular velocity of the axes",
             Self::AngularAcceleration => "angular acceleration",
             Self::Momentum => "angular momentum",
+            Self::RelativeMomentum => "angular momentum of the wheels",
             Self::Moment => "moment",
             Self::Inertia => "inertia",
             Self::Energy => "kinetic energy",

@@ -21,11 +21,23 @@ pub(super) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
+    speaks_of_energy: bool,
 }
 
 /// Phrases and what they name; the longer stand before the shorter.
 const PHRASES: &[(&str, Option<Quantity>)] = &[
     ("moment of momentum", Some(Quantity::Momentum)),
+    (
+        "relative angular momentum",
+        Some(Quantity::RelativeMomentum),
+    ),
+    ("relative momentum", Some(Quantity::RelativeMomentum)),
+    ("wheel momentum", Some(Quantity::RelativeMomentum)),
+    ("rotor momentum", Some(Quantity::RelativeMomentum)),
+    ("wheel angular momentum", Some(Quantity::RelativeMomentum)),
+    ("momentum of the wheel", Some(Quantity::RelativeMomentum)),
+    ("momentum of the rotor", Some(Quantity::RelativeMomentum)),
+    ("momentum of the flywheel", Some(Quantity::RelativeMomentum)),
     ("angular momentum", Some(Quantity::Momentum)),
     ("linear momentum", Some(Quantity::LinearMomentum)),
     ("kinetic energy", Some(Quantity::Energy)),
@@ -41,10 +53,47 @@ const PHRASES: &[(&str, Option<Quantity>)] = &[
     ("angular acceleration", Some(Quantity::AngularAcceleration)),
     ("precession rate", None),
     ("body rates", Some(Quantity::AngularVelocity)),
+    ("angular velocity of the axes", Some(Quantity::FrameRate)),
+    ("angular velocity of the frame", Some(Quantity::FrameRate)),
     ("turns with angular velocity", Some(Quantity::FrameRate)),
+    ("turns with the angular velocity", Some(Quantity::FrameRate)),
+    ("turns with an angular velocity", Some(Quantity::FrameRate)),
     ("turn with angular velocity", Some(Quantity::FrameRate)),
+    ("turn with the angular velocity", Some(Quantity::FrameRate)),
+    ("turn with an angular velocity", Some(Quantity::FrameRate)),
     ("rotates with angular velocity", Some(Quantity::FrameRate)),
+    (
+        "rotates with the angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    (
+        "rotates with an angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    ("rotate with angular velocity", Some(Quantity::FrameRate)),
+    (
+        "rotate with the angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    ("rotate with an angular velocity", Some(Quantity::FrameRate)),
     ("rotating with angular velocity", Some(Quantity::FrameRate)),
+    (
+        "rotating with the angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    (
+        "rotating with an angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    ("turning with angular velocity", Some(Quantity::FrameRate)),
+    (
+        "turning with the angular velocity",
+        Some(Quantity::FrameRate),
+    ),
+    (
+        "turning with an angular velocity",
+        Some(Quantity::FrameRate),
+    ),
     ("angular velocity", Some(Quantity::AngularVelocity)),
     ("torque", Some(Quantity::Moment)),
     ("moment", Some(Quantity::Moment)),
@@ -103,9 +152,10 @@ impl Reading {
             match item {
                 Item::Prose { text, .. } => {
                     let text = text.to_lowercase();
+                    self.speaks_of_energy |= text.contains("energy");
                     if let Some(quantity) = said_after(&text).or_else(|| apposition(&text, near)) {
                         last.drain(..)
-                            .for_each(|letter| self.vote(letter, quantity, 3));
+                            .for_each(|letter| self.vote(letter, quantity, 5));
                     }
                     before.push_str(&text);
                     if let Some(end) = before.rfind(['.', '!', '?']) {
@@ -263,6 +313,9 @@ impl Reading {
             "I" | "J" => Some(Quantity::Inertia),
             "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
             "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
+            "E" if used.bare > 0 && self.speaks_of_energy && !taken(Quantity::Energy) => {
+                Some(Quantity::Energy)
+            }
             "F" if !used.moving => Some(Quantity::Force),
             "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
             "r" if used.vector > 0 => Some(Quantity::Position),

@@ -119,7 +119,8 @@ impl Theory {
             } => e == entity && o > order,
             _ => false,
         };
-        if polynomial.variables().iter().any(higher) {
+        let variables = polynomial.variables();
+        if variables.iter().any(higher) || variables.iter().any(|&v| self.wraps(v, variable)) {
             return None;
         }
         let coefficient = polynomial.coefficient_of(variable, 1);
@@ -136,6 +137,15 @@ impl Theory {
                 + u32::from(small)
                 + u32::from(inertial && component >= 3) * 2,
         )
+    }
+
+    /// Whether a kernel has a variable in its argument: solved for that, it would stand for itself.
+    fn wraps(&self, kernel: Variable, variable: Variable) -> bool {
+        let Atom::Kernel { argument, .. } = self.atoms.atom(kernel) else {
+            return false;
+        };
+        let inside = argument.variables();
+        inside.contains(&variable) || inside.iter().any(|&v| self.wraps(v, variable))
     }
 
     /// Whether a polynomial vanishes for no possible body: products of moments, masses and the document's own

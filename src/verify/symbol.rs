@@ -40,6 +40,10 @@ const POINTS: &[&str] = &[
 
 fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let mut sorted = Subscripts::default();
+    if reading.usage.names_whole(symbol) {
+        sorted.variant = symbol.subscripts.join(",");
+        return sorted;
+    }
     for text in &symbol.subscripts {
         let text = text.trim();
         if let Some(index) = axis(text) {
@@ -206,6 +210,9 @@ fn step_index(variant: &str) -> bool {
 }
 
 fn quantity_variant(quantity: Quantity, variant: &str) -> String {
+    if quantity == Quantity::RelativeMomentum {
+        return String::new();
+    }
     let about_a_point = matches!(
         quantity,
         Quantity::Momentum | Quantity::Moment | Quantity::Energy

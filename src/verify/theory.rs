@@ -55,6 +55,8 @@ pub(super) enum Taken {
 const MOST_TERMS: usize = 40_000;
 /// Terms of a value whose rate is still taken.
 const MOST_TERMS_OF_A_RATE: usize = 400;
+/// Rules that may lead from one to the next.
+const DEEPEST: usize = 64;
 /// The highest order of a rate that a premise is differentiated for.
 const HIGHEST_ORDER: u8 = 6;
 
@@ -300,6 +302,10 @@ impl Theory {
     fn normal_variable(&mut self, variable: Variable) -> Fraction {
         if let Some(known) = self.normals.get(&variable) {
             return known.clone();
+        }
+        if self.open.len() > DEEPEST {
+            self.exhausted = true;
+            return variable_fraction(variable);
         }
         // A rule that leads back to its own variable says nothing; the variable stays free.
         if !self.open.insert(variable) {

@@ -62,6 +62,8 @@ pub(super) struct Usage {
     superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
     /// Letters with subscripts that stand under a derivative in time.
     moving: BTreeSet<(Letter, Vec<String>)>,
+    /// Symbols with an index that name a matrix or a list: `A_2 = [[…]]`.
+    named_wholes: BTreeSet<(Letter, Vec<String>)>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }
@@ -130,6 +132,12 @@ impl Usage {
             .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
     }
 
+    /// Whether the index of a symbol is a part of its name.
+    pub(super) fn names_whole(&self, symbol: &Symbol) -> bool {
+        self.named_wholes
+            .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
+    }
+
     /// Whether a letter always wears these superscripts, so that they tell nothing apart: ᴺωᴮ.
     pub(super) fn always_wears(&self, letter: &Letter, superscripts: &[String]) -> bool {
         self.superscripts
@@ -140,6 +148,15 @@ impl Usage {
     fn line(&mut self, line: &Line) {
         for side in &line.sides {
             self.node(side);
+        }
+        if let [left, right, ..] = line.sides.as_slice()
+            && let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
+                (&inner(left).kind, &inner(right).kind)
+            && rows.len() > 1
+            && symbol.subscripts.iter().any(|s| axis(s).is_some())
+        {
+            self.named_wholes
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
