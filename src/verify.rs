@@ -28,6 +28,7 @@ mod lower;
 mod matrix;
 mod names;
 mod operators;
+mod phrases;
 mod prose;
 mod quantity;
 mod rate;
