@@ -6,6 +6,7 @@ use std::process::ExitCode;
 mod certificates;
 mod check;
 mod derive;
+mod explain;
 mod input;
 mod output;
 mod run;
@@ -25,6 +26,7 @@ struct Arguments {
 enum Command {
     Check(check::Options),
     Derive(derive::Options),
+    Explain(explain::Options),
     Run(run::Options),
 }
 
@@ -39,6 +41,7 @@ pub fn run() -> ExitCode {
     let code = match &arguments.command {
         Command::Check(options) => check::run(options, color),
         Command::Derive(options) => derive::run(options, color),
+        Command::Explain(options) => explain::run(options, color),
         Command::Run(options) => run::run(options, color),
     };
     ExitCode::from(code)

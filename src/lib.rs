@@ -10,7 +10,7 @@
 //!                                 ├─ algebra ─┐
 //! scalar ─────────────────────────┘           ├─ verify ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
-//!             └─ motion (state, step, Jacobian, batch) ─ scene
+//!             └─ motion (state, step, Jacobian, batch) ─ scene ─ bench
 //! ```
 
 pub mod mechanics;
@@ -19,6 +19,8 @@ pub mod scalar;
 
 #[cfg(feature = "verify")]
 pub mod algebra;
+#[cfg(feature = "bench")]
+pub mod bench;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(any(feature = "verify", feature = "scene"))]

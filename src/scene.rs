@@ -20,7 +20,9 @@
 
 mod accuracy;
 mod balance;
+mod costs;
 mod course;
+mod explain;
 mod inertia;
 mod member;
 mod plan;
@@ -30,9 +32,11 @@ mod sensitivity;
 mod simulate;
 mod spin;
 
-pub use accuracy::{Estimated, distance, settle};
+pub use accuracy::{Estimated, Unsettled, distance, foresee, settle};
 pub use balance::Balance;
+pub use costs::{BOUNDS, Costs};
 pub use course::Course;
+pub use explain::{ExplainError, Explanation, Skip, explain};
 pub use inertia::{InertiaForm, Point, Shape};
 pub use member::{Member, TorqueForm};
 pub use plan::{PlanError, Way, is_free, way};

@@ -14,6 +14,7 @@ use writer::Writer;
 
 mod csv;
 mod json;
+mod progress;
 mod target;
 mod text;
 mod writer;
@@ -26,7 +27,7 @@ Example:
   polhode run top.toml --format csv --out top.csv
 
 Exit code: 0 the run is complete and within its tolerance, 2 the scene can't be run, 3 a body may be off by more than
-the tolerance.")]
+the tolerance, 130 stopped by Ctrl-C: what is written then is complete up to the time said.")]
 pub(super) struct Options {
     /// A scene (.toml), or - for standard input
     #[arg(value_name = "SCENE")]
@@ -98,6 +99,7 @@ fn write(options: &Options, scene: &Scene) -> Result<u8, RunError<io::Error>> {
         Form::Csv => Box::new(csv::Csv::default()),
     };
     let mut writer = Writer::new(form, target, scene);
-    simulate(scene, &mut writer)?;
-    writer.finish().map_err(RunError::Sink)
+    progress::listen();
+    let complete = simulate(scene, &mut writer)?;
+    writer.finish(complete).map_err(RunError::Sink)
 }

@@ -40,77 +40,146 @@ pub fn distance(one: &State<f64>, other: &State<f64>, scale: f64) -> f64 {
     }
 }
 
+/// Why no final state was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unsettled {
+    /// The motion stops being finite, or takes too many steps.
+    Motion(MotionError),
+    /// It was stopped from outside.
+    Stopped,
+}
+
+impl From<MotionError> for Unsettled {
+    fn from(error: MotionError) -> Self {
+        Self::Motion(error)
+    }
+}
+
 /// Computes the state at `duration`, with steps as small as the tolerance needs, and estimates its error.
 ///
 /// A motion that is stepped is run a second time with a looser bound: the difference is the error of the looser run, and
 /// says how the motion magnifies what each step leaves. Where the error so foreseen is above the tolerance, the run is
-/// repeated with a smaller bound.
+/// repeated with a smaller bound. `stop` is asked from time to time whether to give up.
 ///
 /// # Errors
-/// A motion that stops being finite.
+/// A motion that stops being finite; a stop.
 pub fn settle(
     member: &Member,
     way: Way,
     duration: f64,
     tolerance: f64,
-) -> Result<Estimated, MotionError> {
-    let mut settled = end(member, way, duration)?;
+    stop: &dyn Fn() -> bool,
+) -> Result<Estimated, Unsettled> {
+    let mut settled = end(member, way, duration, stop)?;
     let Some(bound) = way.step_tolerance() else {
-        settled.error = closed_error(member, &way, duration);
+        settled.error = Some(error_without_bound(member, &settled, duration, stop)?);
         return Ok(settled);
     };
-    let growth = growth(member, way, duration, &settled.state, bound)?;
-    settled.error = Some(SAFETY * growth * bound.max(ROUNDING));
-    let needed = tolerance / (SAFETY * growth);
-    if needed < bound && bound > plan::LEAST {
-        let bound = needed.max(plan::LEAST);
-        settled = end(member, way.within(bound), duration)?;
-        settled.error = Some(SAFETY * growth * bound.max(ROUNDING));
+    let scale = member.start.angular_velocity.norm();
+    let mut growth = f64::INFINITY;
+    for loose in LOOSE.into_iter().filter(|loose| *loose > 4.0 * bound) {
+        let other = end(member, way.within(loose), duration, stop)?;
+        let off = distance(&settled.state, &other.state, scale);
+        // Two runs that agree by chance: a bound is not met better than by itself.
+        growth = (off / loose).max(1.0);
+        if off < LOST {
+            break;
+        }
     }
+    let (needed, error) = needed(growth, bound, tolerance);
+    if needed < bound {
+        settled = end(member, way.within(needed), duration, stop)?;
+    }
+    settled.error = Some(error);
     Ok(settled)
 }
 
-fn end(member: &Member, way: Way, duration: f64) -> Result<Estimated, MotionError> {
+/// The way within the tolerance and the error to expect, from two runs that are looser than it: for a run whose rows are
+/// written as they come, and can't be taken back.
+///
+/// # Errors
+/// As of [`settle`].
+pub fn foresee(
+    member: &Member,
+    way: Way,
+    duration: f64,
+    tolerance: f64,
+    stop: &dyn Fn() -> bool,
+) -> Result<(Way, f64), Unsettled> {
+    let Some(bound) = way.step_tolerance() else {
+        let settled = end(member, way, duration, stop)?;
+        return Ok((way, error_without_bound(member, &settled, duration, stop)?));
+    };
+    let scale = member.start.angular_velocity.norm();
+    let mut growth = f64::INFINITY;
+    let mut one = end(member, way.within(LOOSE[0]), duration, stop)?;
+    for (loose, tight) in LOOSE.into_iter().zip(LOOSE.into_iter().skip(1)) {
+        let other = end(member, way.within(tight), duration, stop)?;
+        let off = distance(&one.state, &other.state, scale);
+        growth = (off / loose).max(1.0);
+        if off < LOST {
+            break;
+        }
+        one = other;
+    }
+    let (needed, error) = needed(growth, bound, tolerance);
+    Ok((way.within(needed), error))
+}
+
+/// The bound of a step, at most the one given, that keeps the error within the tolerance if anything does; and the error.
+fn needed(growth: f64, bound: f64, tolerance: f64) -> (f64, f64) {
+    // Half of it, so that the estimate stays below the tolerance when it is rounded.
+    let least = plan::LEAST.min(bound);
+    let needed = (0.5 * tolerance / (SAFETY * growth)).clamp(least, bound);
+    (needed, SAFETY * growth * needed.max(ROUNDING))
+}
+
+/// Parts of a run between which it may be stopped.
+const PARTS: u32 = 64;
+
+fn end(
+    member: &Member,
+    way: Way,
+    duration: f64,
+    stop: &dyn Fn() -> bool,
+) -> Result<Estimated, Unsettled> {
+    let mut course = Course::new(member, &way)?;
+    if way.step_tolerance().is_some() {
+        for part in 1..PARTS {
+            course.at(duration * (f64::from(part) / f64::from(PARTS)))?;
+            if stop() {
+                return Err(Unsettled::Stopped);
+            }
+        }
+    }
     Ok(Estimated {
-        state: Course::new(member, &way)?.at(duration)?,
+        state: course.at(duration)?,
         error: None,
         way,
     })
 }
 
-/// The error at the end for a unit of error bound in each step, from a companion run with a looser bound.
-fn growth(
+/// The error of a way whose steps have no bound: what rounding its input would do to a closed form, and for steps of
+/// fixed length the distance to a run by Taylor series.
+fn error_without_bound(
     member: &Member,
-    way: Way,
+    found: &Estimated,
     duration: f64,
-    state: &State<f64>,
-    bound: f64,
-) -> Result<f64, MotionError> {
-    let scale = member.start.angular_velocity.norm();
-    let mut growth = f64::INFINITY;
-    for loose in LOOSE.into_iter().filter(|loose| *loose > 4.0 * bound) {
-        let other = end(member, way.within(loose), duration)?;
-        let off = distance(state, &other.state, scale);
-        growth = off / loose;
-        if off < LOST {
-            break;
+    stop: &dyn Fn() -> bool,
+) -> Result<f64, Unsettled> {
+    let speed = member.start.angular_velocity.norm();
+    Ok(match found.way {
+        Way::Free => free_error(member, duration),
+        Way::Spin(_) => {
+            let speed = speed.max(found.state.angular_velocity.norm());
+            ROUNDING * (1.0 + speed * duration)
         }
-    }
-    // Two runs that agree by chance: a bound is not met better than by itself.
-    Ok(growth.max(1.0))
-}
-
-/// The error of a closed form: what rounding its input would do.
-fn closed_error(member: &Member, way: &Way, duration: f64) -> Option<f64> {
-    match way {
-        Way::Spin(spin) => {
-            let speed = spin.at(duration).angular_velocity.norm();
-            let speed = speed.max(member.start.angular_velocity.norm());
-            Some(ROUNDING * (1.0 + speed * duration))
+        _ => {
+            let fine = Way::Taylor { tolerance: 1e-14 };
+            let other = end(member, fine, duration, stop)?;
+            distance(&found.state, &other.state, speed)
         }
-        Way::Free => Some(free_error(member, duration)),
-        _ => None,
-    }
+    })
 }
 
 /// By moving the initial ω a little each way: the state after it moves by the conditioning of the problem.

@@ -1,7 +1,7 @@
 //! The plan: how a body's motion is computed, and what of the work is skipped.
 
 use crate::motion::Torque;
-use crate::scene::{Member, Method, Run, Spin};
+use crate::scene::{Costs, Member, Method, Run, Spin};
 use std::{error, fmt};
 
 /// How the motion of one body is computed.
@@ -87,15 +87,31 @@ pub(crate) const LEAST: f64 = 1e-16;
 pub fn way(member: &Member, run: &Run) -> Result<Way, PlanError> {
     let spin = || Spin::new(member).map(Way::Spin);
     let free = || is_free(&member.torque).then_some(Way::Free);
-    let tolerance = (run.tolerance * PART).max(LEAST);
+    let tolerance = bound(run);
     match run.method {
-        Method::Auto => Ok(spin().or_else(free).unwrap_or(Way::Taylor { tolerance })),
+        Method::Auto => Ok(spin()
+            .or_else(free)
+            .unwrap_or_else(|| cheapest(member, run))),
         Method::Exact => free().or_else(spin).ok_or(PlanError::NoClosedForm),
         Method::Taylor => Ok(Way::Taylor { tolerance }),
         Method::Dop853 => Ok(Way::Dop853 { tolerance }),
         Method::Rk4 => Ok(Way::Rk4 {
             step: run.step.unwrap_or(run.duration),
         }),
+    }
+}
+
+/// The bound of a step to begin with.
+pub(crate) fn bound(run: &Run) -> f64 {
+    (run.tolerance * PART).max(LEAST)
+}
+
+fn cheapest(member: &Member, run: &Run) -> Way {
+    let [taylor, dop853] = Costs::default().candidates(member, run);
+    if dop853.1 < taylor.1 {
+        dop853.0
+    } else {
+        taylor.0
     }
 }
 

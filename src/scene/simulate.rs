@@ -1,9 +1,9 @@
 //! Runs a scene, body after body, and hands the results on as they come.
 
-use crate::motion::{MotionError, State};
+use crate::motion::{Body, MotionError, State};
 use crate::scene::{
-    Balance, Course, Group, Member, PlanError, Run, Scene, Sensitivity, Way, sensitivity, settle,
-    way,
+    Balance, Course, Group, Member, PlanError, Run, Scene, Sensitivity, Unsettled, Way, foresee,
+    sensitivity, settle, way,
 };
 use std::{error, fmt};
 
@@ -106,46 +106,15 @@ impl<E: error::Error> error::Error for RunError<E> {}
 /// A body that cannot be or whose motion is not finite; what the sink has to say.
 pub fn simulate<S: Sink>(scene: &Scene, sink: &mut S) -> Result<bool, RunError<S::Error>> {
     for group in &scene.groups {
-        let failed = |index: u64| {
-            move |reason| RunError::Motion {
-                body: group.member_name(index),
-                reason,
-            }
-        };
-        let shared = group.shared_body().map_err(failed(0))?;
+        let shared = group.shared_body().map_err(|reason| RunError::Motion {
+            body: group.name.clone(),
+            reason,
+        })?;
         for index in 0..group.count {
             if sink.stopped() {
                 return Ok(false);
             }
-            let member = group
-                .member(index, shared.as_ref())
-                .map_err(failed(index))?;
-            let way = way(&member, &scene.run).map_err(|reason| RunError::Plan {
-                body: group.member_name(index),
-                reason,
-            })?;
-            sink.begin(group, index).map_err(RunError::Sink)?;
-            let mut outcome =
-                body(&member, way, &scene.run, sink).map_err(|error| match error {
-                    Broken::Motion(reason) => failed(index)(reason),
-                    Broken::Sink(error) => RunError::Sink(error),
-                })?;
-            let complete = outcome.time >= scene.run.duration;
-            if scene.run.outputs.jacobian && complete {
-                let wrt = &scene.run.wrt;
-                let (time, last) = (outcome.time, outcome.last);
-                let found = sensitivity(
-                    &member,
-                    wrt,
-                    group.products,
-                    time,
-                    &last,
-                    scene.run.tolerance,
-                );
-                outcome.jacobian = Some(found.map_err(failed(index))?);
-            }
-            sink.end(&outcome).map_err(RunError::Sink)?;
-            if !complete {
+            if !one(group, index, shared.as_ref(), &scene.run, sink)? {
                 return Ok(false);
             }
         }
@@ -153,14 +122,66 @@ pub fn simulate<S: Sink>(scene: &Scene, sink: &mut S) -> Result<bool, RunError<S
     Ok(true)
 }
 
+/// Runs one member; returns whether it came to its end.
+fn one<S: Sink>(
+    group: &Group,
+    index: u64,
+    shared: Option<&Body>,
+    run: &Run,
+    sink: &mut S,
+) -> Result<bool, RunError<S::Error>> {
+    let failed = |reason| RunError::Motion {
+        body: group.member_name(index),
+        reason,
+    };
+    let member = group.member(index, shared).map_err(failed)?;
+    let way = way(&member, run).map_err(|reason| RunError::Plan {
+        body: group.member_name(index),
+        reason,
+    })?;
+    sink.begin(group, index).map_err(RunError::Sink)?;
+    let mut outcome = match body(&member, way, run, sink) {
+        Ok(outcome) => outcome,
+        Err(Broken::Motion(reason)) => return Err(failed(reason)),
+        Err(Broken::Sink(error)) => return Err(RunError::Sink(error)),
+        // Before its first row: it ends where it began.
+        Err(Broken::Stopped) => Outcome::at_start(&member, way),
+    };
+    let complete = outcome.time >= run.duration;
+    if run.outputs.jacobian && complete {
+        let last = outcome.last;
+        let found = sensitivity(
+            &member,
+            &run.wrt,
+            group.products,
+            run.duration,
+            &last,
+            run.tolerance,
+        );
+        outcome.jacobian = Some(found.map_err(failed)?);
+    }
+    sink.end(&outcome).map_err(RunError::Sink)?;
+    Ok(complete)
+}
+
 enum Broken<E> {
     Motion(MotionError),
     Sink(E),
+    Stopped,
 }
 
 impl<E> From<MotionError> for Broken<E> {
     fn from(error: MotionError) -> Self {
         Self::Motion(error)
+    }
+}
+
+impl<E> From<Unsettled> for Broken<E> {
+    fn from(error: Unsettled) -> Self {
+        match error {
+            Unsettled::Motion(error) => Self::Motion(error),
+            Unsettled::Stopped => Self::Stopped,
+        }
     }
 }
 
@@ -171,27 +192,29 @@ fn body<S: Sink>(
     sink: &mut S,
 ) -> Result<Outcome, Broken<S::Error>> {
     let balance = Balance::new(member);
-    let (state, error, way) = if run.estimate_error {
-        let settled = settle(member, way, run.duration, run.tolerance)?;
-        (settled.state, settled.error, settled.way)
-    } else {
-        (Course::new(member, &way)?.at(run.duration)?, None, way)
-    };
     let mut outcome = Outcome {
-        last: state,
         time: run.duration,
-        way,
-        error,
-        energy_drift: None,
-        momentum_drift: None,
-        jacobian: None,
+        ..Outcome::at_start(member, way)
     };
     let outputs = &run.outputs;
+    let (duration, tolerance) = (run.duration, run.tolerance);
     if outputs.trajectory || outputs.energy || outputs.momentum {
+        if run.estimate_error {
+            let stop = || sink.stopped();
+            let (way, error) = foresee(member, way, duration, tolerance, &stop)?;
+            (outcome.way, outcome.error) = (way, Some(error));
+        }
         along(member, &balance, run, &mut outcome, sink)?;
-    } else {
-        outcome.note_drift(&balance, run.duration, &state);
+        return Ok(outcome);
     }
+    if run.estimate_error {
+        let settled = settle(member, way, duration, tolerance, &|| sink.stopped())?;
+        (outcome.last, outcome.error, outcome.way) = (settled.state, settled.error, settled.way);
+    } else {
+        outcome.last = Course::new(member, &way)?.at(duration)?;
+    }
+    let last = outcome.last;
+    outcome.note_drift(&balance, duration, &last);
     Ok(outcome)
 }
 
@@ -222,15 +245,27 @@ fn along<S: Sink>(
             };
             sink.row(&row).map_err(Broken::Sink)?;
         }
+        (outcome.last, outcome.time) = (state, time);
         if n < count && sink.stopped() {
-            (outcome.last, outcome.time) = (state, time);
-            return Ok(());
+            break;
         }
     }
     Ok(())
 }
 
 impl Outcome {
+    fn at_start(member: &Member, way: Way) -> Self {
+        Self {
+            last: member.start,
+            time: 0.0,
+            way,
+            error: None,
+            energy_drift: None,
+            momentum_drift: None,
+            jacobian: None,
+        }
+    }
+
     fn note_drift(&mut self, balance: &Balance, time: f64, state: &State<f64>) {
         let larger =
             |old: Option<f64>, new: Option<f64>| new.map(|new| old.unwrap_or(0.0).max(new));

@@ -2,7 +2,7 @@
 
 use crate::motion::{Frame, Quaternion, State, Torque};
 use crate::scene::Member;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// A spin about an axis fixed in the body and in space, under a torque along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,26 +30,10 @@ impl Spin {
     /// could be the unstable one.
     pub fn new(member: &Member) -> Option<Self> {
         let start = &member.start;
-        let seen = |frame: Frame, v: &Vector3<f64>| match frame {
-            Frame::Body => *v,
-            Frame::Space => start.attitude.to_body(v),
-        };
-        let (drive, law): (_, fn(f64, &Torque) -> SpinLaw) = match &member.torque {
-            Torque::None => (Vector3::zeros(), |_, _| SpinLaw::Steady),
-            Torque::Damping { .. } => (Vector3::zeros(), damped),
-            Torque::Constant { frame, value } => (seen(*frame, value), |a, _| SpinLaw::Driven(a)),
-            Torque::Sinusoid {
-                frame, amplitude, ..
-            } => (seen(*frame, amplitude), shaken),
-            Torque::Gravity { weight, arm } => {
-                let down = seen(Frame::Space, &Vector3::new(0.0, 0.0, -weight));
-                along_one(&[&down, arm, &start.angular_velocity])?;
-                (Vector3::zeros(), |_, _| SpinLaw::Steady)
-            }
-        };
+        let (drive, law) = drive(member)?;
         let omega = start.angular_velocity;
         let inertia = member.body.inertia();
-        let sphere = *inertia == nalgebra::Matrix3::from_diagonal_element(inertia[(0, 0)]);
+        let sphere = *inertia == Matrix3::from_diagonal_element(inertia[(0, 0)]);
         let (axis, speed, drive, moment) = if sphere && drive == Vector3::zeros() {
             let speed = omega.norm();
             let axis = if speed > 0.0 { omega / speed } else { omega };
@@ -60,19 +44,14 @@ impl Spin {
             if inertia[(k, i)] != 0.0 || inertia[(k, j)] != 0.0 {
                 return None;
             }
-            let mut axis = Vector3::zeros();
-            axis[k] = 1.0;
+            let axis = Vector3::from_fn(|r, _| if r == k { 1.0 } else { 0.0 });
             (axis, omega[k], drive[k], inertia[(k, k)])
-        };
-        let law = match law(drive / moment, &member.torque) {
-            SpinLaw::Damped(c) => SpinLaw::Damped(c / moment),
-            law => law,
         };
         let spin = Self {
             start: *start,
             axis,
             speed,
-            law,
+            law: law(drive, moment, &member.torque),
         };
         spin.axis.iter().all(|c| c.is_finite()).then_some(spin)
     }
@@ -108,20 +87,47 @@ impl Spin {
     }
 }
 
-fn damped(_: f64, torque: &Torque) -> SpinLaw {
+/// How the speed follows from the drive along the axis and the moment about it.
+type LawOf = fn(f64, f64, &Torque) -> SpinLaw;
+
+/// The vector that drives the body, in body axes, if the torque has one direction or none.
+fn drive(member: &Member) -> Option<(Vector3<f64>, LawOf)> {
+    let seen = |frame: Frame, v: &Vector3<f64>| match frame {
+        Frame::Body => *v,
+        Frame::Space => member.start.attitude.to_body(v),
+    };
+    Some(match &member.torque {
+        Torque::None => (Vector3::zeros(), |_, _, _| SpinLaw::Steady),
+        Torque::Damping { .. } => (Vector3::zeros(), damped),
+        Torque::Constant { frame, value } => (seen(*frame, value), |drive, moment, _| {
+            SpinLaw::Driven(drive / moment)
+        }),
+        Torque::Sinusoid {
+            frame, amplitude, ..
+        } => (seen(*frame, amplitude), shaken),
+        Torque::Gravity { weight, arm } => {
+            // A weight above or below the fixed point has no moment, and keeps none in a turn about the vertical.
+            let down = seen(Frame::Space, &Vector3::new(0.0, 0.0, -weight));
+            along_one(&[&down, arm, &member.start.angular_velocity])?;
+            (Vector3::zeros(), |_, _, _| SpinLaw::Steady)
+        }
+    })
+}
+
+fn damped(_: f64, moment: f64, torque: &Torque) -> SpinLaw {
     match torque {
-        Torque::Damping { coefficient } => SpinLaw::Damped(*coefficient),
+        Torque::Damping { coefficient } => SpinLaw::Damped(coefficient / moment),
         _ => SpinLaw::Steady,
     }
 }
 
-fn shaken(a: f64, torque: &Torque) -> SpinLaw {
+fn shaken(drive: f64, moment: f64, torque: &Torque) -> SpinLaw {
     match torque {
         Torque::Sinusoid {
             angular_frequency,
             phase,
             ..
-        } => SpinLaw::Shaken(a, *angular_frequency, *phase),
+        } => SpinLaw::Shaken(drive / moment, *angular_frequency, *phase),
         _ => SpinLaw::Steady,
     }
 }
@@ -171,7 +177,6 @@ fn lag(x: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::motion::{Body, Stepper, TaylorMotion};
-    use nalgebra::Matrix3;
 
     fn member(moments: [f64; 3], omega: [f64; 3], torque: Torque) -> Member {
         let tensor = Matrix3::from_diagonal(&moments.into());

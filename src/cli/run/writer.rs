@@ -1,5 +1,6 @@
 //! Results of a run on their way to a file, in one of the forms.
 
+use crate::cli::run::progress::{self, Progress};
 use crate::cli::run::target::Target;
 use crate::scene::{Group, Outcome, Row, Run, Scene, Sink};
 use std::io::{self, Write};
@@ -28,11 +29,15 @@ pub(super) struct Writer {
     missed: u64,
     worst: f64,
     first_missed: Option<String>,
+    progress: Progress,
+    reached: f64,
 }
 
 impl Writer {
     pub(super) fn new(form: Box<dyn Form>, target: Target, scene: &Scene) -> Self {
         Self {
+            progress: Progress::new(scene),
+            reached: 0.0,
             form,
             target,
             run: scene.run.clone(),
@@ -52,26 +57,36 @@ impl Writer {
         Ok(())
     }
 
-    /// Ends the file, says what missed the tolerance, and returns the exit code.
-    pub(super) fn finish(mut self) -> io::Result<u8> {
+    /// Ends the file, says what missed the tolerance and whether the run was stopped, and returns the exit code.
+    pub(super) fn finish(mut self, complete: bool) -> io::Result<u8> {
+        self.progress.end();
         self.open()?;
         self.form.close(&mut self.target)?;
         self.target.close()?;
-        let Some(first) = self.first_missed else {
-            return Ok(0);
-        };
-        let (worst, tolerance) = (self.worst, self.run.tolerance);
-        let others = match self.missed {
-            1 => String::new(),
-            n => format!(" and {} other bodies", n - 1),
-        };
-        eprintln!(
-            "warning: {first:?}{others} may be off by up to {worst:.1e}, more than the tolerance {tolerance:e}; \
-             a smaller error can't be promised in double precision"
-        );
-        Ok(3)
+        if !complete {
+            let (name, reached) = (&self.name, self.reached);
+            eprintln!("stopped: what is written is complete up to t = {reached} s of {name:?}");
+        }
+        if let Some(first) = &self.first_missed {
+            let (worst, tolerance) = (self.worst, self.run.tolerance);
+            let others = match self.missed {
+                1 => String::new(),
+                n => format!(" and {} other bodies", n - 1),
+            };
+            eprintln!(
+                "warning: {first:?}{others} may be off by up to {worst:.1e}, more than the tolerance {tolerance:e}"
+            );
+        }
+        Ok(match (complete, &self.first_missed) {
+            (false, _) => INTERRUPTED,
+            (true, Some(_)) => 3,
+            (true, None) => 0,
+        })
     }
 }
+
+/// What a shell expects of a command that was interrupted: 128 + SIGINT.
+const INTERRUPTED: u8 = 130;
 
 impl Sink for Writer {
     type Error = io::Error;
@@ -83,6 +98,8 @@ impl Sink for Writer {
     }
 
     fn row(&mut self, row: &Row) -> io::Result<()> {
+        self.reached = row.time;
+        self.progress.within(row.time);
         self.form.row(&mut self.target, row)
     }
 
@@ -96,6 +113,12 @@ impl Sink for Writer {
                 self.first_missed = Some(self.name.clone());
             }
         }
+        self.reached = outcome.time;
+        self.progress.body();
         self.form.end(&mut self.target, outcome)
+    }
+
+    fn stopped(&self) -> bool {
+        progress::interrupted()
     }
 }

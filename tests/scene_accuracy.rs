@@ -1,0 +1,179 @@
+//! Random scenes: what is computed is as right as it says.
+#![cfg(feature = "bench")]
+
+use nalgebra::{Matrix3, Vector3};
+use polhode::bench::reference;
+use polhode::motion::{Body, Frame, Quaternion, State, Stepper, TaylorMotion, Torque};
+use polhode::scene::{Draw, Member, Method, Outputs, Quantity, Run, Wrt, distance, settle, way};
+
+/// Even numbers of one random scene.
+struct Dice(Draw);
+
+impl Dice {
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        Quantity::Uniform { from, to }.draw(&mut self.0)
+    }
+
+    fn vector(&mut self, size: f64) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.between(-size, size))
+    }
+
+    fn one_of(&mut self, count: usize) -> usize {
+        (self.between(0.0, count as f64) as usize).min(count - 1)
+    }
+
+    fn body(&mut self) -> Body {
+        // Mean squares of the coordinates, so that every body is possible.
+        let spread = [1.0, 1.0, 30.0, 100.0][self.one_of(4)];
+        let [x, y, z] = [0, 1, 2]
+            .map(|_| self.between(0.3, 1.0) * self.between(0.0, 1.0).powi(2).max(1.0 / spread));
+        let moments = match self.one_of(6) {
+            0 => Vector3::from_element(x + y),
+            1 => Vector3::new(x + y, x + y, 2.0 * x),
+            _ => Vector3::new(y + z, z + x, x + y),
+        };
+        let turn = Quaternion::exp(&self.vector(2.0)).matrix();
+        let tensor = if self.one_of(2) == 0 {
+            Matrix3::from_diagonal(&moments)
+        } else {
+            let full = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
+            Matrix3::from_fn(|r, c| full[(r.min(c), r.max(c))])
+        };
+        Body::new(&tensor).expect("a body")
+    }
+
+    fn torque(&mut self) -> Torque {
+        let frame = [Frame::Body, Frame::Space][self.one_of(2)];
+        match self.one_of(6) {
+            0 | 1 => Torque::None,
+            2 => Torque::Constant {
+                frame,
+                value: self.vector(1.0),
+            },
+            3 => Torque::Gravity {
+                weight: self.between(0.0, 3.0),
+                arm: self.vector(0.5),
+            },
+            4 => Torque::Damping {
+                coefficient: self.between(0.0, 0.3),
+            },
+            _ => Torque::Sinusoid {
+                frame,
+                amplitude: self.vector(1.0),
+                angular_frequency: self.between(-5.0, 5.0),
+                phase: self.between(0.0, 6.0),
+            },
+        }
+    }
+
+    fn member(&mut self) -> Member {
+        let body = self.body();
+        let mut omega = self.vector(3.0);
+        match self.one_of(8) {
+            0 => omega = Vector3::zeros(),
+            1 => omega = body.axes() * Vector3::new(0.0, 2.0, self.between(0.0, 1e-3)),
+            2 => omega = Vector3::new(0.0, 0.0, omega.z),
+            _ => {}
+        }
+        let attitude = match self.one_of(2) {
+            0 => Quaternion::identity(),
+            _ => Quaternion::exp(&self.vector(2.0)),
+        };
+        Member {
+            body,
+            start: State::new(attitude.components(), omega.into()).expect("a state"),
+            torque: self.torque(),
+        }
+    }
+
+    fn run(&mut self) -> Run {
+        let longest = [1.0, 3.0, 10.0][self.one_of(3)];
+        Run {
+            duration: self.between(0.1, longest),
+            tolerance: 10f64.powf(self.between(-14.0, -3.0)),
+            method: Method::Auto,
+            step: None,
+            outputs: Outputs {
+                last: true,
+                ..Outputs::NONE
+            },
+            wrt: Wrt::NONE,
+            output_interval: 1.0,
+            estimate_error: true,
+        }
+    }
+}
+
+/// What was found of one random scene, the truth beside it.
+struct Trial {
+    error: f64,
+    estimate: f64,
+    tolerance: f64,
+}
+
+fn trial(seed: u64, number: u64, truth: impl Fn(&Member, f64) -> State<f64>) -> Trial {
+    let mut dice = Dice(Draw::new(seed, number));
+    let (member, run) = (dice.member(), dice.run());
+    let plan = way(&member, &run).expect("a plan");
+    let found = settle(&member, plan, run.duration, run.tolerance, &|| false).expect("settled");
+    let truth = truth(&member, run.duration);
+    Trial {
+        error: distance(&truth, &found.state, member.start.angular_velocity.norm()),
+        estimate: found.error.expect("an estimate"),
+        tolerance: run.tolerance,
+    }
+}
+
+fn in_thirty_digits(member: &Member, duration: f64) -> State<f64> {
+    reference(member, &[duration]).expect("a truth")[0]
+}
+
+/// The unskipped run: steps through everything, as finely as doubles can.
+fn unskipped(member: &Member, duration: f64) -> State<f64> {
+    let mut motion =
+        TaylorMotion::new(&member.body, member.torque, &member.start, 1e-16).expect("a motion");
+    motion.advance_to(duration).expect("finite");
+    *motion.state()
+}
+
+#[test]
+fn a_planned_run_is_the_unskipped_run_within_the_tolerance() {
+    let trials: Vec<_> = (0..400).map(|n| trial(11, n, unskipped)).collect();
+    // Below 1e-11 the unskipped run's own rounding shows.
+    let fair: Vec<_> = trials.iter().filter(|t| t.tolerance > 1e-11).collect();
+    for t in &fair {
+        assert!(
+            t.error <= t.tolerance || t.estimate > t.tolerance,
+            "off by {:e}, estimated {:e}, tolerance {:e}",
+            t.error,
+            t.estimate,
+            t.tolerance
+        );
+    }
+    let within = fair.iter().filter(|t| t.error <= t.tolerance).count();
+    assert!(
+        within as f64 >= 0.999 * fair.len() as f64,
+        "{within} of {}",
+        fair.len()
+    );
+    let alarms = fair.iter().filter(|t| t.estimate > t.tolerance).count();
+    assert!(
+        alarms <= fair.len() / 100,
+        "{alarms} false alarms of {}",
+        fair.len()
+    );
+}
+
+#[test]
+fn the_estimate_is_not_below_the_error_to_thirty_digits() {
+    let few = if cfg!(debug_assertions) { 6 } else { 60 };
+    for n in 0..few {
+        let t = trial(5, n, in_thirty_digits);
+        assert!(
+            t.error <= t.estimate,
+            "scene {n}: off by {:e}, estimated {:e}",
+            t.error,
+            t.estimate
+        );
+    }
+}
