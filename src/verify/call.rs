@@ -61,6 +61,13 @@ impl Lowering<'_> {
                 return Ok(value);
             }
             let (left, right) = (self.value(head)?, self.value(argument)?);
+            // S(a), the skew matrix of a.
+            if matches!(&head.kind, Kind::Symbol(s) if s.name == "S" && s.subscripts.is_empty())
+                && right.is_vector()
+            {
+                let ill = |ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m);
+                return right.skew().map_err(ill);
+            }
             return left
                 .times(&right)
                 .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m));

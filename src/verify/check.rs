@@ -263,6 +263,9 @@ impl<'a> Checker<'a> {
 
     /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
     fn single_moments(&mut self) {
+        if self.reading.symmetric {
+            self.two_equal_moments();
+        }
         let inertia: Vec<&Letter> = self
             .reading
             .quantities
@@ -286,6 +289,19 @@ impl<'a> Checker<'a> {
         if !double && (single || (by_component && !whole)) {
             self.take(Said::Principal, Span::default());
         }
+    }
+
+    /// Moments called A, A, C.
+    fn two_equal_moments(&mut self) {
+        let entity = self.theory.atoms.quantity(Quantity::Inertia);
+        let [first, second] = [0, 1].map(|c| self.theory.atoms.value(entity, c, 0));
+        let premise = Premise {
+            name: "two moments are equal: I₁ = I₂".to_owned(),
+            preferred: vec![self.theory.atoms.part(entity, 1, 0)],
+            residuals: vec![second - first],
+            definition: true,
+        };
+        self.theory.assume(premise);
     }
 
     fn formula(&mut self, formula: &Formula) {

@@ -11,7 +11,7 @@ use crate::verify::lower::{Trouble, TroubleKind};
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::symbol::{MAGNITUDE, Meaning, meaning};
-use crate::verify::usage::symbols;
+use crate::verify::usage::{axes, axis, symbols};
 use crate::verify::verdict::{Finding, Verdict};
 
 impl Checker<'_> {
@@ -68,6 +68,10 @@ impl Checker<'_> {
         finding: &mut Finding,
     ) {
         let unknown = self.unknown(sides);
+        let loose = match decision {
+            Decision::False(_) => self.untied(read),
+            _ => None,
+        };
         match decision {
             Decision::Open(reason) => finding.reason = Some(reason),
             _ if unknown.is_some() => {
@@ -78,6 +82,10 @@ impl Checker<'_> {
                     "it differs in the prime field, and no small counterexample was found"
                         .to_owned(),
                 );
+            }
+            Decision::False(_) if loose.is_some() => {
+                finding.reason =
+                    loose.map(|name| format!("nothing before ties `{name}` to the motion"));
             }
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;
@@ -126,7 +134,8 @@ impl Checker<'_> {
     /// Whether every symbol shows its kind by a mark or an index, or is a quantity of the theory.
     pub(super) fn all_marked(&mut self, sides: &[Node]) -> bool {
         sides.iter().flat_map(symbols).all(|symbol| {
-            let marked = symbol.style.vector || symbol.style.hat || !symbol.subscripts.is_empty();
+            let index = symbol.subscripts.iter().any(|s| axis(s).is_some() || axes(s).is_some());
+            let marked = symbol.style.vector || symbol.style.hat || index;
             marked || !matches!(
                 meaning(symbol, &self.reading, &mut self.theory.atoms),
                 Meaning::Whole(entity) if !matches!(self.theory.atoms.info(entity).shape, Shape::Scalar)

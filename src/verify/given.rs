@@ -1,12 +1,16 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::atoms::Owner;
+use crate::verify::atoms::{Atom, Owner};
 use crate::verify::check::Checker;
-use crate::verify::quantity::Quantity;
+use crate::verify::line::Read;
+use crate::verify::names;
+use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
 
 impl Checker<'_> {
     /// Whether a line only hands over a value that nothing determines: the mass, a moment of inertia, the angular
@@ -79,5 +83,61 @@ impl Checker<'_> {
 
     pub(super) fn meaning_of(&mut self, symbol: &Symbol) -> Meaning {
         meaning(symbol, &self.reading, &mut self.theory.atoms)
+    }
+
+    /// A number or matrix of the document alone that stands beside quantities of the theory in what differs, and that
+    /// no accepted line connects with them: with another value of it the sides might be equal.
+    pub(super) fn untied(&mut self, read: &Read) -> Option<String> {
+        let mut loose = None;
+        let mut mechanical = false;
+        let tied: BTreeSet<u32> = self
+            .theory
+            .premises()
+            .iter()
+            .flat_map(|p| p.residuals.iter().flat_map(Fraction::variables))
+            .filter_map(|v| self.entity_of(v))
+            .collect();
+        let entries: Vec<Fraction> = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone())
+            .collect();
+        for entry in &entries {
+            for variable in self.theory.normal(entry).variables() {
+                for variable in self.with_arguments(variable) {
+                    let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
+                        continue;
+                    };
+                    let info = self.theory.atoms.info(entity);
+                    match &info.owner {
+                        Owner::Quantity(_, variant) if variant.is_empty() => mechanical = true,
+                        _ if info.shape != Shape::Vector && !tied.contains(&entity.0) => {
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        loose.filter(|_| mechanical)
+    }
+
+    fn entity_of(&self, variable: u32) -> Option<u32> {
+        match self.theory.atoms.atom(variable) {
+            Atom::Part { entity, .. } => Some(entity.0),
+            _ => None,
+        }
+    }
+
+    /// A variable, or the variables of the argument of a kernel.
+    fn with_arguments(&self, variable: u32) -> Vec<u32> {
+        match self.theory.atoms.atom(variable) {
+            Atom::Kernel { argument, .. } => argument
+                .variables()
+                .into_iter()
+                .flat_map(|v| self.with_arguments(v))
+                .collect(),
+            _ => vec![variable],
+        }
     }
 }

@@ -17,7 +17,9 @@ const PHRASES: &[(&str, Option<Quantity>)] = &[
     ("momentum of the rotor", Some(Quantity::RelativeMomentum)),
     ("momentum of the flywheel", Some(Quantity::RelativeMomentum)),
     ("angular momentum", Some(Quantity::Momentum)),
+    ("momentum", Some(Quantity::Momentum)),
     ("linear momentum", Some(Quantity::LinearMomentum)),
+    ("extra momentum", Some(Quantity::RelativeMomentum)),
     ("kinetic energy", Some(Quantity::Energy)),
     ("rotational energy", Some(Quantity::Energy)),
     ("energy", Some(Quantity::Energy)),
@@ -82,10 +84,46 @@ const PHRASES: &[(&str, Option<Quantity>)] = &[
     ("power", Some(Quantity::Power)),
 ];
 
+/// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
+fn is_word(text: &str, at: usize, phrase: &str) -> bool {
+    let letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+    let rest = &text[at + phrase.len()..];
+    let rest = rest.strip_prefix('s').unwrap_or(rest);
+    !letter(text[..at].chars().next_back()) && !letter(rest.chars().next())
+}
+
+/// The single letters that a text names right after such a phrase: "moments A, A, C", with the phrase's quantity.
+pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
+    let lower = text.to_lowercase();
+    let mut named = vec![];
+    if lower.len() != text.len() {
+        return named;
+    }
+    for (phrase, quantity) in PHRASES {
+        let Some(quantity) = quantity else { continue };
+        for (at, _) in lower.match_indices(phrase) {
+            if !is_word(&lower, at, phrase) || !text.is_char_boundary(at + phrase.len()) {
+                continue;
+            }
+            let rest = text[at + phrase.len()..].trim_start_matches('s');
+            let words = rest
+                .split(|c: char| c.is_whitespace() || c == ',')
+                .filter(|w| !w.is_empty() && *w != "and");
+            let single = |w: &&str| w.chars().count() == 1 && w.chars().all(char::is_alphabetic);
+            let found = words.take_while(single).filter(|w| *w != "a" && *w != "I");
+            named.extend(found.map(|w| (w.to_owned(), *quantity)));
+        }
+    }
+    named
+}
+
 /// The quantity that the words before a formula name, where they come close to it.
 pub(super) fn said_before(text: &str) -> Option<Quantity> {
     let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
-        let at = text.rfind(phrase)?;
+        let at = text
+            .rmatch_indices(phrase)
+            .find(|&(at, _)| is_word(text, at, phrase))?
+            .0;
         Some((at + phrase.len(), phrase.len(), *quantity))
     };
     let (end, _, quantity) = PHRASES
@@ -107,7 +145,7 @@ pub(super) fn apposition(text: &str, near: bool) -> Option<Quantity> {
         .unwrap_or(rest);
     let found = PHRASES
         .iter()
-        .filter(|(phrase, _)| rest.starts_with(phrase));
+        .filter(|(phrase, _)| rest.starts_with(phrase) && is_word(rest, 0, phrase));
     found.max_by_key(|(phrase, _)| phrase.len())?.1
 }
 
@@ -130,7 +168,10 @@ pub(super) fn said_after(text: &str) -> Option<Quantity> {
     .iter()
     .find_map(|lead| text.strip_prefix(lead))?;
     let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
-        let at = rest.find(phrase)?;
+        let at = rest
+            .match_indices(phrase)
+            .find(|&(at, _)| is_word(rest, at, phrase))?
+            .0;
         (at < 30).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
     };
     PHRASES

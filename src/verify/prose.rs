@@ -104,10 +104,34 @@ pub(super) fn said(text: &str) -> Vec<Said> {
     if positive(&text, PRINCIPAL) {
         found.push(Said::Principal);
     }
-    if positive(&text, FREE) {
+    if positive(&text, FREE) || no_torque(&text) {
         found.push(Said::TorqueFree);
     }
     found
+}
+
+/// "No outside torque", "without any applied moment": a denial, at most one word, and the thing.
+fn no_torque(text: &str) -> bool {
+    let words: Vec<&str> = text
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|w| !w.is_empty())
+        .collect();
+    let kinds = [
+        "outside",
+        "external",
+        "applied",
+        "net",
+        "resultant",
+        "outer",
+        "other",
+        "disturbing",
+    ];
+    let things = [
+        "torque", "torques", "moment", "moments", "couple", "couples",
+    ];
+    words.windows(3).any(|w| {
+        matches!(w[0], "no" | "without") && kinds.contains(&w[1]) && things.contains(&w[2])
+    })
 }
 
 /// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".

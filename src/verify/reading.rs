@@ -5,7 +5,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Item, Row};
-use crate::verify::phrases::{apposition, said_after, said_before};
+use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::quantity::Quantity;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,7 +22,10 @@ pub(super) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
+    /// Whether two letters, A and C, stand for the three moments A, A, C.
+    pub symmetric: bool,
     speaks_of_energy: bool,
+    speaks_of_roll: bool,
 }
 
 impl Reading {
@@ -72,8 +75,12 @@ impl Reading {
         for item in &document.items {
             match item {
                 Item::Prose { text, .. } => {
+                    for (letter, quantity) in letters_named(text) {
+                        self.vote(Letter::plain(&letter), quantity, 3);
+                    }
                     let text = text.to_lowercase();
                     self.speaks_of_energy |= text.contains("energy");
+                    self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     if let Some(quantity) = said_after(&text).or_else(|| apposition(&text, near)) {
                         last.drain(..)
                             .for_each(|letter| self.vote(letter, quantity, 5));
@@ -124,11 +131,17 @@ impl Reading {
 
     /// Three letters in a row that are the components of one quantity.
     fn sequences(&mut self) {
-        let rates = ["p", "q", "r"].map(Letter::plain);
-        let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
-        let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
-        if rates.iter().filter(|l| moving(l)).count() >= 2 || rates.iter().any(named) {
-            self.take_components(rates, Quantity::AngularVelocity);
+        for names in [["p", "q", "r"], ["P", "Q", "R"]] {
+            let rates = names.map(Letter::plain);
+            let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
+            let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
+            if rates.iter().filter(|l| moving(l)).count() >= 2 || rates.iter().any(named) {
+                self.take_components(rates, Quantity::AngularVelocity);
+            }
+        }
+        let lower = ["ell", "m", "n"].map(Letter::plain);
+        if self.speaks_of_roll && lower.iter().all(|l| self.usage.get(l).bare > 0) {
+            self.take_components(lower, Quantity::Moment);
         }
         for calligraphic in [true, false] {
             let trio = ["L", "M", "N"].map(|name| Letter {
@@ -147,6 +160,11 @@ impl Reading {
         let bare = moments.iter().all(|l| self.usage.get(l).bare > 0);
         if voted && bare {
             self.take_components(moments, Quantity::Inertia);
+        } else if voted && self.usage.get(&moments[0]).bare * self.usage.get(&moments[2]).bare > 0 {
+            let [a, _, c] = moments;
+            self.components.insert(a, (Quantity::Inertia, 0));
+            self.components.insert(c, (Quantity::Inertia, 2));
+            self.symmetric = true;
         }
     }
 
@@ -186,9 +204,10 @@ impl Reading {
                 used.vector + used.component > 0
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
+            Quantity::Momentum if letter.name == "p" => false,
             _ => {
                 used.vector + used.component > 0
-                    && !matches!(letter.name.as_str(), "omega" | "Omega")
+                    && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
             }
         }
     }

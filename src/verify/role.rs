@@ -188,7 +188,7 @@ const NO_ROLE: &[&str] = &[
 /// Words reach to the end of their sentence, or to a word such as *then* or *gives*; the last role word that is in
 /// force decides.
 pub(super) fn role(sentence: &str) -> Role {
-    let text = format!(" {} ", cleaned(sentence));
+    let text = format!(" {} ", cleaned(&main_clauses(sentence)));
     let mut text = text
         .replace(" let us assume ", " assume ")
         .replace(" let us suppose ", " suppose ");
@@ -239,6 +239,26 @@ pub(super) fn role(sentence: &str) -> Role {
 /// Whether a sentence derives what follows it: "hence", "gives".
 pub(super) fn asserts(sentence: &str) -> bool {
     last_of(&format!(" {} ", cleaned(sentence)), CLAIM).is_some()
+}
+
+/// A comma after a formula, and a subject behind it, open the main clause: "where ⟨n⟩ is constant, the equation is".
+fn main_clauses(sentence: &str) -> String {
+    let mut text = sentence.to_owned();
+    for subject in [
+        "the", "this", "these", "it", "its", "we", "one", "both", "only", "each", "all", "they",
+    ] {
+        let opening = format!(", {subject} ");
+        let mut from = 0;
+        while let Some(at) = text[from..].find(&opening).map(|i| from + i) {
+            let inside = &text[..at];
+            let formula = inside.rfind('⟩').is_some();
+            if formula {
+                text.insert_str(at + 1, " then");
+            }
+            from = at + opening.len();
+        }
+    }
+    text
 }
 
 fn last_of(text: &str, words: &[&str]) -> Option<usize> {

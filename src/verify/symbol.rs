@@ -168,7 +168,10 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
         "I" if symbol.style.vector && reading.usage.get(&Letter::plain("J")).bare > 0 => {
             Some(Meaning::Identity)
         }
-        "I" if symbol.subscripts == ["3"] && reading.usage.get(&Letter::plain("J")).bare > 0 => {
+        "I" if symbol.subscripts == ["3"]
+            && !reading.usage.has_index(&Letter::plain("I"), "1")
+            && reading.usage.get(&Letter::plain("J")).bare > 0 =>
+        {
             Some(Meaning::Identity)
         }
         _ => None,
@@ -297,7 +300,9 @@ fn of_symbol(
             ""
         }
     );
-    if symbol.style.hat || symbol.style.tilde {
+    // The components of a unit vector ĉ are written c₁, c₂, c₃.
+    let only_hatted = marks && used.bare == 0 && used.vector == used.hatted;
+    if (symbol.style.hat && !only_hatted) || symbol.style.tilde {
         key.push_str(if symbol.style.hat { " hat" } else { " tilde" });
     }
     if !sorted.variant.is_empty() {

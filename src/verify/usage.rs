@@ -44,6 +44,8 @@ pub(super) struct Use {
     pub double: usize,
     /// Times with neither mark nor index.
     pub bare: usize,
+    /// Times with the mark of a vector and a hat.
+    pub hatted: usize,
     /// Times as a factor of a cross product without a mark.
     pub crossed_bare: usize,
     /// Times as a resultant: ΣM, ΣF.
@@ -130,6 +132,13 @@ impl Usage {
     pub(super) fn moves(&self, symbol: &Symbol) -> bool {
         self.moving
             .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
+    }
+
+    /// Whether a letter is met with a subscript.
+    pub(super) fn has_index(&self, letter: &Letter, index: &str) -> bool {
+        self.subscripts
+            .get(letter)
+            .is_some_and(|met| met.contains(index))
     }
 
     /// Whether the index of a symbol is a part of its name.
@@ -247,6 +256,7 @@ impl Usage {
             entry.component += 1;
         } else if symbol.style.vector || symbol.style.bar {
             entry.vector += 1;
+            entry.hatted += usize::from(symbol.style.hat);
         } else {
             entry.bare += 1;
         }
