@@ -10,7 +10,7 @@ use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
 use crate::verify::names;
-use crate::verify::prose::{Said, said, symmetry_plane};
+use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::role::{asserts, role};
@@ -55,6 +55,8 @@ pub(super) struct Checker<'a> {
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
     pub(super) asserted: bool,
+    /// Whether the words speak of vectors that may be any.
+    pub(super) any_vector: bool,
     /// Whether the line at hand stands apart from the text.
     pub(super) displayed: bool,
     pub(super) findings: Vec<Finding>,
@@ -106,6 +108,7 @@ impl<'a> Checker<'a> {
             last_side: None,
             asserted: false,
             displayed: false,
+            any_vector: speaks_of_any_vector(document),
             findings: vec![],
             slips: vec![],
             sentence: String::new(),
@@ -291,6 +294,17 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
+    fn role(&self, display: bool) -> Role {
+        let role = role(&self.sentence);
+        let closed = self.sentence.trim_end().strip_suffix(',');
+        let clause = display && closed.is_some_and(|text| text.trim_end().ends_with('⟩'));
+        match role {
+            Role::Assume | Role::Given if clause => Role::Claim,
+            _ => role,
+        }
+    }
+
     /// Moments called A, A, C.
     fn two_equal_moments(&mut self) {
         let entity = self.theory.atoms.quantity(Quantity::Inertia);
@@ -309,7 +323,7 @@ impl<'a> Checker<'a> {
         for row in &formula.rows {
             match row {
                 Row::Line(line) => {
-                    let role = self.mark.unwrap_or_else(|| role(&self.sentence));
+                    let role = self.mark.unwrap_or_else(|| self.role(formula.display));
                     self.asserted = asserts(&self.sentence);
                     self.line(line, role);
                 }

@@ -28,7 +28,7 @@ impl Checker<'_> {
             }
         }
         if let Some((read, decision)) = failed {
-            if !matches!(decision, Decision::Open(_)) && self.is_given(sides) {
+            if !matches!(decision, Decision::Open(_)) && self.is_given(sides, &read) {
                 return self.given(sides, finding);
             }
             self.failed(sides, &read, decision, finding);

@@ -2,37 +2,84 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::atoms::{Atom, Owner};
+use crate::verify::atoms::{Atom, Entity, Owner};
 use crate::verify::check::Checker;
+use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::symbol::{Meaning, meaning};
-use crate::verify::usage::{inner, symbols};
+use crate::verify::usage::{Letter, inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
+/// Quantities that a problem hands over.
+const INPUTS: &[Quantity] = &[
+    Quantity::Inertia,
+    Quantity::AngularVelocity,
+    Quantity::FrameRate,
+    Quantity::RelativeMomentum,
+    Quantity::Position,
+    Quantity::Mass,
+];
+
 impl Checker<'_> {
-    /// Whether a line only hands over a value that nothing determines: the mass, a moment of inertia, the angular
-    /// velocity, each by numbers or by symbols that the theory does not know.
-    pub(super) fn is_given(&mut self, sides: &[Node]) -> bool {
-        let [given @ .., value] = sides else {
+    /// Whether a line only hands over what nothing determines: the mass, a moment of inertia, the angular velocity, by
+    /// numbers or by symbols that the theory does not know; or the form of the inertia matrix.
+    pub(super) fn is_given(&mut self, sides: &[Node], read: &Read) -> bool {
+        let [first, .., last] = sides else {
             return false;
         };
-        let zero = matches!(&value.kind, Kind::Number(n) if num_traits::Zero::is_zero(&n.value));
-        if zero && self.asserted && self.displayed {
+        let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
+        if (zero && self.asserted && self.displayed) || !self.is_free_input(first) {
             return false;
         }
-        let free = given.iter().all(|side| self.is_free_input(side));
-        let like_it = given.len() == 1 && self.is_free_input(value);
-        let foreign = |checker: &mut Self, s: &Symbol| match checker.meaning_of(s) {
-            Meaning::Whole(e) | Meaning::Component(e, _) => {
-                let owner = checker.theory.atoms.info(e).owner.clone();
-                matches!(owner, Owner::Symbol(_) | Owner::Quantity(Quantity::Mass, _))
+        if sides.len() == 2 && (self.is_free_input(last) || self.is_form_of_inertia(read)) {
+            return true;
+        }
+        (0..read.equations.len()).all(|i| {
+            let [left, right] = [&sides[i], &sides[i + 1]].map(|side| self.hands_over(side));
+            let holds = passes_filter(&mut self.theory, &read.equations[i].residual) == Some(true);
+            holds
+                || (left.is_some()
+                    && right.is_some()
+                    && (left, right) != (Some(false), Some(false)))
+                || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
+        })
+    }
+
+    /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
+    /// that is no input.
+    fn hands_over(&mut self, side: &Node) -> Option<bool> {
+        let symbols = symbols(side);
+        let mut foreign = symbols.is_empty();
+        for symbol in symbols {
+            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
+            else {
+                continue;
+            };
+            match &self.theory.atoms.info(entity).owner {
+                Owner::Symbol(_) => foreign = true,
+                Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
+                Owner::Quantity(quantity, _) if INPUTS.contains(quantity) => {}
+                Owner::Quantity(..) => return None,
             }
-            _ => true,
+        }
+        Some(foreign)
+    }
+
+    /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
+    fn is_form_of_inertia(&mut self, read: &Read) -> bool {
+        let [equation] = read.equations.as_slice() else {
+            return false;
         };
-        free && (like_it || symbols(value).into_iter().all(|s| foreign(self, s)))
+        let left = equation.left.entries.iter();
+        equation.left.rows == 3
+            && equation.left.columns == 3
+            && left.zip(&equation.right.entries).all(|(own, written)| {
+                written.is_zero() || (own.clone() - written.clone()).is_zero()
+            })
     }
 
     /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
@@ -48,21 +95,14 @@ impl Checker<'_> {
             Meaning::Component(entity, component) => (entity, component..component + 1),
             _ => return false,
         };
-        let owner = self.theory.atoms.info(entity).owner.clone();
-        let input = matches!(
-            owner,
-            Owner::Quantity(
-                Quantity::Inertia
-                    | Quantity::AngularVelocity
-                    | Quantity::FrameRate
-                    | Quantity::Mass,
-                _
-            )
-        );
+        let input = match &self.theory.atoms.info(entity).owner {
+            Owner::Quantity(quantity, _) => INPUTS.contains(quantity),
+            Owner::Symbol(_) => false,
+        };
         input
             && components.into_iter().all(|component| {
-                let variable = self.theory.atoms.part(entity, component, 0);
-                self.theory.rule(variable).is_none()
+                let value = self.theory.atoms.value(entity, component, 0);
+                self.theory.normal(&value).as_variable().is_some()
             })
     }
 
@@ -90,13 +130,7 @@ impl Checker<'_> {
     pub(super) fn untied(&mut self, read: &Read) -> Option<String> {
         let mut loose = None;
         let mut mechanical = false;
-        let tied: BTreeSet<u32> = self
-            .theory
-            .premises()
-            .iter()
-            .flat_map(|p| p.residuals.iter().flat_map(Fraction::variables))
-            .filter_map(|v| self.entity_of(v))
-            .collect();
+        let tied = self.tied();
         let entries: Vec<Fraction> = read
             .equations
             .iter()
@@ -105,14 +139,20 @@ impl Checker<'_> {
         for entry in &entries {
             for variable in self.theory.normal(entry).variables() {
                 for variable in self.with_arguments(variable) {
-                    let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
+                    let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
                         continue;
                     };
                     let info = self.theory.atoms.info(entity);
                     match &info.owner {
                         Owner::Quantity(_, variant) if variant.is_empty() => mechanical = true,
-                        _ if info.shape != Shape::Vector && !tied.contains(&entity.0) => {
+                        _ if tied.contains(&entity.0) => {}
+                        _ if info.shape != Shape::Vector => {
                             loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        // Of a vector that is not any vector, the document may know how it moves.
+                        _ if !self.any_vector && (order > 0 || self.is_namesake(entity)) => {
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                            mechanical |= self.is_namesake(entity);
                         }
                         _ => {}
                     }
@@ -120,6 +160,49 @@ impl Checker<'_> {
             }
         }
         loose.filter(|_| mechanical)
+    }
+
+    /// Entities that accepted lines connect with a quantity of the theory, however long the way.
+    fn tied(&self) -> BTreeSet<u32> {
+        let groups: Vec<BTreeSet<u32>> = self
+            .theory
+            .premises()
+            .iter()
+            .map(|p| p.residuals.iter().flat_map(Fraction::variables))
+            .map(|variables| {
+                variables
+                    .flat_map(|v| self.with_arguments(v))
+                    .filter_map(|v| self.entity_of(v))
+                    .collect()
+            })
+            .collect();
+        let mechanical = |e: &u32| matches!(&self.theory.atoms.info(Entity(*e)).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
+        let mut tied: BTreeSet<u32> = groups
+            .iter()
+            .flatten()
+            .copied()
+            .filter(mechanical)
+            .collect();
+        loop {
+            let before = tied.len();
+            for group in &groups {
+                if group.iter().any(|e| tied.contains(e)) {
+                    tied.extend(group);
+                }
+            }
+            if tied.len() == before {
+                return tied;
+            }
+        }
+    }
+
+    /// Whether a symbol of the document has the letter of a quantity: the M_P beside an M.
+    fn is_namesake(&self, entity: Entity) -> bool {
+        let Owner::Symbol(key) = &self.theory.atoms.info(entity).owner else {
+            return true;
+        };
+        let letter = key.split(' ').next().unwrap_or_default();
+        self.reading.quantities.contains_key(&Letter::plain(letter))
     }
 
     fn entity_of(&self, variable: u32) -> Option<u32> {

@@ -9,7 +9,7 @@ use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::Quantity;
 use crate::verify::symbol::{Meaning, meaning};
-use crate::verify::usage::{Letter, symbols};
+use crate::verify::usage::{Letter, axes, axis, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
@@ -121,7 +121,8 @@ impl Checker<'_> {
         if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
             return;
         }
-        let bare = |s: &&Symbol| !s.style.vector && s.subscripts.is_empty();
+        let index = |s: &String| axis(s).is_some() || axes(s).is_some();
+        let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
         self.reading.scalars = sides
             .iter()
             .flat_map(symbols)

@@ -10,6 +10,7 @@ use crate::verify::quantity::Shape;
 use crate::verify::reading::Reading;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
+use crate::verify::usage::axis;
 use crate::verify::value::{ShapeMismatch, Value};
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -84,7 +85,17 @@ impl Lowering<'_> {
                 Ok(self.meaning_value(meaning, 0))
             }
             Kind::Negate(a) => Ok(self.value(a)?.negated()),
-            Kind::Group(_, a) | Kind::InFrame(a, _) | Kind::WithUnit(a, _) => self.value(a),
+            Kind::Group(_, a) | Kind::WithUnit(a, _) => self.value(a),
+            // `[r × v]_x` is a component.
+            Kind::InFrame(a, label) => {
+                let value = self.value(a)?;
+                Ok(match axis(&label.text) {
+                    Some(index) if value.is_vector() => {
+                        Value::scalar(value.entries[usize::from(index)].clone())
+                    }
+                    _ => value,
+                })
+            }
             Kind::Sum(terms) => {
                 let mut sum = Value::scalar(Fraction::zero());
                 for term in terms {

@@ -111,7 +111,16 @@ pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
                 .filter(|w| !w.is_empty() && *w != "and");
             let single = |w: &&str| w.chars().count() == 1 && w.chars().all(char::is_alphabetic);
             let found = words.take_while(single).filter(|w| *w != "a" && *w != "I");
-            named.extend(found.map(|w| (w.to_owned(), *quantity)));
+            named.extend(found.map(|w| {
+                // "Moments A, B, C" are of inertia.
+                let inertia = *quantity == Quantity::Moment && matches!(w, "A" | "B" | "C");
+                let quantity = if inertia {
+                    Quantity::Inertia
+                } else {
+                    *quantity
+                };
+                (w.to_owned(), quantity)
+            }));
         }
     }
     named

@@ -1,5 +1,7 @@
 //! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
 
+use crate::notation::document::{Document, Item};
+
 /// What words can set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Said {
@@ -108,6 +110,29 @@ pub(super) fn said(text: &str) -> Vec<Said> {
         found.push(Said::TorqueFree);
     }
     found
+}
+
+/// Whether a document speaks of vectors that may be any.
+pub(super) fn speaks_of_any_vector(document: &Document) -> bool {
+    let any = [
+        "any vector",
+        "arbitrary vector",
+        "a vector",
+        "every vector",
+        "some vector",
+        "any quantity",
+        "any two vectors",
+        "vectors",
+        "generic vector",
+        "general vector",
+    ];
+    document.items.iter().any(|item| match item {
+        Item::Prose { text, .. } | Item::Heading { text, .. } => {
+            let text = text.to_lowercase();
+            any.iter().any(|words| text.contains(words))
+        }
+        _ => false,
+    })
 }
 
 /// "No outside torque", "without any applied moment": a denial, at most one word, and the thing.

@@ -177,7 +177,6 @@ const NO_ROLE: &[&str] = &[
     "we denote",
     "if you",
     "if one",
-    "if the",
     "choose to write",
     "as defined",
     "where the",

@@ -95,7 +95,8 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
         return Meaning::Component(entity, component);
     }
-    let lone = unmarked && sorted.variant.is_empty() && !symbol.style.bar;
+    let about = sorted.variant.is_empty() || POINTS.contains(&sorted.variant.as_str());
+    let lone = unmarked && about && !symbol.style.bar;
     if lone && let Some(meaning) = scalar(&letter, reading, atoms) {
         return meaning;
     }
@@ -111,7 +112,7 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
 /// magnitude of a momentum or a moment, or else a number of its own.
 fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meaning> {
     let quantity = *reading.quantities.get(letter)?;
-    if quantity.shape() != Shape::Vector || !reading.is_scalar(letter) {
+    if !matches!(quantity.shape(), Shape::Vector | Shape::Symmetric) || !reading.is_scalar(letter) {
         return None;
     }
     if let Some(&component) = reading.usage.components_named.get(letter) {
@@ -198,11 +199,19 @@ fn is_quantity(
         }
         Quantity::Momentum | Quantity::Moment => {
             sorted.variant.is_empty()
-                || POINTS.contains(&sorted.variant.as_str())
+                || (POINTS.contains(&sorted.variant.as_str())
+                    && !another_point(&letter, &sorted.variant, reading))
                 || step_index(&sorted.variant)
         }
         _ => marked || reading.usage.is_vector(&letter) || !sorted.variant.is_empty(),
     }
+}
+
+/// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.
+fn another_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
+    let centre = |p: &str| matches!(p, "G" | "C" | "c" | "cm" | "CM" | "cg");
+    let met = reading.usage.subscripts.get(letter);
+    matches!(point, "O" | "o") && met.is_some_and(|all| all.iter().any(|s| centre(s)))
 }
 
 /// `k`, `k+1`, `n`: the index of an integration step.

@@ -52,7 +52,7 @@ pub(super) enum Taken {
 }
 
 /// Terms that a product in a normal form may have: a budget, so that every check ends.
-const MOST_TERMS: usize = 40_000;
+const MOST_TERMS: usize = 6_000;
 /// Terms of a value whose rate is still taken.
 const MOST_TERMS_OF_A_RATE: usize = 400;
 /// Rules that may lead from one to the next.
