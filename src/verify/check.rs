@@ -296,7 +296,11 @@ impl<'a> Checker<'a> {
 
     /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
     fn role(&self, display: bool) -> Role {
-        let role = role(&self.sentence);
+        // "If the body is at rest, ⟨v = 0⟩" hands over; "if the products vanish: […]" claims.
+        let role = match display {
+            true => role(&self.sentence.replace("if the ", "")),
+            false => role(&self.sentence),
+        };
         let closed = self.sentence.trim_end().strip_suffix(',');
         let clause = display && closed.is_some_and(|text| text.trim_end().ends_with('⟩'));
         match role {

@@ -31,6 +31,9 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
+        if self.theory.setting.gyrostat && self.only_wheels(read) {
+            return true;
+        }
         let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
         if (zero && self.asserted && self.displayed) || !self.is_free_input(first) {
             return false;
@@ -67,6 +70,25 @@ impl Checker<'_> {
             }
         }
         Some(foreign)
+    }
+
+    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over.
+    fn only_wheels(&mut self, read: &Read) -> bool {
+        let wheels = |checker: &Self, v: u32| match checker.theory.atoms.atom(v) {
+            Atom::Part { entity, .. } => matches!(
+                checker.theory.atoms.info(*entity).owner,
+                Owner::Symbol(_) | Owner::Quantity(Quantity::RelativeMomentum, _)
+            ),
+            _ => false,
+        };
+        let residuals = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone());
+        residuals.collect::<Vec<_>>().iter().all(|entry| {
+            let variables = self.theory.normal(entry).variables();
+            variables.len() <= 2 && variables.into_iter().all(|v| wheels(self, v))
+        })
     }
 
     /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
@@ -112,7 +134,8 @@ impl Checker<'_> {
         if finding.verdict != Verdict::Accepted {
             return;
         }
-        if self.asserted {
+        let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        if self.asserted && !sides.iter().all(lone) {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some("taken as given below: nothing here determines it".to_owned());
         } else {
@@ -145,14 +168,19 @@ impl Checker<'_> {
                     let info = self.theory.atoms.info(entity);
                     match &info.owner {
                         Owner::Quantity(_, variant) if variant.is_empty() => mechanical = true,
+                        // The moment about some other point follows no law that is known here.
+                        _ if self.is_about_another_point(entity) => {
+                            mechanical = true;
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ if order > 0 && info.shape == Shape::Vector => {
+                            if !self.any_vector && !self.rate_is_tied(entity) {
+                                loose = Some(names::latex(&self.theory.atoms, variable));
+                            }
+                        }
                         _ if tied.contains(&entity.0) => {}
                         _ if info.shape != Shape::Vector => {
                             loose = Some(names::latex(&self.theory.atoms, variable));
-                        }
-                        // Of a vector that is not any vector, the document may know how it moves.
-                        _ if !self.any_vector && (order > 0 || self.is_namesake(entity)) => {
-                            loose = Some(names::latex(&self.theory.atoms, variable));
-                            mechanical |= self.is_namesake(entity);
                         }
                         _ => {}
                     }
@@ -196,13 +224,27 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether a symbol of the document has the letter of a quantity: the M_P beside an M.
-    fn is_namesake(&self, entity: Entity) -> bool {
-        let Owner::Symbol(key) = &self.theory.atoms.info(entity).owner else {
-            return true;
-        };
-        let letter = key.split(' ').next().unwrap_or_default();
-        self.reading.quantities.contains_key(&Letter::plain(letter))
+    /// Whether a symbol has the letter of the moment or the momentum: the M_P beside an M.
+    fn is_about_another_point(&self, entity: Entity) -> bool {
+        let laws = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Momentum);
+        let info = self.theory.atoms.info(entity);
+        match &info.owner {
+            Owner::Quantity(quantity, variant) => laws(quantity) && !variant.is_empty(),
+            Owner::Symbol(key) => {
+                let letter = key.split(' ').next().unwrap_or_default();
+                let quantity = self.reading.quantities.get(&Letter::plain(letter));
+                info.shape == Shape::Vector && quantity.is_some_and(laws)
+            }
+        }
+    }
+
+    /// Whether an accepted line has a rate of an entity in it.
+    fn rate_is_tied(&self, entity: Entity) -> bool {
+        let rate = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, order, .. } if *e == entity && *order > 0);
+        let premises = self.theory.premises().iter();
+        premises
+            .flat_map(|p| &p.residuals)
+            .any(|r| r.variables().into_iter().any(rate))
     }
 
     fn entity_of(&self, variable: u32) -> Option<u32> {

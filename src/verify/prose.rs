@@ -103,7 +103,7 @@ pub(super) fn said(text: &str) -> Vec<Said> {
     if positive(&text, ATTACHED) {
         found.push(Said::BodyAxes);
     }
-    if positive(&text, PRINCIPAL) {
+    if positive(&text, PRINCIPAL) || positive(&text, AXIS) && !text.contains("plane") {
         found.push(Said::Principal);
     }
     if positive(&text, FREE) || no_torque(&text) {
@@ -111,6 +111,20 @@ pub(super) fn said(text: &str) -> Vec<Said> {
     }
     found
 }
+
+/// A body with an axis of symmetry has no products of inertia on axes along it.
+const AXIS: &[&str] = &[
+    "symmetric about",
+    "symmetrical about",
+    "axis of symmetry",
+    "symmetry axis",
+    "axially symmetric",
+    "axisymmetric",
+    "body of revolution",
+    "solid of revolution",
+    "symmetric top",
+    "symmetrical top",
+];
 
 /// Whether a document speaks of vectors that may be any.
 pub(super) fn speaks_of_any_vector(document: &Document) -> bool {
@@ -122,7 +136,6 @@ pub(super) fn speaks_of_any_vector(document: &Document) -> bool {
         "some vector",
         "any quantity",
         "any two vectors",
-        "vectors",
         "generic vector",
         "general vector",
     ];

@@ -205,6 +205,7 @@ impl Reading {
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
             Quantity::Momentum if letter.name == "p" => false,
+            Quantity::RelativeMomentum => used.vector + used.component + used.bare > 0,
             _ => {
                 used.vector + used.component > 0
                     && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")

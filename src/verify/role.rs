@@ -217,6 +217,17 @@ pub(super) fn role(sentence: &str) -> Role {
             &format!(" {} ", "_".repeat(phrase.len())),
         );
     }
+    // "With ⟨ω = Ω⟩ the spin is": the condition has ended.
+    let trailing = text.rsplit('⟩').next().unwrap_or_default();
+    let predicate = [" is ", " are "]
+        .iter()
+        .any(|verb| trailing.ends_with(verb));
+    let weak = [" with ", " for ", " if ", " when "]
+        .iter()
+        .any(|word| text.contains(word));
+    if predicate && weak && text.contains('⟩') {
+        return Role::Claim;
+    }
     let claim = last_of(&text, CLAIM);
     let best = [
         (last_of(&text, ASSUME), Role::Assume),
