@@ -63,7 +63,7 @@ impl Checker<'_> {
                 continue;
             };
             match &self.theory.atoms.info(entity).owner {
-                Owner::Symbol(_) => foreign = true,
+                Owner::Symbol(_) => foreign |= self.is_free(entity),
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
                 Owner::Quantity(quantity, _) if INPUTS.contains(quantity) => {}
                 Owner::Quantity(..) => return None,
@@ -174,9 +174,10 @@ impl Checker<'_> {
                             loose = Some(names::latex(&self.theory.atoms, variable));
                         }
                         _ if order > 0 && info.shape == Shape::Vector => {
-                            if !self.any_vector && !self.rate_is_tied(entity) {
-                                loose = Some(names::latex(&self.theory.atoms, variable));
-                            }
+                            let moves_freely = !self.any_vector && !self.rate_is_tied(entity);
+                            loose = moves_freely
+                                .then(|| names::latex(&self.theory.atoms, variable))
+                                .or(loose);
                         }
                         _ if tied.contains(&entity.0) => {}
                         _ if info.shape != Shape::Vector => {
