@@ -14,6 +14,7 @@ mod claim;
 mod convention;
 mod convention_slips;
 mod decide;
+mod doubt;
 mod edit;
 mod frame;
 mod given;

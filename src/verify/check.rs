@@ -6,6 +6,7 @@ use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::carried::Slip;
 use crate::verify::convention::convention;
+use crate::verify::doubt::Doubts;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
@@ -60,6 +61,8 @@ pub(super) struct Checker<'a> {
     /// Whether the line at hand stands apart from the text.
     pub(super) displayed: bool,
     pub(super) findings: Vec<Finding>,
+    /// What lines that were left open leave in doubt.
+    pub(super) doubts: Doubts,
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
     sentence: String,
@@ -111,6 +114,7 @@ impl<'a> Checker<'a> {
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
             slips: vec![],
+            doubts: Doubts::default(),
             sentence: String::new(),
             broken: false,
             mark: None,

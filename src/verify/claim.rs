@@ -69,7 +69,7 @@ impl Checker<'_> {
     ) {
         let unknown = self.unknown(sides);
         let loose = match decision {
-            Decision::False(_) => self.untied(read),
+            Decision::False(_) => self.doubt(read),
             _ => None,
         };
         match decision {
@@ -84,8 +84,7 @@ impl Checker<'_> {
                 );
             }
             Decision::False(_) if loose.is_some() => {
-                finding.reason =
-                    loose.map(|name| format!("nothing before ties `{name}` to the motion"));
+                finding.reason = loose;
             }
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;

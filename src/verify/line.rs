@@ -25,6 +25,7 @@ impl Checker<'_> {
     pub(super) fn line(&mut self, line: &Line, role: Role) {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
+        self.note_doubt(line, &finding);
         if finding.verdict == Verdict::Refuted && finding.counterexample.is_some() {
             self.diagnose(line, &mut finding);
         }

@@ -1,0 +1,234 @@
+//! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Line};
+use crate::verify::atoms::{Atom, Entity, Owner};
+use crate::verify::check::Checker;
+use crate::verify::line::Read;
+use crate::verify::names;
+use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::symbol::Meaning;
+use crate::verify::usage::{Letter, inner, symbols};
+use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// What earlier lines leave in doubt.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Doubts {
+    /// Symbols of the document in lines that were left open.
+    symbols: BTreeSet<u32>,
+    /// The line that sets the body or its motion up, and was left open.
+    setting: Option<String>,
+}
+
+/// Quantities that set a body and its motion up.
+const SETTING: &[Quantity] = &[
+    Quantity::Inertia,
+    Quantity::AngularVelocity,
+    Quantity::FrameRate,
+    Quantity::Momentum,
+    Quantity::Moment,
+];
+
+impl Checker<'_> {
+    /// Notes what a line that was left open leaves in doubt.
+    pub(super) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
+        let open = match finding.verdict {
+            Verdict::Undecided => finding.reason.as_deref().is_none_or(|reason| {
+                ![
+                    "taken as given",
+                    "this relation",
+                    "budget",
+                    "equal in every trial",
+                ]
+                .iter()
+                .any(|known| reason.starts_with(known))
+            }),
+            Verdict::Unreadable => true,
+            _ => false,
+        };
+        if !open {
+            return;
+        }
+        let mut sets_up = finding.role != Role::Claim;
+        for side in &line.sides {
+            let lone = matches!(inner(side).kind, Kind::Symbol(_));
+            for symbol in symbols(side) {
+                let (Meaning::Whole(entity) | Meaning::Component(entity, _)) =
+                    self.meaning_of(symbol)
+                else {
+                    continue;
+                };
+                match &self.theory.atoms.info(entity).owner {
+                    Owner::Quantity(quantity, variant) if variant.is_empty() => {
+                        sets_up |= lone && SETTING.contains(quantity);
+                    }
+                    _ => {
+                        self.doubts.symbols.insert(entity.0);
+                    }
+                }
+            }
+        }
+        if sets_up && self.doubts.setting.is_none() {
+            self.doubts.setting = Some(self.line_name(finding));
+        }
+    }
+
+    /// Why a difference need not be a mistake of this line; `None` where it must be one.
+    pub(super) fn doubt(&mut self, read: &Read) -> Option<String> {
+        if let Some(name) = self.untied(read) {
+            return Some(format!("nothing before ties `{name}` to the motion"));
+        }
+        let entries = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone());
+        for entry in entries.collect::<Vec<_>>() {
+            for variable in self.theory.normal(&entry).variables() {
+                for entity in self
+                    .with_arguments(variable)
+                    .iter()
+                    .filter_map(|&v| self.entity_of(v))
+                {
+                    if self.doubts.symbols.contains(&entity) {
+                        let name = names::latex(&self.theory.atoms, variable);
+                        return Some(format!("a line about `{name}` was left open before"));
+                    }
+                    let owner = &self.theory.atoms.info(Entity(entity)).owner;
+                    if let (Owner::Quantity(..), Some(line)) = (owner, &self.doubts.setting) {
+                        return Some(format!("{line}, which sets the motion up, was left open"));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// A number or matrix of the document alone that stands beside quantities of the theory in what differs, and that
+    /// no accepted line connects with them: with another value of it the sides might be equal.
+    fn untied(&mut self, read: &Read) -> Option<String> {
+        let mut loose = None;
+        let mut mechanical = false;
+        let tied = self.tied();
+        let entries: Vec<Fraction> = read
+            .equations
+            .iter()
+            .flat_map(|e| e.residual.entries.clone())
+            .collect();
+        for entry in &entries {
+            for variable in self.theory.normal(entry).variables() {
+                for variable in self.with_arguments(variable) {
+                    let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                        continue;
+                    };
+                    let info = self.theory.atoms.info(entity);
+                    match &info.owner {
+                        Owner::Quantity(_, variant) if variant.is_empty() => mechanical = true,
+                        // The moment about some other point follows no law that is known here.
+                        _ if self.is_about_another_point(entity) => {
+                            mechanical = true;
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ if order > 0 && info.shape == Shape::Vector => {
+                            let moves_freely = !self.any_vector && !self.rate_is_tied(entity);
+                            loose = moves_freely
+                                .then(|| names::latex(&self.theory.atoms, variable))
+                                .or(loose);
+                        }
+                        _ if tied.contains(&entity.0) => {}
+                        _ if info.shape != Shape::Vector => {
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        // The law of a force speaks of a particle; how it makes a moment is not known here.
+        let of = |q: Quantity| {
+            entries.iter().any(|entry| entry.variables().into_iter().any(|v| {
+            self.entity_of(v).is_some_and(|e| matches!(&self.theory.atoms.info(Entity(e)).owner, Owner::Quantity(x, _) if *x == q))
+        }))
+        };
+        if of(Quantity::Force) && of(Quantity::Moment) {
+            return Some("the force".to_owned());
+        }
+        loose.filter(|_| mechanical)
+    }
+
+    /// Entities that accepted lines connect with a quantity of the theory, however long the way.
+    fn tied(&self) -> BTreeSet<u32> {
+        let groups: Vec<BTreeSet<u32>> = self
+            .theory
+            .premises()
+            .iter()
+            .map(|p| p.residuals.iter().flat_map(Fraction::variables))
+            .map(|variables| {
+                variables
+                    .flat_map(|v| self.with_arguments(v))
+                    .filter_map(|v| self.entity_of(v))
+                    .collect()
+            })
+            .collect();
+        let mechanical = |e: &u32| matches!(&self.theory.atoms.info(Entity(*e)).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
+        let mut tied: BTreeSet<u32> = groups
+            .iter()
+            .flatten()
+            .copied()
+            .filter(mechanical)
+            .collect();
+        loop {
+            let before = tied.len();
+            for group in &groups {
+                if group.iter().any(|e| tied.contains(e)) {
+                    tied.extend(group);
+                }
+            }
+            if tied.len() == before {
+                return tied;
+            }
+        }
+    }
+
+    /// Whether a symbol has the letter of the moment or the momentum: the M_P beside an M.
+    fn is_about_another_point(&self, entity: Entity) -> bool {
+        let laws = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Momentum);
+        let info = self.theory.atoms.info(entity);
+        match &info.owner {
+            Owner::Quantity(quantity, variant) => laws(quantity) && !variant.is_empty(),
+            Owner::Symbol(key) => {
+                let letter = key.split(' ').next().unwrap_or_default();
+                let quantity = self.reading.quantities.get(&Letter::plain(letter));
+                info.shape == Shape::Vector && quantity.is_some_and(laws)
+            }
+        }
+    }
+
+    /// Whether an accepted line has a rate of an entity in it.
+    fn rate_is_tied(&self, entity: Entity) -> bool {
+        let rate = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, order, .. } if *e == entity && *order > 0);
+        let premises = self.theory.premises().iter();
+        premises
+            .flat_map(|p| &p.residuals)
+            .any(|r| r.variables().into_iter().any(rate))
+    }
+
+    fn entity_of(&self, variable: u32) -> Option<u32> {
+        match self.theory.atoms.atom(variable) {
+            Atom::Part { entity, .. } => Some(entity.0),
+            _ => None,
+        }
+    }
+
+    /// A variable, or the variables of the argument of a kernel.
+    fn with_arguments(&self, variable: u32) -> Vec<u32> {
+        match self.theory.atoms.atom(variable) {
+            Atom::Kernel { argument, .. } => argument
+                .variables()
+                .into_iter()
+                .flat_map(|v| self.with_arguments(v))
+                .collect(),
+            _ => vec![variable],
+        }
+    }
+}
