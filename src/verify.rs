@@ -6,6 +6,9 @@
 
 mod accept;
 mod atoms;
+mod attitude_law;
+mod attitude_reading;
+mod attitude_words;
 mod call;
 mod carried;
 mod certify;
@@ -18,6 +21,7 @@ mod doubt;
 mod edit;
 mod frame;
 mod given;
+mod hamilton;
 mod index;
 mod integral;
 mod kernel;
@@ -38,6 +42,7 @@ mod repair;
 mod role;
 mod slips;
 mod solve;
+mod spatial;
 mod spelling;
 mod symbol;
 mod theory;

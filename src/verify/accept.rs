@@ -15,6 +15,9 @@ use crate::verify::usage::{inner, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
+/// Rows and columns of a matrix that a symbol may stand for.
+const LARGEST: usize = 12;
+
 impl Checker<'_> {
     /// Takes a given line, an assumption or a definition in.
     pub(super) fn accept(&mut self, sides: &[Node], role: Role, finding: &mut Finding) {
@@ -175,6 +178,7 @@ impl Checker<'_> {
             (1, 1) => Shape::Scalar,
             (3, 1) | (1, 3) => Shape::Vector,
             (3, 3) => Shape::Matrix,
+            (rows @ 1..=LARGEST, columns @ 1..=LARGEST) => Shape::Grid(rows as u8, columns as u8),
             _ => return None,
         };
         self.theory.atoms.info_mut(entity).constant = false;

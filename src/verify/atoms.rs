@@ -37,6 +37,8 @@ pub(super) struct EntityInfo {
     pub constant: bool,
     /// The letter in LaTeX, as the document writes it.
     pub latex: String,
+    /// The same vector or tensor on body axes, where this one is on space axes.
+    pub in_body: Option<Entity>,
 }
 
 /// What a variable stands for.
@@ -104,6 +106,7 @@ impl Atoms {
             shape,
             constant,
             latex,
+            in_body: None,
         });
         self.by_owner.insert(owner.clone(), entity);
         entity
@@ -317,5 +320,7 @@ fn usual_letter(quantity: Quantity) -> &'static str {
         Quantity::LinearMomentum => "p",
         Quantity::Mass => "m",
         Quantity::Time => "t",
+        Quantity::Attitude => "R",
+        Quantity::Quaternion => "q",
     }
 }

@@ -68,8 +68,11 @@ impl Lowering<'_> {
                 let ill = |ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m);
                 return right.skew().map_err(ill);
             }
-            return left
-                .times(&right)
+            if let Some(matrix) = self.matrix_of(head, &right) {
+                return Ok(matrix);
+            }
+            return self
+                .juxtaposed(&left, &right)
                 .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m));
         }
         Err(trouble(

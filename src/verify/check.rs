@@ -101,6 +101,7 @@ impl<'a> Checker<'a> {
                 .quantities
                 .values()
                 .any(|&q| q == Quantity::RelativeMomentum),
+            attitude: reading.attitude.convention,
         };
         let mut checker = Self {
             document,

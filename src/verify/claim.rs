@@ -1,6 +1,6 @@
 //! Claims: proved, refuted or open.
 
-use crate::algebra::Proof;
+use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::Node;
 use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
@@ -49,9 +49,18 @@ impl Checker<'_> {
     }
 
     /// Denominators that must not vanish.
-    pub(super) fn conditions(&self, proof: &Proof) -> Vec<String> {
+    pub(super) fn conditions(&mut self, proof: &Proof) -> Vec<String> {
         let mut conditions = vec![];
         for below in proof.arguments().iter().flat_map(|a| &a.conditions) {
+            // The length of a unit quaternion needs no mention.
+            if self
+                .theory
+                .normal(&Fraction::from(below.clone()))
+                .to_rational()
+                .is_some()
+            {
+                continue;
+            }
             let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
             if !conditions.contains(&text) {
                 conditions.push(text);

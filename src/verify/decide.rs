@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Proof, Rational};
 use crate::mechanics::possible_body;
 use crate::scalar::Prime;
 use crate::verify::atoms::Atom;
+use crate::verify::attitude_law::{UNIT, number_of_quaternion};
 use crate::verify::certify::certify;
 use crate::verify::law::inertia;
 use crate::verify::names::latex;
@@ -250,6 +251,9 @@ pub(super) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> 
     while let Some(variable) = open.pop() {
         if !seen.insert(variable) {
             continue;
+        }
+        if number_of_quaternion(&theory.atoms, variable).is_some() {
+            names.insert(UNIT.to_owned());
         }
         if let Some(rule) = theory.rule(variable) {
             open.extend(rule.value.variables());

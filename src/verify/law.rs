@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::mechanics::{self, Products};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
+use crate::verify::attitude_law;
 use crate::verify::quantity::Quantity;
 use crate::verify::symbol::MAGNITUDE;
 use nalgebra::{Matrix3, Vector3};
@@ -40,6 +41,8 @@ pub(super) struct Setting {
     pub gyrostat: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
     pub origin_moves: bool,
+    /// What the attitude matrix and the quaternion take to what.
+    pub attitude: attitude_law::Convention,
 }
 
 /// The inertia tensor in the variables of the document.
@@ -83,6 +86,13 @@ fn part(
     component: u8,
     order: u8,
 ) -> Option<(&'static str, Fraction)> {
+    if let Some(base) = atoms.info(entity).in_body {
+        let (name, mut value) = attitude_law::on_space_axes(atoms, setting, base, component);
+        for _ in 0..order {
+            value = atoms.derivative(&value);
+        }
+        return Some((name, value));
+    }
     let Owner::Quantity(quantity, variant) = atoms.info(entity).owner.clone() else {
         return None;
     };
@@ -100,6 +110,9 @@ fn part(
     if quantity == Quantity::Inertia {
         return (order > 0).then(|| ("rigid", inertia_rate(atoms, setting, component, order)));
     }
+    if matches!(quantity, Quantity::Attitude | Quantity::Quaternion) {
+        return attitude_law::attitude(atoms, setting, quantity, (component, order));
+    }
     if quantity == Quantity::AngularVelocity {
         return angular_acceleration(atoms, setting, component, order);
     }
@@ -109,6 +122,14 @@ fn part(
         return Some((name, atoms.derivative(&value)));
     }
     determined(atoms, setting, quantity, usize::from(component))
+}
+
+/// Whether a rate has a law of its own, and not the rate of the law one order lower.
+pub(super) fn has_own_rate(atoms: &Atoms, entity: Entity, order: u8) -> bool {
+    match &atoms.info(entity).owner {
+        Owner::Quantity(quantity, _) => attitude_law::has_own_rate(*quantity, order),
+        Owner::Symbol(_) => false,
+    }
 }
 
 /// The quantities that others determine, at order zero.

@@ -6,8 +6,11 @@
 use crate::algebra::{
     Combination, Fact, Fraction, Kernel, Polynomial, Ratio, Reason, Variable, difference, rate,
 };
+use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Entity, variable_fraction};
+use crate::verify::attitude_law::UNIT;
 use crate::verify::certify::Elimination;
+use crate::verify::law::has_own_rate;
 use crate::verify::theory::Theory;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -163,7 +166,7 @@ impl Theory {
             Some(_) => self.rate_fact(part, order),
             None => {
                 // The rate of a law's own value is the rate of that law.
-                if order > 0 {
+                if order > 0 && !has_own_rate(&self.atoms, part.0, order) {
                     let lower = self.atoms.part(part.0, part.1, order - 1);
                     if self.law(lower).is_some() {
                         return self.rate_fact(part, order);
@@ -302,21 +305,10 @@ impl Theory {
         let fact = match self.ledger.squares.get(&variable) {
             Some(&fact) => fact,
             None => {
-                let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
-                    return None;
-                };
                 let root = Polynomial::variable(variable);
                 let value =
                     square.denominator().clone() * root.clone() * root - square.numerator().clone();
-                let reason = match function {
-                    crate::notation::ast::Function::Sin => Reason::Circle {
-                        sine: variable,
-                        cosine: self
-                            .kernel(crate::notation::ast::Function::Cos, argument)
-                            .as_variable()?,
-                    },
-                    _ => Reason::Root(variable),
-                };
+                let reason = self.reason_of_square(variable)?;
                 let fact = self.ledger.push(value, reason);
                 self.ledger.squares.insert(variable, fact);
                 fact
@@ -327,6 +319,19 @@ impl Theory {
             denominator: square.denominator().clone(),
             fact,
             height: 0,
+        })
+    }
+
+    fn reason_of_square(&mut self, variable: Variable) -> Option<Reason> {
+        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
+            return Some(Reason::Premise(UNIT.to_owned()));
+        };
+        Some(match function {
+            Function::Sin => Reason::Circle {
+                sine: variable,
+                cosine: self.kernel(Function::Cos, argument).as_variable()?,
+            },
+            _ => Reason::Root(variable),
         })
     }
 

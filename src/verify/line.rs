@@ -8,6 +8,7 @@ use crate::verify::decide::Equation;
 use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::Quantity;
+use crate::verify::spatial::all_in_space;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{Letter, axes, axis, symbols};
 use crate::verify::value::Value;
@@ -157,17 +158,30 @@ impl Checker<'_> {
             reading: &self.reading,
             unlabelled,
             met_unlabelled: false,
+            in_space: false,
             functions: &self.functions,
         }
     }
 
     pub(super) fn read(&mut self, sides: &[Node], unlabelled: Frame) -> Result<Read, Trouble> {
+        self.read_on(sides, unlabelled, false)
+    }
+
+    /// Reads with every vector on space axes, or as it stands.
+    fn read_on(
+        &mut self,
+        sides: &[Node],
+        unlabelled: Frame,
+        in_space: bool,
+    ) -> Result<Read, Trouble> {
         let mut lowering = self.lowering(unlabelled);
+        lowering.in_space = in_space;
         let values: Vec<Value> = sides
             .iter()
             .map(|side| lowering.value(side))
             .collect::<Result<_, _>>()?;
         let ambiguous = lowering.met_unlabelled;
+        let values = lowering.sides_aligned(values);
         let mut equations = vec![];
         for (i, pair) in values.windows(2).enumerate() {
             let residual = pair[0].plus(&pair[1], true).map_err(|mismatch| Trouble {
@@ -190,7 +204,8 @@ impl Checker<'_> {
 
     /// The readings of a line, the likelier first.
     pub(super) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
-        let first = self.read(sides, Frame::Moving)?;
+        let spatial = all_in_space(sides, &self.reading);
+        let first = self.read_on(sides, Frame::Moving, spatial)?;
         if !first.ambiguous || self.dots_on_body {
             return Ok(vec![first]);
         }

@@ -8,6 +8,7 @@ use crate::verify::frame::Frame;
 use crate::verify::law::inertia;
 use crate::verify::quantity::Shape;
 use crate::verify::reading::Reading;
+use crate::verify::spatial::in_space;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
 use crate::verify::usage::axis;
@@ -56,6 +57,8 @@ pub(super) struct Lowering<'a> {
     pub unlabelled: Frame,
     /// Whether a vector without label was differentiated.
     pub met_unlabelled: bool,
+    /// Whether every vector of the line stands on space axes.
+    pub in_space: bool,
     /// Functions that the document defines.
     pub functions: &'a HashMap<String, FunctionOf>,
 }
@@ -81,7 +84,10 @@ impl Lowering<'_> {
             Kind::Bold(number) if number.value.is_zero() => Ok(Value::scalar(Fraction::zero())),
             Kind::Bold(_) => Ok(Value::identity(3)),
             Kind::Symbol(symbol) => {
-                let meaning = meaning(symbol, self.reading, &mut self.theory.atoms);
+                let mut meaning = meaning(symbol, self.reading, &mut self.theory.atoms);
+                if self.in_space {
+                    meaning = in_space(meaning, &mut self.theory.atoms);
+                }
                 Ok(self.meaning_value(meaning, 0))
             }
             Kind::Negate(a) => Ok(self.value(a)?.negated()),
@@ -100,7 +106,8 @@ impl Lowering<'_> {
                 let mut sum = Value::scalar(Fraction::zero());
                 for term in terms {
                     let value = self.value(&term.node)?;
-                    sum = sum
+                    let (left, value) = self.aligned(sum, value);
+                    sum = left
                         .plus(&value, term.negative)
                         .map_err(|ShapeMismatch(m)| {
                             trouble(
@@ -131,9 +138,7 @@ impl Lowering<'_> {
             Kind::Transpose(a) => Ok(self.value(a)?.transposed()),
             Kind::Skew(a) => self.value(a)?.skew().map_err(ill),
             Kind::Norm(a) => self.norm(a),
-            Kind::Tuple(entries) => self
-                .grid(node, std::slice::from_ref(entries))
-                .map(|v| v.transposed()),
+            Kind::Tuple(entries) => self.tuple(node, entries),
             Kind::Matrix(rows) => self.grid(node, rows),
             Kind::Determinant(rows) => self.determinant(node, rows),
             Kind::TimeDerivative {
@@ -184,6 +189,7 @@ impl Lowering<'_> {
             Meaning::UnitVector(_) | Meaning::Identity | Meaning::Pi if order > 0 => {
                 Value::from_fn(3, 1, |_, _| Fraction::zero())
             }
+            Meaning::Quaternion(entity, part) => self.quaternion_part(entity, part),
             Meaning::UnitVector(component) => Value::axis(component.into()),
             Meaning::Identity => Value::identity(3),
             Meaning::Pi => {
@@ -206,6 +212,12 @@ impl Lowering<'_> {
                     }
                     Shape::Matrix => {
                         Value::from_fn(3, 3, |r, c| atoms.value(entity, (3 * r + c) as u8, order))
+                    }
+                    Shape::Grid(rows, columns) => {
+                        let (rows, columns) = (usize::from(rows), usize::from(columns));
+                        Value::from_fn(rows, columns, |r, c| {
+                            atoms.value(entity, (columns * r + c) as u8, order)
+                        })
                     }
                 }
             }

@@ -23,6 +23,20 @@ impl Lowering<'_> {
         joined(&blocks).map_err(|m| trouble(TroubleKind::IllTyped, node.span, m))
     }
 
+    /// A list of components; of a number and a vector it is a column of four.
+    pub(super) fn tuple(&mut self, node: &Node, entries: &[Node]) -> Lowered {
+        let values: Vec<Value> = entries
+            .iter()
+            .map(|entry| self.value(entry))
+            .collect::<Result<_, _>>()?;
+        match self.stacked(&values) {
+            Some(column) => Ok(column),
+            None => joined(&[values])
+                .map(|value| value.transposed())
+                .map_err(|m| trouble(TroubleKind::IllTyped, node.span, m)),
+        }
+    }
+
     /// A determinant; with unit vectors in its first row it is a cross product.
     pub(super) fn determinant(&mut self, node: &Node, rows: &[Vec<Node>]) -> Lowered {
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);

@@ -113,6 +113,10 @@ fn index(shape: Shape, owner: &Owner, component: u8, numbered: bool) -> String {
             format!("{}{}", axis(row), axis(column))
         }
         Shape::Matrix => format!("{}{}", axis(component / 3), axis(component)),
+        Shape::Grid(_, 1) => of(component.to_string()),
+        Shape::Grid(_, columns) => {
+            format!("{}{}", component / columns + 1, component % columns + 1)
+        }
     }
 }
 

@@ -31,7 +31,7 @@ impl Lowering<'_> {
                         Some(left) if left.is_vector() && value.is_vector() => {
                             left.times(&value.transposed()).map_err(ill)?
                         }
-                        Some(left) => left.times(&value).map_err(ill)?,
+                        Some(left) => self.juxtaposed(&left, &value).map_err(ill)?,
                         None => value,
                     });
                 }
@@ -46,7 +46,10 @@ impl Lowering<'_> {
                 }
                 Operator::Tensor => {
                     let left = run.take().unwrap_or_else(|| Value::scalar(Fraction::one()));
-                    run = Some(left.times(&value.transposed()).map_err(ill)?);
+                    run = Some(match self.hamilton(&left, &value) {
+                        Some(product) => product,
+                        None => left.times(&value.transposed()).map_err(ill)?,
+                    });
                 }
             }
         }
@@ -85,6 +88,11 @@ impl Lowering<'_> {
         }
         if value.is_vector() && power == 2 {
             return value.dot(&value).map_err(ill);
+        }
+        if power == -1
+            && let Some(inverse) = self.quaternion_inverse(&value)
+        {
+            return Ok(inverse);
         }
         let base = if power < 0 {
             value.inverse().map_err(ill)?

@@ -37,6 +37,10 @@ pub enum Quantity {
     Mass,
     /// t.
     Time,
+    /// R, the matrix between components in the body and in space.
+    Attitude,
+    /// q, the unit quaternion of the attitude: [w, x, y, z].
+    Quaternion,
 }
 
 /// The shape of a quantity or a symbol.
@@ -50,6 +54,8 @@ pub enum Shape {
     Symmetric,
     /// Nine entries, row by row.
     Matrix,
+    /// A grid of another size: rows and columns; entries row by row.
+    Grid(u8, u8),
 }
 
 impl Shape {
@@ -60,6 +66,7 @@ impl Shape {
             Self::Vector => 3,
             Self::Symmetric => 6,
             Self::Matrix => 9,
+            Self::Grid(rows, columns) => rows.saturating_mul(columns),
         }
     }
 }
@@ -70,6 +77,8 @@ impl Quantity {
         match self {
             Self::Energy | Self::Power | Self::Mass | Self::Time => Shape::Scalar,
             Self::Inertia => Shape::Symmetric,
+            Self::Attitude => Shape::Matrix,
+            Self::Quaternion => Shape::Grid(4, 1),
             _ => Shape::Vector,
         }
     }
@@ -99,6 +108,8 @@ impl Quantity {
             Self::LinearMomentum => "linear momentum",
             Self::Mass => "mass",
             Self::Time => "time",
+            Self::Attitude => "attitude matrix",
+            Self::Quaternion => "attitude quaternion",
         }
     }
 }

@@ -25,7 +25,7 @@ impl Lowering<'_> {
                     format!("the frame `{}` is not known", label.text),
                 )
             })?,
-            None if written_out => Frame::Moving,
+            None if written_out || self.is_column_of_numbers(operand) => Frame::Moving,
             None => {
                 self.met_unlabelled |= value.is_vector();
                 self.unlabelled

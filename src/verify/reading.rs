@@ -5,6 +5,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::quantity::Quantity;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
@@ -19,6 +20,8 @@ pub(super) struct Reading {
     pub components: BTreeMap<Letter, (Quantity, u8)>,
     /// How letters are used.
     pub usage: Usage,
+    /// The attitude matrix and the quaternion.
+    pub attitude: AttitudeReading,
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
@@ -38,6 +41,7 @@ impl Reading {
         reading.listen(document);
         reading.sequences();
         reading.by_words();
+        reading.by_attitude(document);
         reading.by_custom();
         reading
     }
@@ -49,11 +53,23 @@ impl Reading {
         self.scalars.contains(letter) || (named && self.usage.get(letter).crossed_bare == 0)
     }
 
+    /// The letters of the attitude, those apart that stand for something else.
+    fn by_attitude(&mut self, document: &Document) {
+        let taken = |letter: &Letter| {
+            self.components.contains_key(letter) || self.quantities.contains_key(letter)
+        };
+        self.attitude = AttitudeReading::of(document, &taken);
+        if let Some(letter) = self.attitude.matrix.clone() {
+            self.quantities.insert(letter, Quantity::Attitude);
+        }
+    }
+
     /// The readings in words, for the report.
     pub(super) fn describe(&self) -> Vec<String> {
         let whole = self
             .quantities
             .iter()
+            .filter(|(_, q)| **q != Quantity::Attitude)
             .map(|(l, q)| format!("{}: {}", l.name, q.name()));
         let parts = self.components.iter().map(|(l, (q, c))| {
             format!(
@@ -63,7 +79,7 @@ impl Reading {
                 q.name()
             )
         });
-        whole.chain(parts).collect()
+        whole.chain(parts).chain(self.attitude.describe()).collect()
     }
 
     /// Votes of the words that stand before and after a letter.

@@ -2,8 +2,10 @@
 
 use crate::notation::ast::Symbol;
 use crate::verify::atoms::{Atoms, Entity, Owner};
+use crate::verify::attitude_reading::Part;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::reading::Reading;
+use crate::verify::spatial::{in_space, without_label};
 use crate::verify::usage::{Letter, axes, axis};
 
 /// What a symbol stands for.
@@ -19,6 +21,8 @@ pub(super) enum Meaning {
     Identity,
     /// π.
     Pi,
+    /// The attitude quaternion, its conjugate or its vector part.
+    Quaternion(Entity, Part),
 }
 
 /// The variant of a vector quantity that is its length.
@@ -84,6 +88,17 @@ fn point_and_index(text: &str) -> Option<(&str, u8)> {
 
 /// Decides what a symbol stands for.
 pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    if let Some(part) = reading.attitude.part(symbol) {
+        let entity = atoms.quantity(Quantity::Quaternion);
+        return match part {
+            Part::Number(at) => Meaning::Component(entity, at),
+            part => Meaning::Quaternion(entity, part),
+        };
+    }
+    if let Some(bare) = without_label(symbol, reading) {
+        let meaning = meaning(&bare, reading, atoms);
+        return in_space(meaning, atoms);
+    }
     let sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
     if let Some(meaning) = constant(symbol, &sorted, reading) {
@@ -192,6 +207,7 @@ fn is_quantity(
     match quantity {
         Quantity::Inertia => sorted.variant.is_empty(),
         Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
+        Quantity::Attitude => sorted.variant.is_empty() && sorted.single.is_none(),
         Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),
         Quantity::AngularVelocity | Quantity::FrameRate => {
             // ω_n or ω_0 without marks, beside a vector ω, is a scalar of its own.
@@ -272,6 +288,9 @@ fn of_quantity(
             };
             Meaning::Component(entity, component)
         }
+        (Quantity::Attitude, _, Some((row, column))) => {
+            Meaning::Component(entity, 3 * row + column)
+        }
         (_, Some(index), _) => Meaning::Component(entity, index),
         _ => Meaning::Whole(entity),
     }
@@ -332,7 +351,7 @@ fn of_symbol(
     let entity = atoms.entity(
         &Owner::Symbol(format!("{key} {shape:?}")),
         shape,
-        if named {
+        if named || reading.usage.is_labelled(letter) {
             !reading.usage.moves(symbol)
         } else {
             !used.moving

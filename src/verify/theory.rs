@@ -6,6 +6,7 @@
 use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
+use crate::verify::attitude_law::{UNIT, square_of_scalar_part};
 use crate::verify::law::{Setting, law};
 use crate::verify::ledger::{Ledger, Source};
 use crate::verify::quantity::Quantity;
@@ -345,6 +346,11 @@ impl Theory {
 
     /// The square of a kernel in terms of others.
     pub(super) fn kernel_square(&mut self, variable: Variable) -> Option<Fraction> {
+        if !self.left_out.contains(UNIT)
+            && let Some(square) = square_of_scalar_part(&mut self.atoms, variable)
+        {
+            return Some(square);
+        }
         let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
             return None;
         };

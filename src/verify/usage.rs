@@ -62,8 +62,8 @@ pub(super) struct Usage {
     pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
     /// Superscripts met on each letter.
     superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
-    /// Letters with subscripts that stand under a derivative in time.
-    moving: BTreeSet<(Letter, Vec<String>)>,
+    /// Letters with subscripts and superscripts that stand under a derivative in time.
+    moving: BTreeSet<(Letter, Vec<String>, Vec<String>)>,
     /// Symbols with an index that name a matrix or a list: `A_2 = [[…]]`.
     named_wholes: BTreeSet<(Letter, Vec<String>)>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
@@ -130,8 +130,14 @@ impl Usage {
 
     /// Whether this symbol, subscripts and all, is differentiated in time somewhere.
     pub(super) fn moves(&self, symbol: &Symbol) -> bool {
-        self.moving
-            .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
+        self.moving.contains(&worn(symbol))
+    }
+
+    /// Whether superscripts tell apart what a letter stands for.
+    pub(super) fn is_labelled(&self, letter: &Letter) -> bool {
+        self.superscripts
+            .get(letter)
+            .is_some_and(|met| met.len() > 1)
     }
 
     /// Whether a letter is met with a subscript.
@@ -229,8 +235,7 @@ impl Usage {
     fn moving(&mut self, operand: &Node) {
         if let Kind::Symbol(symbol) = &inner(operand).kind {
             self.letters.entry(Letter::of(symbol)).or_default().moving = true;
-            self.moving
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
+            self.moving.insert(worn(symbol));
         }
     }
 
@@ -268,6 +273,15 @@ impl Usage {
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
     }
+}
+
+/// A letter with all that is written beside it.
+fn worn(symbol: &Symbol) -> (Letter, Vec<String>, Vec<String>) {
+    (
+        Letter::of(symbol),
+        symbol.subscripts.clone(),
+        symbol.superscripts.clone(),
+    )
 }
 
 /// A node without the brackets around it.

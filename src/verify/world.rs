@@ -3,7 +3,8 @@
 use crate::algebra::{Fraction, Rational, Variable};
 use crate::notation::ast::Function;
 use crate::scalar::{Field, Prime};
-use crate::verify::atoms::{Atom, Owner};
+use crate::verify::atoms::{Atom, Entity, Owner};
+use crate::verify::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::Theory;
 use std::collections::BTreeSet;
@@ -149,6 +150,7 @@ impl<'a, T: Substance> World<'a, T> {
                 function: Function::Sqrt,
                 argument,
             } => self.fraction(&argument)?.root(),
+            Atom::Part { .. } if self.draws_quaternion(variable) => self.quaternion(variable),
             Atom::Part {
                 entity,
                 component,
@@ -189,6 +191,46 @@ impl<'a, T: Substance> World<'a, T> {
         );
         self.keep(sin, (u.clone() + u) / whole.clone());
         self.keep(cos, (T::one() - square) / whole);
+    }
+
+    /// Whether a variable belongs to a unit quaternion that is drawn as a whole; where premises rule some of its numbers,
+    /// the scalar part alone is had from the others.
+    fn draws_quaternion(&mut self, variable: Variable) -> bool {
+        let Some((entity, component)) = number_of_quaternion(&self.theory.atoms, variable) else {
+            return false;
+        };
+        !self.theory.left_out.contains(UNIT) && (component == 0 || !self.is_ruled(entity))
+    }
+
+    fn is_ruled(&mut self, quaternion: Entity) -> bool {
+        let mut numbers = (0..4)
+            .map(|i| self.theory.atoms.part(quaternion, i, 0))
+            .collect::<Vec<_>>();
+        numbers.drain(..).any(|v| self.theory.rule(v).is_some())
+    }
+
+    /// A number of a unit quaternion: all four by three free numbers, [1 − s, 2σ]/(1 + s) with s = σ·σ (the modified
+    /// Rodrigues parameters: Schaub and Junkins, Analytical Mechanics of Space Systems, section 3.5).
+    fn quaternion(&mut self, variable: Variable) -> Option<T> {
+        let (entity, component) = number_of_quaternion(&self.theory.atoms, variable)?;
+        if self.is_ruled(entity) {
+            let square = square_of_scalar_part(&mut self.theory.atoms, variable)?;
+            return self.fraction(&square)?.root();
+        }
+        let sigma = [0; 3].map(|_| T::draw(Kind::Any, self.chance()));
+        let squares = sigma.iter().map(|s| s.clone() * s.clone());
+        let square = squares.fold(T::zero(), |sum, s| sum + s);
+        let whole = T::one() + square.clone();
+        if whole.is_zero() {
+            return None;
+        }
+        let [x, y, z] = sigma.map(|s| (s.clone() + s) / whole.clone());
+        let numbers = [(T::one() - square) / whole, x, y, z];
+        for (i, number) in (0..4).zip(&numbers) {
+            let variable = self.theory.atoms.part(entity, i, 0);
+            self.keep(variable, number.clone());
+        }
+        numbers.get(usize::from(component)).cloned()
     }
 
     /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).

@@ -100,8 +100,8 @@ impl<'t, 'a> Parser<'t, 'a> {
             let inverse = self.inside(&[]).power_minus_one(node);
             return wrap(inverse, Kind::Transpose);
         }
-        if is_label(&kinds)
-            && let Some(symbol) = symbol_of(&mut node)
+        if let Some(symbol) = symbol_of(&mut node)
+            && (is_label(&kinds) || is_label_of_vector(symbol, &kinds))
         {
             symbol.superscripts.push(text::plain(tokens));
             return node;
@@ -181,6 +181,11 @@ fn is_transpose(kinds: &[Lexeme<'_>]) -> bool {
         }
         _ => false,
     }
+}
+
+/// A vector has no power but its square: a letter above it is a label.
+fn is_label_of_vector(symbol: &Symbol, kinds: &[Lexeme<'_>]) -> bool {
+    symbol.style.vector && matches!(kinds, [Lexeme::Letter(_)])
 }
 
 /// Superscripts that name a point, a frame or an instant, and are no powers.
