@@ -34,6 +34,7 @@ mod matrix;
 mod names;
 mod operators;
 mod phrases;
+mod premise;
 mod prose;
 mod quantity;
 mod rate;

@@ -1,6 +1,5 @@
 //! Goes through a document from top to bottom and keeps what is in force.
 
-use crate::algebra::Fraction;
 use crate::notation::ast::Node;
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
@@ -11,14 +10,15 @@ use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
 use crate::verify::names;
+use crate::verify::premise::inertia_changes;
 use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::role::{asserts, role};
 use crate::verify::spelling::spell;
 use crate::verify::symbol::{Meaning, meaning};
-use crate::verify::theory::{Premise, Taken, Theory};
-use crate::verify::usage::{Letter, symbols};
+use crate::verify::theory::Theory;
+use crate::verify::usage::symbols;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use std::collections::{BTreeSet, HashMap};
 
@@ -70,11 +70,11 @@ pub(super) struct Checker<'a> {
     broken: bool,
     mark: Option<Role>,
     /// Names of premises with the level of the heading that they stand under.
-    scopes: Vec<(String, u8)>,
-    level: u8,
+    pub(super) scopes: Vec<(String, u8)>,
+    pub(super) level: u8,
     axes_before: Axes,
     pub(super) convention: Convention,
-    from_prose: Vec<FromProse>,
+    pub(super) from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
 
@@ -97,6 +97,7 @@ impl<'a> Checker<'a> {
             products,
             dynamics: Dynamics::Inverse,
             origin_moves: false,
+            rigid: !inertia_changes(&reading),
             gyrostat: reading
                 .quantities
                 .values()
@@ -217,88 +218,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Takes in a premise that words set.
-    fn take(&mut self, said: Said, span: Span) {
-        let name = said.words();
-        let new = match said {
-            Said::BodyAxes => {
-                let new = self.theory.setting.axes != Axes::Body;
-                self.theory.set(|setting| setting.axes = Axes::Body);
-                new
-            }
-            Said::DotsOnBody => !std::mem::replace(&mut self.dots_on_body, true),
-            Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
-            Said::SymmetryPlane(a, b) => {
-                let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
-                self.vanish(&name, Quantity::Inertia, &across)
-            }
-            Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
-        };
-        if new {
-            let (source_line, _, _) = self.place(span.start);
-            self.from_prose.push(FromProse {
-                span,
-                source_line,
-                premise: name,
-            });
-        }
-    }
-
-    /// Assumes that components of a quantity are zero.
-    fn vanish(&mut self, name: &str, quantity: Quantity, components: &[u8]) -> bool {
-        let entity = self.theory.atoms.quantity(quantity);
-        let residuals: Vec<Fraction> = components
-            .iter()
-            .map(|&c| self.theory.atoms.value(entity, c, 0))
-            .collect();
-        let preferred = components
-            .iter()
-            .map(|&c| self.theory.atoms.part(entity, c, 0))
-            .collect();
-        let premise = Premise {
-            name: name.to_owned(),
-            residuals,
-            preferred,
-            definition: false,
-        };
-        let taken = self.theory.assume(premise);
-        if matches!(taken, Taken::Solved | Taken::Kept) {
-            self.scopes.push((name.to_owned(), self.level));
-            return true;
-        }
-        false
-    }
-
-    /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
-    fn single_moments(&mut self) {
-        if self.reading.symmetric {
-            self.two_equal_moments();
-        }
-        let inertia: Vec<&Letter> = self
-            .reading
-            .quantities
-            .iter()
-            .filter(|(_, q)| **q == Quantity::Inertia)
-            .map(|(l, _)| l)
-            .collect();
-        let by_component = self
-            .reading
-            .components
-            .values()
-            .any(|(q, _)| *q == Quantity::Inertia);
-        let single = inertia
-            .iter()
-            .any(|l| self.reading.usage.get(l).component > 0);
-        let double = inertia.iter().any(|l| self.reading.usage.get(l).double > 0);
-        let whole = inertia.iter().any(|l| {
-            let used = self.reading.usage.get(l);
-            used.bare + used.tensor + used.vector > 0
-        });
-        if !double && (single || (by_component && !whole)) {
-            self.take(Said::Principal, Span::default());
-        }
-    }
-
     /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
     fn role(&self, display: bool) -> Role {
         // "If the body is at rest, ⟨v = 0⟩" hands over; "if the products vanish: […]" claims.
@@ -312,19 +231,6 @@ impl<'a> Checker<'a> {
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,
         }
-    }
-
-    /// Moments called A, A, C.
-    fn two_equal_moments(&mut self) {
-        let entity = self.theory.atoms.quantity(Quantity::Inertia);
-        let [first, second] = [0, 1].map(|c| self.theory.atoms.value(entity, c, 0));
-        let premise = Premise {
-            name: "two moments are equal: I₁ = I₂".to_owned(),
-            preferred: vec![self.theory.atoms.part(entity, 1, 0)],
-            residuals: vec![second - first],
-            definition: true,
-        };
-        self.theory.assume(premise);
     }
 
     fn formula(&mut self, formula: &Formula) {
@@ -404,14 +310,5 @@ impl<'a> Checker<'a> {
             ),
             None => (line, column, None),
         }
-    }
-}
-
-/// The component of the product of inertia of two axes.
-fn product(a: u8, b: u8) -> u8 {
-    match (a.min(b), a.max(b)) {
-        (0, 1) => 3,
-        (0, 2) => 4,
-        _ => 5,
     }
 }

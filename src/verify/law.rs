@@ -37,6 +37,8 @@ pub(super) struct Setting {
     pub products: Products,
     /// The direction in which the moment equation is solved.
     pub dynamics: Dynamics,
+    /// Whether the body keeps its shape, so that its inertia changes only with the axes.
+    pub rigid: bool,
     /// Whether the body carries wheels with an angular momentum of their own.
     pub gyrostat: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
@@ -108,7 +110,8 @@ fn part(
         return None;
     }
     if quantity == Quantity::Inertia {
-        return (order > 0).then(|| ("rigid", inertia_rate(atoms, setting, component, order)));
+        return (order > 0 && setting.rigid)
+            .then(|| ("rigid", inertia_rate(atoms, setting, component, order)));
     }
     if matches!(quantity, Quantity::Attitude | Quantity::Quaternion) {
         return attitude_law::attitude(atoms, setting, quantity, (component, order));

@@ -25,6 +25,8 @@ pub(super) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
+    /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
+    pub plane: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
     speaks_of_energy: bool,
@@ -43,7 +45,43 @@ impl Reading {
         reading.by_words();
         reading.by_attitude(document);
         reading.by_custom();
+        reading.in_a_plane();
         reading
+    }
+
+    /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
+    fn in_a_plane(&mut self) {
+        let turning = |q: &Quantity| {
+            matches!(
+                q,
+                Quantity::AngularVelocity
+                    | Quantity::AngularAcceleration
+                    | Quantity::Momentum
+                    | Quantity::Moment
+                    | Quantity::Inertia
+            )
+        };
+        let letters: Vec<(Letter, Quantity)> = self
+            .quantities
+            .iter()
+            .filter(|(_, q)| turning(q))
+            .map(|(l, q)| (l.clone(), *q))
+            .collect();
+        let number = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            used.vector + used.tensor + used.component + used.double == 0
+        };
+        let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
+        let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);
+        let weighs = letters.iter().any(|(_, q)| *q == Quantity::Inertia);
+        let parts = self.components.values().any(|(q, _)| turning(q));
+        if turns && weighs && !parts && letters.iter().all(|(l, _)| number(l)) {
+            for (letter, quantity) in letters {
+                self.quantities.remove(&letter);
+                self.components.insert(letter, (quantity, 2));
+            }
+            self.plane = true;
+        }
     }
 
     /// Whether a vector's letter without a mark is a number: where the document sets it equal to a component, or where

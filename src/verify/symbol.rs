@@ -106,7 +106,10 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
     }
     let unmarked = sorted.single.is_none() && sorted.double.is_none() && !symbol.style.vector;
     if unmarked && let Some(&(quantity, component)) = reading.components.get(&letter) {
-        let variant = quantity_variant(quantity, &sorted.variant);
+        let mut variant = quantity_variant(quantity, &sorted.variant);
+        if quantity == Quantity::Inertia && is_main_point(&letter, &variant, reading) {
+            variant.clear();
+        }
         let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
         return Meaning::Component(entity, component);
     }
@@ -221,6 +224,13 @@ fn is_quantity(
         }
         _ => marked || reading.usage.is_vector(&letter) || !sorted.variant.is_empty(),
     }
+}
+
+/// Whether a moment of inertia is about the point that the body turns about: O, or the only point there is.
+fn is_main_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
+    let met = reading.usage.subscripts.get(letter);
+    let only = met.is_some_and(|all| all.len() == 1);
+    POINTS.contains(&point) && (matches!(point, "O" | "o") || only)
 }
 
 /// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.

@@ -60,6 +60,8 @@ pub(super) struct Usage {
     letters: BTreeMap<Letter, Use>,
     /// Subscripts met on each letter.
     pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
+    /// Letters with `(t)` behind them.
+    pub functions_of_time: BTreeSet<Letter>,
     /// Superscripts met on each letter.
     superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
     /// Letters with subscripts and superscripts that stand under a derivative in time.
@@ -140,6 +142,17 @@ impl Usage {
             .is_some_and(|met| met.len() > 1)
     }
 
+    /// The angle that moves, where there is one and only one.
+    pub(super) fn only_angle(&self) -> Option<Letter> {
+        let angle = |l: &&Letter| {
+            let names = ["theta", "phi", "psi", "varphi", "vartheta"];
+            names.contains(&l.name.as_str()) && self.get(l).moving && self.get(l).bare > 0
+        };
+        let mut found = self.letters.keys().filter(angle);
+        let first = found.next()?;
+        found.next().is_none().then(|| first.clone())
+    }
+
     /// Whether a letter is met with a subscript.
     pub(super) fn has_index(&self, letter: &Letter, index: &str) -> bool {
         self.subscripts
@@ -205,6 +218,9 @@ impl Usage {
                     .any(|a| matches!(&a.kind, Kind::Symbol(s) if s.name == "t"))
                 {
                     self.moving(head);
+                    if let Kind::Symbol(symbol) = &inner(head).kind {
+                        self.functions_of_time.insert(Letter::of(symbol));
+                    }
                 }
                 self.node(head);
                 arguments.iter().for_each(|a| self.node(a));

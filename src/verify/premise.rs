@@ -1,0 +1,161 @@
+//! Premises that nobody writes as a line: in words, by the letters that are used, by the kind of motion.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::Symbol;
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::law::Axes;
+use crate::verify::prose::Said;
+use crate::verify::quantity::Quantity;
+use crate::verify::reading::Reading;
+use crate::verify::symbol::Meaning;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::usage::Letter;
+use crate::verify::verdict::FromProse;
+
+impl Checker<'_> {
+    /// Takes in a premise that words set.
+    pub(super) fn take(&mut self, said: Said, span: Span) {
+        let name = said.words();
+        let new = match said {
+            Said::BodyAxes => {
+                let new = self.theory.setting.axes != Axes::Body;
+                self.theory.set(|setting| setting.axes = Axes::Body);
+                new
+            }
+            Said::DotsOnBody => !std::mem::replace(&mut self.dots_on_body, true),
+            Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
+            Said::SymmetryPlane(a, b) => {
+                let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
+                self.vanish(&name, Quantity::Inertia, &across)
+            }
+            Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
+        };
+        if new {
+            let (source_line, _, _) = self.place(span.start);
+            self.from_prose.push(FromProse {
+                span,
+                source_line,
+                premise: name,
+            });
+        }
+    }
+
+    /// Assumes that components of a quantity are zero.
+    pub(super) fn vanish(&mut self, name: &str, quantity: Quantity, components: &[u8]) -> bool {
+        let entity = self.theory.atoms.quantity(quantity);
+        let residuals: Vec<Fraction> = components
+            .iter()
+            .map(|&c| self.theory.atoms.value(entity, c, 0))
+            .collect();
+        let preferred = components
+            .iter()
+            .map(|&c| self.theory.atoms.part(entity, c, 0))
+            .collect();
+        let premise = Premise {
+            name: name.to_owned(),
+            residuals,
+            preferred,
+            definition: false,
+        };
+        let taken = self.theory.assume(premise);
+        if matches!(taken, Taken::Solved | Taken::Kept) {
+            self.scopes.push((name.to_owned(), self.level));
+            return true;
+        }
+        false
+    }
+
+    /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
+    pub(super) fn single_moments(&mut self) {
+        if self.reading.plane {
+            self.turn_in_the_plane();
+        }
+        if self.reading.symmetric {
+            self.two_equal_moments();
+        }
+        let inertia: Vec<&Letter> = self
+            .reading
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q == Quantity::Inertia)
+            .map(|(l, _)| l)
+            .collect();
+        let by_component = self
+            .reading
+            .components
+            .values()
+            .any(|(q, _)| *q == Quantity::Inertia);
+        let single = inertia
+            .iter()
+            .any(|l| self.reading.usage.get(l).component > 0);
+        let double = inertia.iter().any(|l| self.reading.usage.get(l).double > 0);
+        let whole = inertia.iter().any(|l| {
+            let used = self.reading.usage.get(l);
+            used.bare + used.tensor + used.vector > 0
+        });
+        if !double && (single || (by_component && !whole)) {
+            self.take(Said::Principal, Span::default());
+        }
+    }
+
+    /// ω is along z, and the rate of the angle if the document has one.
+    fn turn_in_the_plane(&mut self) {
+        let name = "a turn about the z axis";
+        self.vanish(name, Quantity::AngularVelocity, &[0, 1]);
+        let Some(angle) = self.reading.usage.only_angle() else {
+            return;
+        };
+        let symbol = Symbol {
+            name: angle.name,
+            ..Symbol::default()
+        };
+        let Meaning::Whole(entity) = self.meaning_of(&symbol) else {
+            return;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let (turn, rate) = (
+            self.theory.atoms.value(omega, 2, 0),
+            self.theory.atoms.value(entity, 0, 1),
+        );
+        let preferred = vec![self.theory.atoms.part(omega, 2, 0)];
+        self.theory.assume(Premise {
+            name: "the angle of the turn: ω is its rate".to_owned(),
+            preferred,
+            residuals: vec![turn - rate],
+            definition: true,
+        });
+    }
+
+    /// Moments called A, A, C.
+    fn two_equal_moments(&mut self) {
+        let entity = self.theory.atoms.quantity(Quantity::Inertia);
+        let [first, second] = [0, 1].map(|c| self.theory.atoms.value(entity, c, 0));
+        let premise = Premise {
+            name: "two moments are equal: I₁ = I₂".to_owned(),
+            preferred: vec![self.theory.atoms.part(entity, 1, 0)],
+            residuals: vec![second - first],
+            definition: true,
+        };
+        self.theory.assume(premise);
+    }
+}
+
+/// Whether a document writes the inertia as a function of time.
+pub(super) fn inertia_changes(reading: &Reading) -> bool {
+    let inertia = |letter: &Letter| {
+        let whole = reading.quantities.get(letter).copied();
+        let part = reading.components.get(letter).map(|(q, _)| *q);
+        whole.or(part) == Some(Quantity::Inertia)
+    };
+    reading.usage.functions_of_time.iter().any(inertia)
+}
+
+/// The component of the product of inertia of two axes.
+fn product(a: u8, b: u8) -> u8 {
+    match (a.min(b), a.max(b)) {
+        (0, 1) => 3,
+        (0, 2) => 4,
+        _ => 5,
+    }
+}
