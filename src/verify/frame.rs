@@ -19,6 +19,9 @@ pub(super) fn frame(label: &FrameLabel) -> Option<Frame> {
         .strip_prefix("in")
         .filter(|rest| rest.len() < 3 && !rest.is_empty())
         .unwrap_or(&lower);
+    if label.text.trim() == "'" {
+        return Some(Frame::Moving);
+    }
     match text.as_str() {
         "XYZ" | "XY" | "N" | "A" | "E" | "OXYZ" | "S0" | "R0" | "F" | "I" | "S" | "R" => {
             return Some(Frame::Space);

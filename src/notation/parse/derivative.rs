@@ -21,6 +21,11 @@ pub(super) fn mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
             Some((1, false))
         }
         Lexeme::Command("partial") => Some((1, true)),
+        // What an author's own `\dd` leaves: a group with nothing else in it.
+        Lexeme::Open => {
+            let (length, partial) = mark(&tokens[1..])?;
+            (kind(1 + length) == Some(Lexeme::Close)).then_some((length + 2, partial))
+        }
         Lexeme::Command("mathrm" | "rm" | "mathit" | "operatorname") => match kind(1)? {
             Lexeme::Letter('d') => Some((2, false)),
             // Scanned formulas have spaces inside: `\mathrm{~d} t`.
@@ -56,6 +61,11 @@ fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 'a>> {
     let (frame, tokens) = prescript(tokens);
     let (length, partial) = mark(tokens)?;
     let (below, tokens) = subscript(&tokens[length..]);
+    // d'/dt, the rate on axes that turn (Landau and Lifshitz, Mechanics, § 36).
+    let (below, tokens) = match tokens {
+        [first, rest @ ..] if first.kind == Lexeme::Char('\'') => (Some(&tokens[..1]), rest),
+        _ => (below, tokens),
+    };
     let (more, order) = order(tokens)?;
     let frame = frame.or(below);
     let rest = trim(&tokens[more..]);
