@@ -131,3 +131,19 @@ fn units_behind_a_value_are_no_factors() {
                 angular momentum is $L_x = 6\\ \\text{N}\\cdot\\text{m}\\cdot\\text{s}$.\n";
     assert_eq!(markdown(text), "aap");
 }
+
+#[test]
+fn an_encyclopedia_wraps_everything_in_braces() {
+    let text = "Euler's equations on principal axes are\n\n$$ {\\displaystyle {\\begin{aligned}I_{1}\\,{\\dot {\\omega \
+                }}_{1}+(I_{3}-I_{2})\\,\\omega _{2}\\,\\omega _{3}&=M_{1}\\\\I_{2}\\,{\\dot {\\omega }}_{2}+(I_{3}-I_{1})\\,\
+                \\omega _{3}\\,\\omega _{1}&=M_{2}\\end{aligned}}} $$\n\nWith no torque\n\n$$ {\\displaystyle {\\frac \
+                {d}{dt}}\\left(I_{1}\\omega _{1}^{2}+I_{2}\\omega _{2}^{2}+I_{3}\\omega _{3}^{2}\\right)=0} $$\n";
+    assert_eq!(markdown(text), "prp");
+}
+
+#[test]
+fn of_a_chain_of_zeros_each_is_zero() {
+    let text = "On principal axes take $\\dot\\omega_x = \\ddot\\omega_x = 0$. Then\n\n\
+                $$ \\Sigma M_x = (I_z - I_y)\\omega_y\\omega_z $$\n";
+    assert_eq!(markdown(text), "ap");
+}

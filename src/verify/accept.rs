@@ -44,11 +44,7 @@ impl Checker<'_> {
             .find(|&i| holds(self, &readings[i]))
             .unwrap_or(0);
         let read = readings.swap_remove(index);
-        let residuals = read
-            .equations
-            .iter()
-            .flat_map(|e| e.residual.entries.clone())
-            .collect();
+        let residuals = against_last(&read);
         let preferred = read.equations.first().map_or(vec![], |e| {
             e.left.entries.iter().flat_map(|f| f.variables()).collect()
         });
@@ -241,4 +237,25 @@ impl Checker<'_> {
         finding.role = Role::Define;
         true
     }
+}
+
+/// What a line says, each side of a chain against the last: of `a = b = 0` that both are zero.
+fn against_last(read: &Read) -> Vec<Fraction> {
+    let mut residuals: Vec<Vec<Fraction>> = read
+        .equations
+        .iter()
+        .map(|e| e.residual.entries.clone())
+        .collect();
+    for i in (1..residuals.len()).rev() {
+        let (before, after) = residuals.split_at_mut(i);
+        let (Some(left), Some(right)) = (before.last_mut(), after.first()) else {
+            break;
+        };
+        if left.len() == right.len() {
+            left.iter_mut()
+                .zip(right)
+                .for_each(|(l, r)| *l += r.clone());
+        }
+    }
+    residuals.into_iter().flatten().collect()
 }

@@ -114,7 +114,13 @@ impl<'t, 'a> Scan<'t, 'a> {
         );
         let idle = match last {
             None => !script,
-            Some(last) => group.idle || is_sign(last.kind) || is_function(inside),
+            Some(last) => {
+                group.idle
+                    || is_sign(last.kind)
+                    || is_function(inside)
+                    || is_environment(inside)
+                    || is_rate(inside)
+            }
         };
         if idle && !group.argument {
             self.dropped[group.open] = true;
@@ -194,4 +200,40 @@ fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
     }
     let span = first.span.to(tokens[at + usize::from(grouped)].span);
     Some((Token { span, ..*operator }, at + 1 + usize::from(grouped)))
+}
+
+/// `{\begin{aligned} … \end{aligned}}`, in more braces or not.
+fn is_environment(inside: &[Token<'_>]) -> bool {
+    let kinds: Vec<_> = inside
+        .iter()
+        .map(|t| t.kind)
+        .filter(|k| !matches!(k, Lexeme::Space(_)))
+        .collect();
+    let mut kinds = kinds.as_slice();
+    while let [Lexeme::Open, rest @ .., Lexeme::Close] = kinds {
+        kinds = rest;
+    }
+    matches!(kinds, [Lexeme::Begin(_), .., Lexeme::End(_)])
+}
+
+/// `{\frac {d}{dt}}`: the rate of what follows.
+fn is_rate(inside: &[Token<'_>]) -> bool {
+    let kinds: Vec<_> = inside
+        .iter()
+        .map(|t| t.kind)
+        .filter(|k| !matches!(k, Lexeme::Space(_)))
+        .collect();
+    matches!(
+        kinds.as_slice(),
+        [
+            Lexeme::Command("frac" | "dfrac" | "tfrac"),
+            Lexeme::Open,
+            Lexeme::Letter('d'),
+            Lexeme::Close,
+            Lexeme::Open,
+            Lexeme::Letter('d'),
+            Lexeme::Letter(_),
+            Lexeme::Close
+        ]
+    )
 }
