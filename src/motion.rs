@@ -22,13 +22,13 @@
 
 #[cfg(feature = "batch")]
 mod batch;
+mod block;
 mod body;
 mod cayley;
 mod dop853;
 mod error;
 mod free_body;
 mod implicit_midpoint;
-mod lanes;
 mod moser_veselov;
 mod number;
 mod quaternion;
@@ -45,13 +45,13 @@ pub mod jacobian;
 
 #[cfg(feature = "batch")]
 pub use batch::{Batch, BodyDiverged, Jacobians};
+pub use block::{Block, LANES, Lane};
 pub use body::Body;
 pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;
 pub use free_body::FreeBody;
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use jacobian::StepJacobian;
-pub use lanes::{LANES, Lanes};
 pub use moser_veselov::MoserVeselov;
 pub use number::Number;
 pub use quaternion::Quaternion;

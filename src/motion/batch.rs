@@ -6,18 +6,17 @@ mod jacobians;
 pub use jacobians::Jacobians;
 
 use crate::mechanics::possible_body;
-use crate::motion::{
-    LANES, Lanes, MotionError, Number, Quaternion, Scheme, State, System, TorqueLaw,
-};
-use crate::scalar::Jet;
+use crate::motion::{Block, LANES, Lane, MotionError, Number, Scheme, State, System, TorqueLaw};
 use dispatch::for_each_block;
 use nalgebra::{Matrix3, Vector3};
+use num_dual::DualSVec64;
 use std::{error::Error, fmt};
 
 /// Bodies under one law of torque, moved together: an ensemble over states, or over states and inertia.
 ///
-/// Eight bodies stand side by side and go through the scheme as one [`Lanes`] each, with the widest registers that the
-/// machine has; each body moves as it would alone, to the bit. With the feature `parallel` the blocks of
+/// Eight bodies stand side by side, component by component, so that a step of plain arithmetic such as
+/// [`Rk4`](crate::motion::Rk4) runs on registers as wide as the machine has; each body moves as it would alone, to
+/// the bit. With the feature `parallel` the blocks of
 /// eight are shared out among the threads of the current `rayon` pool. A body takes 56 bytes, and 48 for a tensor of
 /// its own.
 ///
@@ -36,7 +35,7 @@ use std::{error::Error, fmt};
 pub struct Batch {
     len: usize,
     time: f64,
-    states: Vec<State<Lanes>>,
+    blocks: Vec<Block>,
     inertia: Inertia,
 }
 
@@ -44,7 +43,7 @@ pub struct Batch {
 enum Inertia {
     Shared(Matrix3<f64>),
     /// xx, yy, zz, xy, xz, yz.
-    Own(Vec<[Lanes; 6]>),
+    Own(Vec<[Lane; 6]>),
 }
 
 /// A body of a batch whose state or torque stopped being finite.
@@ -82,7 +81,7 @@ impl Batch {
         Ok(Self {
             len: states.len(),
             time: 0.0,
-            states: blocks(&states, side_by_side),
+            blocks: in_blocks(&states, Block::new),
             inertia: Inertia::Shared(inertia),
         })
     }
@@ -102,9 +101,9 @@ impl Batch {
         Ok(Self {
             len: states.len(),
             time: 0.0,
-            states: blocks(&states, side_by_side),
-            inertia: Inertia::Own(blocks(&tensors, |block: &[Matrix3<f64>; LANES]| {
-                entries.map(|entry| Lanes::new(block.map(|tensor| tensor[entry])))
+            blocks: in_blocks(&states, Block::new),
+            inertia: Inertia::Own(in_blocks(&tensors, |block: &[Matrix3<f64>; LANES]| {
+                entries.map(|entry| block.map(|tensor| tensor[entry]))
             })),
         })
     }
@@ -126,12 +125,8 @@ impl Batch {
 
     /// The state of a body, `None` past the last.
     pub fn state(&self, body: usize) -> Option<State<f64>> {
-        let lane = body % LANES;
-        let block = self.states.get(body / LANES).filter(|_| body < self.len)?;
-        Some(State {
-            attitude: Quaternion::new(block.attitude.components().map(|c| c.to_array()[lane])),
-            angular_velocity: block.angular_velocity.map(|c| c.to_array()[lane]),
-        })
+        let block = self.blocks.get(body / LANES).filter(|_| body < self.len)?;
+        Some(block.get(body % LANES))
     }
 
     /// The states of all bodies in their order.
@@ -153,18 +148,35 @@ impl Batch {
     ) -> Result<(), BodyDiverged>
     where
         S: Scheme<L> + Sync,
-        L: TorqueLaw<Lanes> + Copy + Send + Sync,
+        L: TorqueLaw<f64> + Copy + Send + Sync,
     {
         let start = self.time;
         let inertia = &self.inertia;
-        let all = for_each_block(&mut self.states, |index, state: &mut State<Lanes>| {
-            let system = inertia.system(index, law);
-            for n in 0..count {
-                let time = Lanes::of(start + step * n as f64);
-                *state = scheme.step(&system, time, state, Lanes::of(step));
-            }
-            finite(state)
-        });
+        let all = for_each_block(
+            &mut self.blocks,
+            #[inline(always)]
+            |index, block: &mut Block| {
+                law.by_kind(
+                    #[inline(always)]
+                    |law| match inertia {
+                        Inertia::Shared(tensor) if is_diagonal(tensor) => {
+                            let system = of(*tensor, law).along_axes(true);
+                            steps(scheme, |_| system, block, (start, step, count));
+                        }
+                        Inertia::Shared(tensor) => {
+                            let system = of(*tensor, law);
+                            steps(scheme, |_| system, block, (start, step, count));
+                        }
+                        Inertia::Own(tensors) => {
+                            let own = &tensors[index];
+                            let system = |lane: usize| of(tensor_of(own, lane), law);
+                            steps(scheme, system, block, (start, step, count));
+                        }
+                    },
+                );
+                block.is_finite()
+            },
+        );
         self.time = start + step * count as f64;
         self.checked(all, start)
     }
@@ -183,19 +195,35 @@ impl Batch {
     ) -> Result<(), BodyDiverged>
     where
         S: Scheme<L> + Sync,
-        L: TorqueLaw<Lanes> + TorqueLaw<Jet<Lanes, N>> + Copy + Send + Sync,
+        L: TorqueLaw<f64> + TorqueLaw<DualSVec64<N>> + Copy + Send + Sync,
+        DualSVec64<N>: Number,
     {
         let start = self.time;
         let inertia = &self.inertia;
         out.resize(self.len);
-        let pairs = self.states.iter_mut().zip(out.blocks_mut());
-        let mut pairs: Vec<_> = pairs.collect();
-        let all = for_each_block(&mut pairs, |index, (state, columns)| {
-            let system = inertia.system(index, law);
-            let time = Lanes::of(start);
-            scheme.step_with_columns(&system, time, state, Lanes::of(step), columns);
-            finite(state)
-        });
+        let mut pairs: Vec<_> = self.blocks.iter_mut().zip(out.blocks_mut()).collect();
+        let all = for_each_block(
+            &mut pairs,
+            #[inline(always)]
+            |index, (block, columns)| {
+                TorqueLaw::<f64>::by_kind(
+                    law,
+                    #[inline(always)]
+                    |law| match inertia {
+                        Inertia::Shared(tensor) => {
+                            let system = of(*tensor, law);
+                            scheme.block_with_jacobian(&|_| system, start, block, step, columns);
+                        }
+                        Inertia::Own(tensors) => {
+                            let own = &tensors[index];
+                            let system = |lane: usize| of(tensor_of(own, lane), law);
+                            scheme.block_with_jacobian(&system, start, block, step, columns);
+                        }
+                    },
+                );
+                block.is_finite()
+            },
+        );
         self.time = start + step;
         self.checked(all, start)
     }
@@ -212,46 +240,44 @@ impl Batch {
     }
 }
 
-impl Inertia {
-    #[inline(always)]
-    fn system<L: TorqueLaw<Lanes>>(&self, block: usize, law: L) -> System<Lanes, L> {
-        let zero = Vector3::from_element(Lanes::of(0.0));
-        match self {
-            Self::Shared(tensor) => {
-                let products = [tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]];
-                let system = System::over(tensor.map(Lanes::of), law, zero);
-                system.along_axes(products.iter().all(|p| *p == 0.0))
-            }
-            Self::Own(tensors) => {
-                let [xx, yy, zz, xy, xz, yz] = tensors[block];
-                System::over(Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz), law, zero)
-            }
+/// The steps of a block. Straight through the bodies, so that they share registers.
+#[inline(always)]
+fn steps<S: Scheme<L>, L: TorqueLaw<f64>>(
+    scheme: &S,
+    system: impl Fn(usize) -> System<f64, L>,
+    block: &mut Block,
+    (start, step, count): (f64, f64, u64),
+) {
+    for n in 0..count {
+        let time = start + step * n as f64;
+        for lane in 0..LANES {
+            let end = scheme.step(&system(lane), time, &block.get(lane), step);
+            block.set(lane, &end);
         }
     }
 }
 
+#[inline(always)]
+fn of<L: TorqueLaw<f64>>(tensor: Matrix3<f64>, law: L) -> System<f64, L> {
+    System::over(tensor, law, Vector3::zeros())
+}
+
+#[inline(always)]
+fn tensor_of([xx, yy, zz, xy, xz, yz]: &[Lane; 6], lane: usize) -> Matrix3<f64> {
+    let [xy, xz, yz] = [xy[lane], xz[lane], yz[lane]];
+    Matrix3::new(xx[lane], xy, xz, xy, yy[lane], yz, xz, yz, zz[lane])
+}
+
+fn is_diagonal(tensor: &Matrix3<f64>) -> bool {
+    [(0, 1), (0, 2), (1, 2)]
+        .iter()
+        .all(|entry| tensor[*entry] == 0.0)
+}
+
 /// Blocks of eight, the last filled up with its own last one.
-fn blocks<T: Copy, B>(all: &[T], block: impl Fn(&[T; LANES]) -> B) -> Vec<B> {
+fn in_blocks<T: Copy, B>(all: &[T], block: impl Fn(&[T; LANES]) -> B) -> Vec<B> {
     let filled = |chunk: &[T]| std::array::from_fn(|i| chunk[i.min(chunk.len() - 1)]);
     all.chunks(LANES)
         .map(|chunk| block(&filled(chunk)))
         .collect()
-}
-
-fn side_by_side(states: &[State<f64>; LANES]) -> State<Lanes> {
-    let part = |get: &dyn Fn(&State<f64>) -> f64| Lanes::new(states.each_ref().map(get));
-    let attitude = std::array::from_fn(|i| part(&|s| s.attitude.components()[i]));
-    State {
-        attitude: Quaternion::new(attitude),
-        angular_velocity: Vector3::from_fn(|i, _| part(&|s| s.angular_velocity[i])),
-    }
-}
-
-/// Whether every component is a finite number: 0 times anything else is not 0.
-#[inline(always)]
-fn finite(state: &State<Lanes>) -> bool {
-    let omega = &state.angular_velocity;
-    let sum = state.attitude.norm_squared() + omega.x + omega.y + omega.z;
-    let zeros = sum * Lanes::of(0.0);
-    zeros.to_array().iter().sum::<f64>() == 0.0
 }

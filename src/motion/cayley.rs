@@ -84,7 +84,7 @@ impl<T: Number> Equation<T> {
             }
             before = size;
         }
-        // The root of a negative number marks what has not settled, and of values side by side that one alone.
+        // The root of a negative number marks what has not settled.
         let change = apply(&self.inverse_slope(&c), &self.residual(&c));
         let room = (T::one() + c.dot(&c)) * T::of(1e-18) - change.dot(&change);
         let mark = room.sqrt() * T::zero();

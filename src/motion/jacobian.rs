@@ -12,7 +12,6 @@ pub mod flow;
 pub(crate) mod runge_kutta;
 
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
-use crate::scalar::Jet;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
@@ -53,7 +52,7 @@ where
     DualSVec64<N>: Number,
 {
     let seed = Seed::<DualSVec64<N>>::new(
-        &|value: f64, column| {
+        &|value, column| {
             let number = DualSVec64::<N>::from_re(value);
             if column < N {
                 number.derivative(column)
@@ -93,7 +92,7 @@ where
     L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
 {
     let seed = Seed::new(
-        &|value: f64, column| Dual64::new(value, direction.get(column).copied().unwrap_or(0.0)),
+        &|value, column| Dual64::new(value, direction[column]),
         system.inertia(),
         state,
         step,
@@ -117,46 +116,6 @@ where
     )
 }
 
-/// One step of `scheme` and the columns of its Jacobian, by running the step on jets over any number.
-#[inline(always)]
-pub fn by_jets<const N: usize, T, S, L>(
-    scheme: &S,
-    system: &System<T, L>,
-    time: T,
-    state: &mut State<T>,
-    step: T,
-    columns: &mut [[T; 6]; N],
-) where
-    T: Number,
-    S: Scheme<L> + ?Sized,
-    L: Copy + TorqueLaw<T> + TorqueLaw<Jet<T, N>>,
-{
-    let variable = |value, column| {
-        if column < N {
-            Jet::<T, N>::variable(value, column)
-        } else {
-            Jet::constant(value)
-        }
-    };
-    let seed = Seed::new(&variable, system.inertia(), state, step);
-    let added = seed.added + system.added().map(Jet::constant);
-    let seeded = System::over(seed.inertia, *system.law(), added);
-    let end = scheme.step(&seeded, Jet::constant(time), &seed.state, seed.step);
-    let attitude = Quaternion::new(end.attitude.components().map(|c| c.value));
-    for (k, column) in columns.iter_mut().enumerate() {
-        let rate = Quaternion::new(end.attitude.components().map(|c| c.partials[k]));
-        let theta = (attitude.conjugate() * rate).v;
-        for i in 0..3 {
-            column[i] = theta[i] + theta[i];
-            column[3 + i] = end.angular_velocity[i].partials[k];
-        }
-    }
-    *state = State {
-        attitude,
-        angular_velocity: end.angular_velocity.map(|c| c.value),
-    };
-}
-
 /// A step's input as numbers of which column `c` is the variable `c`.
 pub(crate) struct Seed<T> {
     pub(crate) state: State<T>,
@@ -167,17 +126,14 @@ pub(crate) struct Seed<T> {
 
 impl<T: Number> Seed<T> {
     /// Seeds by `variable(value, column)`.
-    #[inline(always)]
-    pub(crate) fn new<U: Number>(
-        variable: &impl Fn(U, usize) -> T,
-        inertia: &Matrix3<U>,
-        state: &State<U>,
-        step: U,
+    pub(crate) fn new(
+        variable: &impl Fn(f64, usize) -> T,
+        inertia: &Matrix3<f64>,
+        state: &State<f64>,
+        step: f64,
     ) -> Self {
-        let zero = U::zero();
-        let constant = |value| variable(value, usize::MAX);
-        let theta = Vector3::from_fn(|i, _| variable(zero, i));
-        let attitude = Quaternion::new(state.attitude.components().map(constant));
+        let theta = Vector3::from_fn(|i, _| variable(0.0, i));
+        let attitude = Quaternion::new(state.attitude.components().map(T::of));
         let entry = |r: usize, c: usize| variable(inertia[(r, c)], 9 + INERTIA_COLUMN[r][c]);
         let omega = &state.angular_velocity;
         Self {
@@ -185,7 +141,7 @@ impl<T: Number> Seed<T> {
                 attitude: attitude * Quaternion::exp_near_zero(&theta),
                 angular_velocity: Vector3::from_fn(|i, _| variable(omega[i], 3 + i)),
             },
-            added: Vector3::from_fn(|i, _| variable(zero, 6 + i)),
+            added: Vector3::from_fn(|i, _| variable(0.0, 6 + i)),
             inertia: Matrix3::from_fn(entry),
             step: variable(step, 15),
         }

@@ -20,7 +20,7 @@ pub trait Number: Real + Copy {
     /// The number of a value, constant in every direction.
     fn constant(value: Self::Value) -> Self;
 
-    /// |value|; of several values side by side the largest.
+    /// |value|.
     fn magnitude(&self) -> f64;
 }
 

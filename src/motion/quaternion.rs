@@ -1,6 +1,6 @@
 //! Quaternions, scalar first.
 
-use crate::mechanics::{quaternion_product, rotation};
+use crate::mechanics::{cross, quaternion_product, rotation};
 use crate::motion::Number;
 use nalgebra::{Matrix3, Vector3, Vector4};
 use std::ops::{Add, Mul};
@@ -17,7 +17,7 @@ pub struct Quaternion<T> {
 
 impl<T: Number> Quaternion<T> {
     /// The quaternion of the components w, x, y, z.
-    #[inline]
+    #[inline(always)]
     pub fn new([w, x, y, z]: [T; 4]) -> Self {
         Self {
             w,
@@ -26,19 +26,19 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// The components w, x, y, z.
-    #[inline]
+    #[inline(always)]
     pub fn components(&self) -> [T; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
 
     /// No rotation.
-    #[inline]
+    #[inline(always)]
     pub fn identity() -> Self {
         Self::new([T::one(), T::zero(), T::zero(), T::zero()])
     }
 
     /// w − x i − y j − z k: of a unit quaternion the inverse rotation.
-    #[inline]
+    #[inline(always)]
     pub fn conjugate(&self) -> Self {
         Self {
             w: self.w,
@@ -47,37 +47,38 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// w² + x² + y² + z².
-    #[inline]
+    #[inline(always)]
     pub fn norm_squared(&self) -> T {
         self.w * self.w + self.v.x * self.v.x + self.v.y * self.v.y + self.v.z * self.v.z
     }
 
     /// The quaternion of unit length in this direction.
-    #[inline]
+    #[inline(always)]
     pub fn normalised(&self) -> Self {
         *self * (T::one() / self.norm_squared().sqrt())
     }
 
     /// The vector of the space frame that has the components `v` in the body: q v q⁻¹.
-    #[inline]
+    #[inline(always)]
     pub fn to_space(&self, v: &Vector3<T>) -> Vector3<T> {
-        let twice = self.v.cross(v) * T::of(2.0);
-        v + twice * self.w + self.v.cross(&twice)
+        let twice = cross(&self.v, v) * T::of(2.0);
+        v + twice * self.w + cross(&self.v, &twice)
     }
 
     /// The components in the body of the space vector `v`: q⁻¹ v q.
-    #[inline]
+    #[inline(always)]
     pub fn to_body(&self, v: &Vector3<T>) -> Vector3<T> {
         self.conjugate().to_space(v)
     }
 
     /// The rotation matrix R, body → space.
+    #[inline(always)]
     pub fn matrix(&self) -> Matrix3<T> {
         rotation(&self.components().into())
     }
 
     /// The rate q̇ = ½ q ω of an attitude whose body turns with ω, in body axes.
-    #[inline]
+    #[inline(always)]
     pub fn rate(&self, omega: &Vector3<T>) -> Self {
         *self
             * Self {
@@ -87,7 +88,7 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// exp(θ/2) through the third order in θ, without a branch: for seeds of derivatives, where θ is 0.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn exp_near_zero(theta: &Vector3<T>) -> Self {
         let square = theta.dot(theta);
         Self {
@@ -165,7 +166,7 @@ impl Quaternion<f64> {
 impl<T: Number> Mul for Quaternion<T> {
     type Output = Self;
     /// The product: first `other`, then `self`.
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let (p, q): (Vector4<T>, Vector4<T>) =
             (self.components().into(), other.components().into());
@@ -175,7 +176,7 @@ impl<T: Number> Mul for Quaternion<T> {
 
 impl<T: Number> Mul<T> for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: T) -> Self {
         Self {
             w: self.w * factor,
@@ -186,7 +187,7 @@ impl<T: Number> Mul<T> for Quaternion<T> {
 
 impl<T: Number> Add for Quaternion<T> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         Self {
             w: self.w + other.w,

@@ -1,9 +1,10 @@
 //! The classical Runge–Kutta method.
 
+use crate::motion::block::{Block, Lane};
 use crate::motion::{
     Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
+    stepper,
 };
-use crate::scalar::Jet;
 use nalgebra::{ArrayStorage, SMatrix, SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
@@ -19,7 +20,7 @@ impl<L> Scheme<L> for Rk4 {
         4
     }
 
-    #[inline]
+    #[inline(always)]
     fn step<T: Number>(&self, system: &System<T, L>, time: T, state: &State<T>, step: T) -> State<T>
     where
         L: TorqueLaw<T>,
@@ -39,7 +40,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// Backwards through the stages where the torque does not look at the attitude, else by dual numbers.
-    #[inline]
+    #[inline(always)]
     fn step_with_jacobian<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -60,21 +61,20 @@ impl<L> Scheme<L> for Rk4 {
         }
     }
 
-    /// Backwards through the stages where the torque does not look at the attitude, else by jets.
     #[inline(always)]
-    fn step_with_columns<const N: usize, T: Number>(
+    fn block_with_jacobian<const N: usize>(
         &self,
-        system: &System<T, L>,
-        time: T,
-        state: &mut State<T>,
-        step: T,
-        columns: &mut [[T; 6]; N],
+        system: &impl Fn(usize) -> System<f64, L>,
+        time: f64,
+        block: &mut Block,
+        step: f64,
+        columns: &mut [[Lane; 6]; N],
     ) where
-        L: Copy + TorqueLaw<T> + TorqueLaw<Jet<T, N>>,
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
     {
-        match runge_kutta::step_with_jacobian(system, time, state, step) {
-            Some(found) => (*state, *columns) = found,
-            None => jacobian::by_jets(self, system, time, state, step, columns),
+        if !runge_kutta::block_with_jacobian(system, time, block, step, columns) {
+            stepper::one_by_one(self, system, time, block, step, columns);
         }
     }
 

@@ -1,7 +1,7 @@
 //! One interface to every way of moving a body through time.
 
+use crate::motion::block::{Block, LANES, Lane};
 use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
-use crate::scalar::Jet;
 use nalgebra::{SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
@@ -38,20 +38,22 @@ pub trait Scheme<L> {
         jacobian::by_dual_numbers(self, system, time, state, step)
     }
 
-    /// The step of `state` where it stands and the columns of its Jacobian, over any number: several bodies side by side
-    /// too.
+    /// A step of each of eight bodies, `system` giving that of each, and the columns of their Jacobians. One by one,
+    /// unless the method knows better.
     #[inline(always)]
-    fn step_with_columns<const N: usize, T: Number>(
+    fn block_with_jacobian<const N: usize>(
         &self,
-        system: &System<T, L>,
-        time: T,
-        state: &mut State<T>,
-        step: T,
-        columns: &mut [[T; 6]; N],
+        system: &impl Fn(usize) -> System<f64, L>,
+        time: f64,
+        block: &mut Block,
+        step: f64,
+        columns: &mut [[Lane; 6]; N],
     ) where
-        L: Copy + TorqueLaw<T> + TorqueLaw<Jet<T, N>>,
+        Self: Sized,
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
     {
-        jacobian::by_jets(self, system, time, state, step, columns);
+        one_by_one(self, system, time, block, step, columns);
     }
 
     /// The step, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), without the matrix.
@@ -84,6 +86,31 @@ pub trait Scheme<L> {
     {
         self.step_with_jacobian(system, time, state, step)
             .pulled_back(covector)
+    }
+}
+
+/// A step of each of eight bodies with its Jacobian.
+pub(crate) fn one_by_one<const N: usize, S, L>(
+    scheme: &S,
+    system: &impl Fn(usize) -> System<f64, L>,
+    time: f64,
+    block: &mut Block,
+    step: f64,
+    columns: &mut [[Lane; 6]; N],
+) where
+    S: Scheme<L>,
+    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+    DualSVec64<N>: Number,
+{
+    for lane in 0..LANES {
+        let state = block.get(lane);
+        let found = scheme.step_with_jacobian::<N>(&system(lane), time, &state, step);
+        block.set(lane, &found.state);
+        for (column, values) in columns.iter_mut().enumerate() {
+            for (row, value) in values.iter_mut().enumerate() {
+                value[lane] = found.matrix[(row, column)];
+            }
+        }
     }
 }
 

@@ -46,6 +46,7 @@ impl System<f64, Torque> {
 impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// The system over any number, with a constant torque `added` to the law in the axes that the law names.
     /// A tensor without an inverse gives numbers that are not finite.
+    #[inline(always)]
     pub fn over(inertia: Matrix3<T>, law: L, added: Vector3<T>) -> Self {
         Self {
             inverse: inverse(&inertia),
@@ -64,11 +65,13 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     }
 
     /// The inertia tensor.
+    #[inline(always)]
     pub fn inertia(&self) -> &Matrix3<T> {
         &self.inertia
     }
 
     /// Its inverse.
+    #[inline(always)]
     pub(crate) fn inverse(&self) -> &Matrix3<T> {
         &self.inverse
     }
@@ -79,17 +82,19 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     }
 
     /// The torque added to the law.
+    #[inline(always)]
     pub(crate) fn added(&self) -> &Vector3<T> {
         &self.added
     }
 
     /// The law of torque.
+    #[inline(always)]
     pub fn law(&self) -> &L {
         &self.law
     }
 
     /// The whole torque at a time in a state, body axes.
-    #[inline]
+    #[inline(always)]
     pub fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         let added = match self.law.added_in() {
             Frame::Body => self.added,
@@ -101,7 +106,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// ω̇ = I⁻¹ (M − ω × I ω) from the products (yz, zx, xy) and the squares (x², y², z²) of ω, or from the
     /// same coefficient of their series. The moment differences are formed first: (Iω) × ω would lose what a
     /// needle's moments have in common.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn acceleration_of(
         &self,
         products: &Vector3<T>,
@@ -128,7 +133,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
     /// q̇ = ½ q ω, and ω̇ = I⁻¹ (M − ω × I ω) as in
     /// [`angular_acceleration`](crate::mechanics::angular_acceleration), with the inverse formed once.
-    #[inline]
+    #[inline(always)]
     pub fn rates(&self, time: T, state: &State<T>) -> Rates<T> {
         let omega = &state.angular_velocity;
         let torque = self.torque(time, state);
@@ -148,6 +153,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
 /// The inverse of a symmetric matrix by its adjugate, without a branch. The scale is taken out first by the
 /// trace, so that moments of 1e±150 keep their determinant.
+#[inline(always)]
 pub(crate) fn inverse<T: Number>(m: &Matrix3<T>) -> Matrix3<T> {
     let scale = T::one() / (m[(0, 0)] + m[(1, 1)] + m[(2, 2)]);
     let scaled = m * scale;

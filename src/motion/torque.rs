@@ -42,6 +42,16 @@ pub trait TorqueLaw<T: Number> {
         Frame::Body
     }
 
+    /// Calls `work` with the law, at a place of its own for each of the kinds that it may be of: a loop over many bodies
+    /// in there need not ask each time.
+    #[inline(always)]
+    fn by_kind<R>(self, mut work: impl FnMut(Self) -> R) -> R
+    where
+        Self: Sized,
+    {
+        work(self)
+    }
+
     /// Whether the torque depends on ω: the geometric steps take one that does not at less cost.
     fn needs_angular_velocity(&self) -> bool {
         true
@@ -49,24 +59,24 @@ pub trait TorqueLaw<T: Number> {
 
     /// The torque with its derivatives, if it does not look at the attitude: then the fast Jacobians can be
     /// taken. Must agree with [`torque`](Self::torque).
-    fn without_attitude(&self, _time: T, _angular_velocity: &Vector3<T>) -> Option<BodyTorque<T>> {
+    fn without_attitude(&self, _time: f64, _angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
         None
     }
 }
 
 /// A torque in body axes and its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyTorque<T = f64> {
+pub struct BodyTorque {
     /// N m.
-    pub torque: Vector3<T>,
+    pub torque: Vector3<f64>,
     /// Row: component of the torque; column: component of ω.
-    pub by_angular_velocity: Matrix3<T>,
+    pub by_angular_velocity: Matrix3<f64>,
     /// The partial derivative in time.
-    pub by_time: Vector3<T>,
+    pub by_time: Vector3<f64>,
 }
 
 impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
-    #[inline]
+    #[inline(always)]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         self(time, state)
     }
@@ -110,7 +120,7 @@ pub enum Torque {
 }
 
 impl<T: Number> TorqueLaw<T> for Torque {
-    #[inline]
+    #[inline(always)]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         match self {
             Self::None => Vector3::from_element(T::zero()),
@@ -139,17 +149,33 @@ impl<T: Number> TorqueLaw<T> for Torque {
         }
     }
 
+    #[inline(always)]
+    fn by_kind<R>(self, mut work: impl FnMut(Self) -> R) -> R {
+        match self {
+            Self::None => work(Self::None),
+            Self::Constant {
+                frame: Frame::Body,
+                value,
+            } => work(Self::Constant {
+                frame: Frame::Body,
+                value,
+            }),
+            Self::Gravity { weight, arm } => work(Self::Gravity { weight, arm }),
+            Self::Damping { coefficient } => work(Self::Damping { coefficient }),
+            other => work(other),
+        }
+    }
+
     fn needs_angular_velocity(&self) -> bool {
         matches!(self, Self::Damping { .. })
     }
 
-    #[inline]
-    fn without_attitude(&self, time: T, angular_velocity: &Vector3<T>) -> Option<BodyTorque<T>> {
-        let zero = Vector3::from_element(T::zero());
+    #[inline(always)]
+    fn without_attitude(&self, time: f64, angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
         let still = BodyTorque {
-            torque: zero,
-            by_angular_velocity: Matrix3::from_element(T::zero()),
-            by_time: zero,
+            torque: Vector3::zeros(),
+            by_angular_velocity: Matrix3::zeros(),
+            by_time: Vector3::zeros(),
         };
         match *self {
             Self::None => Some(still),
@@ -157,12 +183,12 @@ impl<T: Number> TorqueLaw<T> for Torque {
                 frame: Frame::Body,
                 value,
             } => Some(BodyTorque {
-                torque: lift(&value),
+                torque: value,
                 ..still
             }),
             Self::Damping { coefficient } => Some(BodyTorque {
-                torque: angular_velocity * T::of(-coefficient),
-                by_angular_velocity: Matrix3::from_diagonal_element(T::of(-coefficient)),
+                torque: angular_velocity * -coefficient,
+                by_angular_velocity: Matrix3::from_diagonal_element(-coefficient),
                 ..still
             }),
             Self::Sinusoid {
@@ -171,11 +197,10 @@ impl<T: Number> TorqueLaw<T> for Torque {
                 angular_frequency,
                 phase,
             } => {
-                let (sine, cosine) = (T::of(angular_frequency) * time + T::of(phase)).sin_cos();
-                let amplitude = lift(&amplitude);
+                let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
                 Some(BodyTorque {
                     torque: amplitude * sine,
-                    by_time: amplitude * (cosine * T::of(angular_frequency)),
+                    by_time: amplitude * (cosine * angular_frequency),
                     ..still
                 })
             }
@@ -208,13 +233,13 @@ impl Torque {
 }
 
 /// A vector of doubles as constants of another number.
-#[inline]
+#[inline(always)]
 pub(crate) fn lift<T: Number>(v: &Vector3<f64>) -> Vector3<T> {
     v.map(T::of)
 }
 
 /// The components in the body of a vector that is given in `frame`.
-#[inline]
+#[inline(always)]
 pub(crate) fn in_body<T: Number>(
     frame: Frame,
     attitude: &Quaternion<T>,

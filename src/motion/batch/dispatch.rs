@@ -1,6 +1,6 @@
 //! One piece of work for every block, compiled for the instructions of the machine at hand.
 
-use pulp::Arch;
+use pulp::{Arch, Simd, WithSimd};
 
 /// Calls `work` with the place of every block and the block; whether it was true of all.
 #[cfg(not(feature = "parallel"))]
@@ -28,14 +28,29 @@ pub(super) fn for_each_block<B: Send>(
 }
 
 fn run<B>(blocks: &mut [B], first: usize, work: &impl Fn(usize, &mut B) -> bool) -> bool {
-    Arch::new().dispatch(
-        #[inline(always)]
-        || {
-            let mut all = true;
-            for (i, block) in blocks.iter_mut().enumerate() {
-                all &= work(first + i, block);
-            }
-            all
-        },
-    )
+    Arch::new().dispatch(Run {
+        blocks,
+        first,
+        work,
+    })
+}
+
+/// The loop over the blocks. A closure here would be compiled apart, for the least of machines.
+struct Run<'a, B, F> {
+    blocks: &'a mut [B],
+    first: usize,
+    work: &'a F,
+}
+
+impl<B, F: Fn(usize, &mut B) -> bool> WithSimd for Run<'_, B, F> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        let mut all = true;
+        for (i, block) in self.blocks.iter_mut().enumerate() {
+            all &= (self.work)(self.first + i, block);
+        }
+        all
+    }
 }

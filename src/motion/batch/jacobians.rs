@@ -1,13 +1,13 @@
 //! Jacobians of the bodies of a batch.
 
-use crate::motion::{LANES, Lanes, Number};
+use crate::motion::{LANES, Lane};
 use nalgebra::SMatrix;
 
 /// The Jacobians of one step of many bodies, of 6 rows and `N` columns each, eight bodies side by side.
 #[derive(Clone, Debug, Default)]
 pub struct Jacobians<const N: usize> {
     len: usize,
-    blocks: Vec<[[Lanes; 6]; N]>,
+    blocks: Vec<[[Lane; 6]; N]>,
 }
 
 impl<const N: usize> Jacobians<N> {
@@ -33,17 +33,17 @@ impl<const N: usize> Jacobians<N> {
     pub fn of_body(&self, body: usize) -> Option<SMatrix<f64, 6, N>> {
         let block = self.blocks.get(body / LANES).filter(|_| body < self.len)?;
         Some(SMatrix::from_fn(|row, column| {
-            block[column][row].to_array()[body % LANES]
+            block[column][row][body % LANES]
         }))
     }
 
     pub(super) fn resize(&mut self, len: usize) {
         self.len = len;
-        let nothing = [[Lanes::of(0.0); 6]; N];
+        let nothing = [[[0.0; LANES]; 6]; N];
         self.blocks.resize(len.div_ceil(LANES), nothing);
     }
 
-    pub(super) fn blocks_mut(&mut self) -> impl Iterator<Item = &mut [[Lanes; 6]; N]> {
+    pub(super) fn blocks_mut(&mut self) -> impl Iterator<Item = &mut [[Lane; 6]; N]> {
         self.blocks.iter_mut()
     }
 }

@@ -8,23 +8,52 @@
 mod matrix;
 mod products;
 
-use crate::mechanics::{angular_momentum, apply, cross, skew};
-use crate::motion::{Number, Quaternion, State, System, TorqueLaw};
+use crate::mechanics::{angular_momentum, apply, cross, product, skew};
+use crate::motion::block::{Block, LANES, Lane};
+use crate::motion::{Quaternion, State, System, TorqueLaw};
 use nalgebra::{Matrix3, SVector, Vector3, Vector6};
-
-/// The columns of a Jacobian, six rows (θ', ω') each.
-pub(crate) type Columns<T, const N: usize> = [[T; 6]; N];
 
 /// The step and its Jacobian, or `None` if the law gives a torque that depends on the attitude.
 #[inline(always)]
-pub(crate) fn step_with_jacobian<const N: usize, T: Number, L: TorqueLaw<T>>(
-    system: &System<T, L>,
-    time: T,
-    state: &State<T>,
-    step: T,
-) -> Option<(State<T>, Columns<T, N>)> {
+pub(crate) fn step_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+) -> Option<(State<f64>, [[f64; 6]; N])> {
     let back = Back::new(system, time, state, step)?;
     Some((back.state(state), back.columns()))
+}
+
+/// Eight steps and the columns of their Jacobians; `false` if the law gives a torque that depends on the attitude.
+#[inline(always)]
+pub(crate) fn block_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
+    system: &impl Fn(usize) -> System<f64, L>,
+    time: f64,
+    block: &mut Block,
+    step: f64,
+    columns: &mut [[Lane; 6]; N],
+) -> bool {
+    let still = Vector3::zeros();
+    if system(0).law().without_attitude(time, &still).is_none() {
+        return false;
+    }
+    let mut tape = matrix::EMPTY;
+    for lane in 0..LANES {
+        let (system, state) = (system(lane), block.get(lane));
+        if let Some(back) = Back::new(&system, time, &state, step) {
+            block.set(lane, &back.state(&state));
+            back.record(&mut tape, columns, lane);
+        }
+    }
+    let inverse = |lane: usize| *system(lane).inverse();
+    matrix::rows::<N, 0>(&tape, inverse, step, columns);
+    matrix::rows::<N, 1>(&tape, inverse, step, columns);
+    matrix::rows::<N, 2>(&tape, inverse, step, columns);
+    matrix::rows::<N, 3>(&tape, inverse, step, columns);
+    matrix::rows::<N, 4>(&tape, inverse, step, columns);
+    matrix::rows::<N, 5>(&tape, inverse, step, columns);
+    true
 }
 
 /// The step and its Jacobian times a direction of the input.
@@ -56,49 +85,43 @@ const WEIGHTS: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
 const PARTS: [f64; 4] = [0.0, 0.5, 0.5, 1.0];
 
 /// What a stage leaves behind for the way back.
-struct Stage<T> {
-    omega: Vector3<T>,
-    acceleration: Vector3<T>,
+struct Stage {
+    omega: Vector3<f64>,
+    acceleration: Vector3<f64>,
     /// The derivative of the net moment in ω.
-    slope: Matrix3<T>,
+    slope: Matrix3<f64>,
     /// The torque's own rate in time.
-    by_time: Vector3<T>,
+    by_time: Vector3<f64>,
     /// Attitude since the start of the step, and its rate ½ p ω.
-    turn: Quaternion<T>,
-    turn_rate: Quaternion<T>,
+    turn: Quaternion<f64>,
+    turn_rate: Quaternion<f64>,
 }
 
-struct Back<'a, T> {
-    stages: [Stage<T>; 4],
-    inverse: &'a Matrix3<T>,
-    step: T,
+struct Back<'a> {
+    stages: [Stage; 4],
+    inverse: &'a Matrix3<f64>,
+    step: f64,
     /// The turn of the step before it is made unit, and the mean of its rate.
-    end: Quaternion<T>,
-    mean: Quaternion<T>,
+    end: Quaternion<f64>,
+    mean: Quaternion<f64>,
 }
 
-impl<'a, T: Number> Back<'a, T> {
+impl<'a> Back<'a> {
     /// The stages of a step, or `None` if the law gives a torque that depends on the attitude.
     #[inline(always)]
-    fn new<L: TorqueLaw<T>>(
-        system: &'a System<T, L>,
-        time: T,
-        state: &State<T>,
-        step: T,
+    fn new<L: TorqueLaw<f64>>(
+        system: &'a System<f64, L>,
+        time: f64,
+        state: &State<f64>,
+        step: f64,
     ) -> Option<Self> {
         let start = state.angular_velocity;
         let first = stage(system, time, start, Quaternion::identity())?;
-        let next = |part: f64, before: &Stage<T>| {
-            let span = step * T::of(part);
-            let omega = start + before.acceleration * span;
-            let turn = Quaternion::identity() + before.turn_rate * span;
-            stage(system, time + span, omega, turn)
-        };
-        let second = next(0.5, &first)?;
-        let third = next(0.5, &second)?;
-        let fourth = next(1.0, &third)?;
-        let inner = (second.turn_rate + third.turn_rate) * T::of(WEIGHTS[1]);
-        let mean = (first.turn_rate + fourth.turn_rate) * T::of(WEIGHTS[0]) + inner;
+        let second = stage_after(system, (time, start, step), 0.5, &first)?;
+        let third = stage_after(system, (time, start, step), 0.5, &second)?;
+        let fourth = stage_after(system, (time, start, step), 1.0, &third)?;
+        let inner = (second.turn_rate + third.turn_rate) * WEIGHTS[1];
+        let mean = (first.turn_rate + fourth.turn_rate) * WEIGHTS[0] + inner;
         Some(Self {
             end: Quaternion::identity() + mean * step,
             stages: [first, second, third, fourth],
@@ -110,7 +133,7 @@ impl<'a, T: Number> Back<'a, T> {
 
     /// The state after the step from `state`.
     #[inline(always)]
-    fn state(&self, state: &State<T>) -> State<T> {
+    fn state(&self, state: &State<f64>) -> State<f64> {
         State {
             attitude: (state.attitude * self.end.normalised()).normalised(),
             angular_velocity: state.angular_velocity + self.mean_acceleration() * self.step,
@@ -118,27 +141,26 @@ impl<'a, T: Number> Back<'a, T> {
     }
 
     #[inline(always)]
-    fn mean_acceleration(&self) -> Vector3<T> {
+    fn mean_acceleration(&self) -> Vector3<f64> {
         let [first, second, third, fourth] = &self.stages;
-        (first.acceleration + fourth.acceleration) * T::of(WEIGHTS[0])
-            + (second.acceleration + third.acceleration) * T::of(WEIGHTS[1])
+        (first.acceleration + fourth.acceleration) * WEIGHTS[0]
+            + (second.acceleration + third.acceleration) * WEIGHTS[1]
     }
 }
 
 #[inline(always)]
-fn stage<T: Number, L: TorqueLaw<T>>(
-    system: &System<T, L>,
-    time: T,
-    omega: Vector3<T>,
-    turn: Quaternion<T>,
-) -> Option<Stage<T>> {
+fn stage<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    omega: Vector3<f64>,
+    turn: Quaternion<f64>,
+) -> Option<Stage> {
     let torque = system.law().without_attitude(time, &omega)?;
     let inertia = system.inertia();
     let momentum = angular_momentum(inertia, &omega);
     let net = torque.torque + system.added() - cross(&omega, &momentum);
     // −δω × L − ω × I δω.
-    let turned = |c: usize| cross(&omega, &inertia.column(c).into_owned());
-    let gyroscopic = skew(&momentum) - Matrix3::from_columns(&[turned(0), turned(1), turned(2)]);
+    let gyroscopic = skew(&momentum) - product(&skew(&omega), inertia);
     Some(Stage {
         acceleration: apply(system.inverse(), &net),
         slope: torque.by_angular_velocity + gyroscopic,
@@ -147,4 +169,18 @@ fn stage<T: Number, L: TorqueLaw<T>>(
         omega,
         turn,
     })
+}
+
+/// The stage at `part` of a step, along the rates of the one before.
+#[inline(always)]
+fn stage_after<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    (time, start, step): (f64, Vector3<f64>, f64),
+    part: f64,
+    before: &Stage,
+) -> Option<Stage> {
+    let span = step * part;
+    let omega = start + before.acceleration * span;
+    let turn = Quaternion::identity() + before.turn_rate * span;
+    stage(system, time + span, omega, turn)
 }

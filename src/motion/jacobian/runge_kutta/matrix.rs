@@ -1,183 +1,285 @@
-//! The whole Jacobian: six rows at once, back through the stages.
+//! The whole Jacobian, row by row: every row takes the same operations, so that a loop over the rows of one body or
+//! over the same row of many bodies runs on whole registers.
 
-use super::{Back, Columns, PARTS, Stage, WEIGHTS};
-use crate::mechanics::{regressor, skew};
-use crate::motion::{Number, Quaternion};
-use nalgebra::Matrix3;
+use super::{Back, PARTS, WEIGHTS};
+use crate::mechanics::{apply, regressor, skew};
+use crate::motion::{Quaternion, block::LANES, block::Lane};
+use nalgebra::{Matrix3, SVector, Vector3};
 
-/// Six rows (θ', ω') of three columns, column by column.
-type Rows<T> = [[T; 6]; 3];
-
-/// What the way back carries from one stage to the one before.
-struct Carried<T> {
-    of_acceleration: Rows<T>,
-    /// The adjoint of a stage's attitude rate is 2 end e_r S / |end|² for row r, with S the same for all rows.
-    chain: Quaternion<T>,
+/// What a stage gives to the way back, the same for all rows.
+#[derive(Clone, Copy)]
+struct Pull {
+    omega: Vector3<f64>,
+    acceleration: Vector3<f64>,
+    /// The transposes of the slopes of the net moment in ω and of the end's attitude in the stage's ω.
+    slope: Matrix3<f64>,
+    direct: Matrix3<f64>,
 }
 
-impl<T: Number> Back<'_, T> {
+/// Numbers in a [`Pull`].
+const PULL: usize = 24;
+
+/// The four stages of eight bodies, number by number.
+pub(super) type Tape = [[Lane; PULL]; 4];
+
+/// A tape with nothing on it.
+pub(super) const EMPTY: Tape = [[[0.0; LANES]; PULL]; 4];
+
+impl Pull {
     #[inline(always)]
-    pub(super) fn columns<const N: usize>(&self) -> Columns<T, N> {
-        let mut matrix = [[T::zero(); 6]; N];
+    fn write(&self, tape: &mut [Lane; PULL], lane: usize) {
+        for i in 0..3 {
+            tape[i][lane] = self.omega[i];
+            tape[3 + i][lane] = self.acceleration[i];
+        }
+        for i in 0..9 {
+            tape[6 + i][lane] = self.slope[(i / 3, i % 3)];
+            tape[15 + i][lane] = self.direct[(i / 3, i % 3)];
+        }
+    }
+
+    #[inline(always)]
+    fn read(tape: &[Lane; PULL], lane: usize) -> Self {
+        let vector = |first: usize| {
+            Vector3::new(
+                tape[first][lane],
+                tape[first + 1][lane],
+                tape[first + 2][lane],
+            )
+        };
+        let rows = |first: usize| {
+            let [a, b, c] = [vector(first), vector(first + 3), vector(first + 6)];
+            Matrix3::new(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z)
+        };
+        Self {
+            omega: vector(0),
+            acceleration: vector(3),
+            slope: rows(6),
+            direct: rows(15),
+        }
+    }
+}
+
+/// A row on its way back: the covector (of θ', of ω'), and what has come together so far.
+struct Row {
+    of_theta: Vector3<f64>,
+    of_end: Vector3<f64>,
+    of_acceleration: Vector3<f64>,
+    omega: Vector3<f64>,
+    torque: Vector3<f64>,
+    inertia: [f64; 6],
+}
+
+impl Row {
+    #[inline(always)]
+    fn new(of_theta: Vector3<f64>, of_end: Vector3<f64>, step: f64) -> Self {
+        Self {
+            of_theta,
+            of_end,
+            of_acceleration: of_end * (step * WEIGHTS[3]),
+            omega: of_end,
+            torque: Vector3::zeros(),
+            inertia: [0.0; 6],
+        }
+    }
+
+    /// Back through stage `i`; a `turning` row is one of θ'.
+    #[inline(always)]
+    fn back<const N: usize>(
+        &mut self,
+        i: usize,
+        pull: &Pull,
+        inverse: &Matrix3<f64>,
+        step: f64,
+        turning: bool,
+    ) {
+        // The inverse is symmetric.
+        let of_moment = apply(inverse, &self.of_acceleration);
+        let mut of_omega = apply(&pull.slope, &of_moment);
+        if turning {
+            of_omega += apply(&pull.direct, &self.of_theta);
+        }
+        self.omega += of_omega;
+        if N > 6 {
+            self.torque += of_moment;
+        }
+        if N > 9 {
+            let moments = regressor(&pull.omega, &pull.acceleration);
+            for (k, sum) in self.inertia.iter_mut().enumerate() {
+                *sum -= moments[(0, k)] * of_moment.x
+                    + moments[(1, k)] * of_moment.y
+                    + moments[(2, k)] * of_moment.z;
+            }
+        }
+        if i > 0 {
+            self.of_acceleration =
+                self.of_end * (step * WEIGHTS[i - 1]) + of_omega * (step * PARTS[i]);
+        }
+    }
+
+    #[inline(always)]
+    fn all<const N: usize>(
+        mut self,
+        pulls: impl Fn(usize) -> Pull,
+        inverse: &Matrix3<f64>,
+        step: f64,
+        turning: bool,
+    ) -> Self {
+        self.back::<N>(3, &pulls(3), inverse, step, turning);
+        self.back::<N>(2, &pulls(2), inverse, step, turning);
+        self.back::<N>(1, &pulls(1), inverse, step, turning);
+        self.back::<N>(0, &pulls(0), inverse, step, turning);
+        self
+    }
+
+    /// Writes column 3 and those after it by `write(column, value)`.
+    #[inline(always)]
+    fn write<const N: usize>(&self, mut write: impl FnMut(usize, f64)) {
+        for k in 0..3 {
+            write(3 + k, self.omega[k]);
+            if N > 6 {
+                write(6 + k, self.torque[k]);
+            }
+        }
+        if N > 9 {
+            for (k, value) in self.inertia.iter().enumerate() {
+                write(9 + k, *value);
+            }
+        }
+    }
+}
+
+/// The rows as covectors, three of θ' and three of ω'.
+const OF_THETA: [[f64; 6]; 3] = [
+    [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+];
+const OF_OMEGA: [[f64; 6]; 3] = [
+    [0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+];
+
+impl Back<'_> {
+    #[inline(always)]
+    pub(super) fn columns<const N: usize>(&self) -> [[f64; 6]; N] {
+        let mut columns = [[0.0; 6]; N];
+        let pulls = self.pulls();
+        for r in 0..6 {
+            let part = |of: &[[f64; 6]; 3]| Vector3::new(of[0][r], of[1][r], of[2][r]);
+            let row = Row::new(part(&OF_THETA), part(&OF_OMEGA), self.step);
+            let row = row.all::<N>(|i| pulls[i], self.inverse, self.step, true);
+            row.write::<N>(|column, value| columns[column][r] = value);
+        }
+        let turn = self.end.normalised().matrix();
+        for (i, column) in columns.iter_mut().take(3).enumerate() {
+            for (row, value) in column.iter_mut().take(3).enumerate() {
+                *value = turn[(i, row)];
+            }
+        }
+        if N > 15 {
+            columns[15] = self.by_time();
+        }
+        columns
+    }
+
+    /// The derivative in the length of the step.
+    #[inline(always)]
+    fn by_time(&self) -> [f64; 6] {
+        let mut direction = SVector::<f64, 16>::zeros();
+        direction[15] = 1.0;
+        self.along(&direction).into()
+    }
+
+    #[inline(always)]
+    fn pulls(&self) -> [Pull; 4] {
+        let unit = 1.0 / self.end.norm_squared();
+        let [first, second, third, fourth] = &self.stages;
+        let half = |stage: &super::Stage| Quaternion {
+            w: 0.0,
+            v: stage.omega * -0.5,
+        };
+        // The adjoint of a stage's attitude rate is 2 end e S / |end|² for a row e, with S the same for all rows.
+        let one = Quaternion::identity() * self.step;
+        let last = one * WEIGHTS[3];
+        let third_chain = one * WEIGHTS[2] + last * half(fourth) * (self.step * PARTS[3]);
+        let second_chain = one * WEIGHTS[1] + third_chain * half(third) * (self.step * PARTS[2]);
+        let first_chain = one * WEIGHTS[0] + second_chain * half(second) * (self.step * PARTS[1]);
+        let pull = |stage: &super::Stage, chain: &Quaternion<f64>| Pull {
+            omega: stage.omega,
+            acceleration: stage.acceleration,
+            slope: stage.slope.transpose(),
+            direct: sandwich(&(stage.turn.conjugate() * self.end), chain, unit),
+        };
+        [
+            pull(first, &first_chain),
+            pull(second, &second_chain),
+            pull(third, &third_chain),
+            pull(fourth, &last),
+        ]
+    }
+
+    /// Writes what the way back needs, and the columns that need no way back.
+    #[inline(always)]
+    pub(super) fn record<const N: usize>(
+        &self,
+        tape: &mut Tape,
+        columns: &mut [[Lane; 6]; N],
+        lane: usize,
+    ) {
+        for (pull, tape) in self.pulls().iter().zip(tape) {
+            pull.write(tape, lane);
+        }
         let turn = self.end.normalised().matrix();
         for i in 0..3 {
             for row in 0..3 {
-                matrix[i][row] = turn[(i, row)];
+                columns[i][row][lane] = turn[(i, row)];
+                columns[i][3 + row][lane] = 0.0;
             }
-            matrix[3 + i][3 + i] = T::one();
-        }
-        let last = self.step * T::of(WEIGHTS[3]);
-        let mut carried = Carried {
-            of_acceleration: identity(last),
-            chain: Quaternion::identity() * last,
-        };
-        for i in (0..4).rev() {
-            carried = self.back(&mut matrix, i, &carried);
         }
         if N > 15 {
-            let unit = T::of(2.0) / self.end.norm_squared();
-            let turned = (self.end.conjugate() * self.mean).v * unit;
-            let mean = self.mean_acceleration();
-            for i in 0..3 {
-                matrix[15][i] += turned[i];
-                matrix[15][3 + i] += mean[i];
+            let rates = self.by_time();
+            for (row, rate) in rates.iter().enumerate() {
+                columns[15][row][lane] = *rate;
             }
-        }
-        matrix
-    }
-
-    /// Back through stage `i`.
-    #[inline(always)]
-    fn back<const N: usize>(
-        &self,
-        matrix: &mut Columns<T, N>,
-        i: usize,
-        carried: &Carried<T>,
-    ) -> Carried<T> {
-        let stage = &self.stages[i];
-        let unit = T::one() / self.end.norm_squared();
-        let of_moment = times(&carried.of_acceleration, self.inverse);
-        let mut of_omega = times(&of_moment, &stage.slope);
-        let direct = sandwich(&(stage.turn.conjugate() * self.end), &carried.chain);
-        for (column, rows) in of_omega.iter_mut().enumerate() {
-            for row in 0..3 {
-                rows[row] += unit * direct[(column, row)];
-            }
-        }
-        add(matrix, 3, &of_omega);
-        if N > 6 {
-            add(matrix, 6, &of_moment);
-        }
-        if N > 9 {
-            by_inertia(matrix, stage, &of_moment);
-        }
-        let spin = Quaternion {
-            w: T::zero(),
-            v: stage.omega,
-        };
-        let of_turn = carried.chain * spin * T::of(-0.5);
-        if N > 15 && i > 0 {
-            self.span(
-                matrix,
-                i,
-                (&of_omega, &of_moment),
-                &(of_turn * (unit + unit)),
-            );
-        }
-        let span = self.step * T::of(PARTS[i]);
-        let next = self.step * T::of(WEIGHTS[i.saturating_sub(1)]);
-        let mut of_acceleration = identity(next);
-        for (to, from) in of_acceleration.iter_mut().zip(&of_omega) {
-            for (a, b) in to.iter_mut().zip(from) {
-                *a += span * *b;
-            }
-        }
-        Carried {
-            of_acceleration,
-            chain: Quaternion::identity() * next + of_turn * span,
-        }
-    }
-
-    /// The part of the step's length that comes in at the start of stage `i`.
-    #[inline(always)]
-    fn span<const N: usize>(
-        &self,
-        matrix: &mut Columns<T, N>,
-        i: usize,
-        (of_omega, of_moment): (&Rows<T>, &Rows<T>),
-        of_turn: &Quaternion<T>,
-    ) {
-        let (stage, before) = (&self.stages[i], &self.stages[i - 1]);
-        // ⟨end e_r S, p⟩ is component r of end* p S*.
-        let turned = (self.end.conjugate() * before.turn_rate * of_turn.conjugate()).v;
-        for row in 0..6 {
-            let mut sum = if row < 3 { turned[row] } else { T::zero() };
-            for k in 0..3 {
-                sum += of_omega[k][row] * before.acceleration[k]
-                    + of_moment[k][row] * stage.by_time[k];
-            }
-            matrix[15][row] += T::of(PARTS[i]) * sum;
         }
     }
 }
 
-/// The columns of the inertia: a change of the tensor takes from the moment what the regressor says.
+/// The row `R` of eight Jacobians, from what was recorded of their stages.
 #[inline(always)]
-fn by_inertia<T: Number, const N: usize>(
-    matrix: &mut Columns<T, N>,
-    stage: &Stage<T>,
-    of_moment: &Rows<T>,
+pub(super) fn rows<const N: usize, const R: usize>(
+    tape: &Tape,
+    inverse: impl Fn(usize) -> Matrix3<f64>,
+    step: f64,
+    columns: &mut [[Lane; 6]; N],
 ) {
-    let moments = regressor(&stage.omega, &stage.acceleration);
-    for (column, moment) in matrix[9..15].iter_mut().zip(moments.column_iter()) {
-        for (row, value) in column.iter_mut().enumerate() {
-            *value -= of_moment[0][row] * moment[0]
-                + of_moment[1][row] * moment[1]
-                + of_moment[2][row] * moment[2];
-        }
+    for lane in 0..LANES {
+        let part = |of: &[[f64; 6]; 3]| Vector3::new(of[0][R], of[1][R], of[2][R]);
+        let row = Row::new(part(&OF_THETA), part(&OF_OMEGA), step);
+        let pulls = |i: usize| Pull::read(&tape[i], lane);
+        let row = row.all::<N>(pulls, &inverse(lane), step, R < 3);
+        row.write::<N>(|column, value| put(columns, (column, R, lane), value));
     }
 }
 
-/// `factor` in the rows of ω'.
 #[inline(always)]
-fn identity<T: Number>(factor: T) -> Rows<T> {
-    let mut rows = [[T::zero(); 6]; 3];
-    for (i, column) in rows.iter_mut().enumerate() {
-        column[3 + i] = factor;
-    }
-    rows
+fn put<const N: usize>(
+    columns: &mut [[Lane; 6]; N],
+    (column, row, lane): (usize, usize, usize),
+    value: f64,
+) {
+    columns[column][row][lane] = value;
 }
 
-/// Rows times a matrix.
+/// The matrix of e ↦ f Im(p e s) for pure e: (ab + u·v) 1 + [b u − a v]× − u vᵀ − v uᵀ with p = a + u, s = b + v.
 #[inline(always)]
-fn times<T: Number>(rows: &Rows<T>, m: &Matrix3<T>) -> Rows<T> {
-    let mut product = [[T::zero(); 6]; 3];
-    for (column, out) in product.iter_mut().enumerate() {
-        let (a, b, c) = (m[(0, column)], m[(1, column)], m[(2, column)]);
-        for (r, value) in out.iter_mut().enumerate() {
-            *value = rows[0][r] * a + rows[1][r] * b + rows[2][r] * c;
-        }
-    }
-    product
-}
-
-/// Adds rows to the three columns from `from`.
-#[inline(always)]
-fn add<T: Number, const N: usize>(matrix: &mut Columns<T, N>, from: usize, rows: &Rows<T>) {
-    for (column, rows) in matrix[from..from + 3].iter_mut().zip(rows) {
-        for (value, row) in column.iter_mut().zip(rows) {
-            *value += *row;
-        }
-    }
-}
-
-/// The matrix of e ↦ Im(p e s) for pure e: (ab + u·v) 1 + [b u − a v]× − u vᵀ − v uᵀ with p = a + u, s = b + v.
-#[inline(always)]
-fn sandwich<T: Number>(p: &Quaternion<T>, s: &Quaternion<T>) -> Matrix3<T> {
+fn sandwich(p: &Quaternion<f64>, s: &Quaternion<f64>, factor: f64) -> Matrix3<f64> {
     let turned = skew(&(p.v * s.w - s.v * p.w));
     let same = p.w * s.w + p.v.dot(&s.v);
     Matrix3::from_fn(|r, c| {
         let across = turned[(r, c)] - p.v[r] * s.v[c] - s.v[r] * p.v[c];
-        if r == c { same + across } else { across }
+        factor * if r == c { same + across } else { across }
     })
 }

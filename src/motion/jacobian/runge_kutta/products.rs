@@ -5,8 +5,9 @@ use crate::mechanics::{apply, regressor};
 use crate::motion::Quaternion;
 use nalgebra::{SVector, Vector3, Vector6};
 
-impl Back<'_, f64> {
+impl Back<'_> {
     /// The Jacobian times a direction of the input (θ, ω, torque, inertia, dt): forward through the stages.
+    #[inline(always)]
     pub(super) fn along(&self, direction: &SVector<f64, 16>) -> Vector6<f64> {
         let part = |first: usize| direction.fixed_rows::<3>(first).into_owned();
         let (theta, start, torque, span) = (part(0), part(3), part(6), direction[15]);
@@ -38,6 +39,7 @@ impl Back<'_, f64> {
     }
 
     /// A covector of the result (θ', ω') times the Jacobian: backward through the stages, one row.
+    #[inline(always)]
     pub(super) fn pulled_back(&self, covector: &Vector6<f64>) -> SVector<f64, 16> {
         let unit = 1.0 / self.end.norm_squared();
         let of_theta = covector.fixed_rows::<3>(0).into_owned();
@@ -85,7 +87,7 @@ impl Back<'_, f64> {
 }
 
 /// The angular velocity of a stage as a quaternion.
-fn pure(stage: &Stage<f64>) -> Quaternion<f64> {
+fn pure(stage: &Stage) -> Quaternion<f64> {
     Quaternion {
         w: 0.0,
         v: stage.omega,
