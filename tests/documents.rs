@@ -147,3 +147,9 @@ fn of_a_chain_of_zeros_each_is_zero() {
                 $$ \\Sigma M_x = (I_z - I_y)\\omega_y\\omega_z $$\n";
     assert_eq!(markdown(text), "ap");
 }
+
+#[test]
+fn a_component_with_a_running_index_is_no_new_symbol() {
+    let text = "The angular momentum is $\\mathbf L$, with $\\tau_i = I_{ij}\\dot\\omega_j + q_{ijk}\\omega_j L_k$ for the torque.\n";
+    assert!(!markdown(text).contains('a'));
+}

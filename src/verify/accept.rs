@@ -11,7 +11,7 @@ use crate::verify::lower::{FunctionOf, TroubleKind};
 use crate::verify::quantity::Shape;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::{Premise, Taken};
-use crate::verify::usage::{inner, symbols};
+use crate::verify::usage::{Letter, inner, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
@@ -45,6 +45,10 @@ impl Checker<'_> {
             .unwrap_or(0);
         let read = readings.swap_remove(index);
         let residuals = against_last(&read);
+        if !residuals.iter().all(Fraction::is_valid) {
+            finding.reason = Some("something is divided by zero".to_owned());
+            return;
+        }
         let preferred = read.equations.first().map_or(vec![], |e| {
             e.left.entries.iter().flat_map(|f| f.variables()).collect()
         });
@@ -159,6 +163,15 @@ impl Checker<'_> {
             Owner::Symbol(_) => true,
             Owner::Quantity(_, variant) => !variant.is_empty() && variant != "any point",
         };
+        // τ_i with a running index is no new symbol but each component of a known one.
+        let running = symbol
+            .subscripts
+            .iter()
+            .any(|s| matches!(s.as_str(), "i" | "j" | "k" | "l"));
+        let known_letter = self.reading.quantities.contains_key(&Letter::of(symbol));
+        if running && known_letter {
+            return None;
+        }
         let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
         (strange && self.theory.rule(variable).is_none()).then_some((entity, place))
     }

@@ -38,6 +38,7 @@ impl Checker<'_> {
                 ![
                     "taken as given",
                     "this relation",
+                    "an integral",
                     "budget",
                     "equal in every trial",
                 ]

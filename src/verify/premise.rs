@@ -16,6 +16,10 @@ use crate::verify::verdict::FromProse;
 impl Checker<'_> {
     /// Takes in a premise that words set.
     pub(super) fn take(&mut self, said: Said, span: Span) {
+        // Of two sets of axes, the words do not tell which is principal.
+        if said == Said::Principal && self.reading.usage.has_primed_axes() {
+            return;
+        }
         let name = said.words();
         let new = match said {
             Said::BodyAxes => {

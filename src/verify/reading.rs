@@ -8,6 +8,7 @@ use crate::notation::document::{Document, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::quantity::Quantity;
+use crate::verify::symbol::is_point;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -69,7 +70,9 @@ impl Reading {
             .collect();
         let number = |letter: &Letter| {
             let used = self.usage.get(letter);
-            used.vector + used.tensor + used.component + used.double == 0
+            let indices = self.usage.subscripts.get(letter);
+            let points = indices.is_none_or(|all| all.iter().all(|s| is_point(s)));
+            points && used.vector + used.tensor + used.component + used.double == 0
         };
         let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
         let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);

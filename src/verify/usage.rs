@@ -153,6 +153,12 @@ impl Usage {
         found.next().is_none().then(|| first.clone())
     }
 
+    /// Whether some letter has components on axes with primes.
+    pub(super) fn has_primed_axes(&self) -> bool {
+        let primed = |s: &String| s.contains('\'') && s.starts_with(['x', 'y', 'z']);
+        self.subscripts.values().flatten().any(primed)
+    }
+
     /// Whether a letter is met with a subscript.
     pub(super) fn has_index(&self, letter: &Letter, index: &str) -> bool {
         self.subscripts
