@@ -7,6 +7,7 @@
 mod accept;
 mod atoms;
 mod attitude_law;
+mod attitude_matrix;
 mod attitude_reading;
 mod attitude_words;
 mod call;
@@ -19,6 +20,7 @@ mod convention_slips;
 mod decide;
 mod doubt;
 mod edit;
+mod euler_rates;
 mod frame;
 mod given;
 mod hamilton;

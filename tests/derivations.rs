@@ -11,7 +11,7 @@ const DOCUMENTS: &[(&str, usize, usize)] = &[
     ("02-euler-equations.md", 2, 0),
     ("03-energy-and-momentum.md", 3, 0),
     ("04-symmetric-body.md", 6, 1),
-    ("05-quaternion-rate.md", 7, 0),
+    ("05-quaternion-rate.md", 3, 0),
 ];
 
 fn folder() -> std::path::PathBuf {

@@ -100,7 +100,7 @@ impl Checker<'_> {
             return false;
         };
         let Some((entity, place)) = self.new_symbol(left) else {
-            return false;
+            return rest.is_empty() && self.defines_entries(left, right, finding);
         };
         if symbols(right).into_iter().any(|s| matches!(meaning(s, &self.reading, &mut self.theory.atoms), Meaning::Whole(e) | Meaning::Component(e, _) if e == entity)) {
             return false;
@@ -145,6 +145,57 @@ impl Checker<'_> {
             finding.role = role;
             self.claim(&sides[1..], finding);
         }
+        true
+    }
+
+    /// A matrix of new symbols on the left, with signs or zeros among them: each gets its value.
+    fn defines_entries(&mut self, left: &Node, right: &Node, finding: &mut Finding) -> bool {
+        let Kind::Matrix(rows) = &inner(left).kind else {
+            return false;
+        };
+        let mut new: Vec<Entity> = vec![];
+        for entry in rows.iter().flatten() {
+            let entry = match &inner(entry).kind {
+                Kind::Negate(inside) => inside,
+                Kind::Number(_) => continue,
+                _ => entry,
+            };
+            match self.new_symbol(entry) {
+                Some((entity, None)) if !self.known.contains(&entity.0) => new.push(entity),
+                _ => return false,
+            }
+        }
+        let sides = [left.clone(), right.clone()];
+        let Ok(read) = self.read(&sides, Frame::Moving) else {
+            return false;
+        };
+        for &entity in &new {
+            self.theory.atoms.info_mut(entity).constant = false;
+        }
+        let preferred = new
+            .iter()
+            .map(|&e| self.theory.atoms.part(e, 0, 0))
+            .collect();
+        let residuals = read
+            .equations
+            .into_iter()
+            .flat_map(|e| e.residual.entries)
+            .collect();
+        let name = self.line_name(finding);
+        let premise = Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition: true,
+        };
+        if self.theory.assume(premise) != Taken::Solved || new.is_empty() {
+            self.theory.retain(|premise| premise.name != name);
+            return false;
+        }
+        self.keep(&name, true);
+        self.known.extend(new.iter().map(|entity| entity.0));
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Define;
         true
     }
 

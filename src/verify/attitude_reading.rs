@@ -1,12 +1,12 @@
 //! Which letters of a document are its attitude matrix and the parts of its quaternion.
 
-use crate::notation::ast::{Kind, Node, Operator, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::attitude_law::Convention;
 use crate::verify::attitude_words::{Sentence, Way, rate_in_space, sentences, way};
 use crate::verify::repair::lines;
 use crate::verify::usage::{Letter, inner, symbols};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// A part of a quaternion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,19 +40,6 @@ pub(super) struct AttitudeReading {
     parts: BTreeMap<Spelling, Part>,
 }
 
-/// Letters that an attitude matrix has.
-const MATRIX_LETTERS: &[&str] = &["R", "A", "C", "Q", "D", "T", "S", "B", "Lambda"];
-/// Words that name an attitude matrix.
-const MATRIX_WORDS: &[&str] = &[
-    "rotation matrix",
-    "attitude matrix",
-    "orientation matrix",
-    "direction cosine",
-    "direction-cosine",
-    "orthogonal matrix",
-    "matrix of rotation",
-    "rotation tensor",
-];
 /// Superscripts of a conjugate.
 const STARS: &[&str] = &[
     "*", "∗", "⋆", "†", "ast", "star", "dagger", "\\ast", "\\star", "\\dagger",
@@ -76,7 +63,8 @@ impl AttitudeReading {
                 speaks("scalar last") || speaks("scalar-last") || speaks("scalar part last");
         }
         reading.find_matrix(document, &sentences, taken);
-        reading.listen(&sentences);
+        let labelled = |s: &Symbol| s.name == "omega" && !s.superscripts.is_empty();
+        reading.listen(&sentences, all.iter().any(|s| labelled(s)));
         reading
     }
 
@@ -100,6 +88,26 @@ impl AttitudeReading {
     /// Whether the document speaks of an attitude at all.
     pub(super) fn is_spoken_of(&self) -> bool {
         self.matrix.is_some() || self.quaternion.is_some()
+    }
+
+    /// The other ways that matrix and quaternion may go, where no word says which.
+    pub(super) fn other_ways(&self) -> Vec<Self> {
+        let open = [
+            self.matrix.is_some() && !self.said[0],
+            self.quaternion.is_some() && !self.said[1],
+        ];
+        let flips = [[true, false], [false, true], [true, true]];
+        let allowed = flips
+            .into_iter()
+            .filter(|f| f.iter().zip(&open).all(|(flip, open)| *open || !flip));
+        allowed
+            .map(|[matrix, quaternion]| {
+                let mut other = self.clone();
+                other.convention.matrix_to_body ^= matrix;
+                other.convention.quaternion_to_body ^= quaternion;
+                other
+            })
+            .collect()
     }
 
     /// In words, for the report.
@@ -246,67 +254,9 @@ impl AttitudeReading {
         }
     }
 
-    fn find_matrix(
-        &mut self,
-        document: &Document,
-        said: &[Sentence],
-        taken: &impl Fn(&Letter) -> bool,
-    ) {
-        let stems = [
-            "rotat",
-            "attitude",
-            "orientation",
-            "orthogonal",
-            "direction cosin",
-        ];
-        let about_turning = said
-            .iter()
-            .any(|s| stems.iter().any(|stem| s.text.contains(stem)));
-        let mut found: Vec<Letter> = vec![];
-        let mut made: BTreeSet<Letter> = BTreeSet::new();
-        for line in lines(document) {
-            if about_turning {
-                line.sides.iter().for_each(|side| turns(side, &mut found));
-            }
-            if let [left, rest @ ..] = line.sides.as_slice()
-                && let Kind::Symbol(symbol) = &inner(left).kind
-                && rest.iter().any(|side| self.makes_matrix(side))
-            {
-                made.insert(Letter::of(symbol));
-            }
-        }
-        let spoken = said
-            .iter()
-            .filter(|s| MATRIX_WORDS.iter().any(|w| s.text.contains(w)));
-        found.extend(
-            spoken
-                .flat_map(|s| &s.letters)
-                .map(|name| Letter::plain(name)),
-        );
-        let fit = |letter: &&Letter| {
-            let usual = MATRIX_LETTERS.contains(&letter.name.as_str());
-            usual && !taken(letter) && !made.contains(letter)
-        };
-        self.matrix = found.iter().find(fit).cloned();
-    }
-
-    /// Whether a side is a matrix that is written out, or a product of others, without the quaternion in it.
-    fn makes_matrix(&self, side: &Node) -> bool {
-        let of_quaternion = symbols(side).into_iter().any(|s| self.part(s).is_some());
-        let written = match &inner(side).kind {
-            Kind::Matrix(rows) => rows.len() > 1 && rows.iter().all(|row| row.len() > 1),
-            Kind::Product(factors) => factors.iter().all(|f| {
-                matches!(f.node.kind, Kind::Call(..) | Kind::Matrix(_))
-                    || matches!(&f.node.kind, Kind::Symbol(s) if !s.subscripts.is_empty())
-            }),
-            Kind::Sum(_) => holds_function(side),
-            _ => false,
-        };
-        written && !of_quaternion
-    }
-
     /// Directions and axes, from the words.
-    fn listen(&mut self, said: &[Sentence]) {
+    fn listen(&mut self, said: &[Sentence], labelled: bool) {
+        let mut axes = vec![];
         let mut before = [false, false];
         for sentence in said {
             let text = &sentence.text;
@@ -333,8 +283,21 @@ impl AttitudeReading {
                     (self.convention.quaternion_to_body, self.said[1]) = (to_body, true);
                 }
             }
-            self.convention.rate_in_space |= rate_in_space(text);
+            axes.extend(rate_in_space(text));
         }
+        // A label on another ω, or a word of body axes, leaves the plain letter on body axes.
+        self.convention.rate_in_space =
+            !labelled && !axes.is_empty() && axes.iter().all(|space| *space);
+        match self.said {
+            [true, false] => {
+                self.convention.quaternion_to_body = self.convention.matrix_to_body;
+            }
+            [false, true] => {
+                self.convention.matrix_to_body = self.convention.quaternion_to_body;
+            }
+            _ => return,
+        }
+        self.said = [true, true];
     }
 }
 
@@ -355,42 +318,9 @@ fn numbered(letter: &Letter, all: &[&Symbol]) -> bool {
     ["1", "2", "3"].into_iter().all(has) && (has("0") || has("4"))
 }
 
-fn undotted(node: &Node) -> &Node {
+pub(super) fn undotted(node: &Node) -> &Node {
     match &inner(node).kind {
         Kind::TimeDerivative { operand, .. } => undotted(operand),
         _ => inner(node),
     }
-}
-
-/// Letters that stand as an attitude matrix does: transposed beside a factor, or differentiated beside a skew matrix.
-fn turns(node: &Node, found: &mut Vec<Letter>) {
-    let mut note = |node: &Node| {
-        if let Kind::Symbol(symbol) = &undotted(node).kind
-            && symbol.subscripts.is_empty()
-        {
-            found.push(Letter::of(symbol));
-        }
-    };
-    if let Kind::Product(factors) = &node.kind {
-        let skewed = factors
-            .iter()
-            .any(|f| matches!(inner(&f.node).kind, Kind::Skew(_)));
-        for factor in factors
-            .iter()
-            .filter(|f| f.operator == Operator::Juxtaposed)
-        {
-            match &factor.node.kind {
-                Kind::Transpose(inside) if factors.len() > 1 => note(inside),
-                Kind::Symbol(symbol) if skewed && !symbol.style.vector => note(&factor.node),
-                _ => {}
-            }
-        }
-    }
-    node.children()
-        .into_iter()
-        .for_each(|child| turns(child, found));
-}
-
-fn holds_function(node: &Node) -> bool {
-    matches!(node.kind, Kind::Function(..)) || node.children().into_iter().any(holds_function)
 }

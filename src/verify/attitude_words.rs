@@ -141,23 +141,27 @@ pub(super) fn way(text: &str) -> Option<Way> {
     })
 }
 
-/// Whether a sentence says that the angular velocity, as the letter stands, has its components on space axes.
-pub(super) fn rate_in_space(text: &str) -> bool {
-    let rate = ["angular velocity", "⟨omega⟩", "⟨ω⟩"]
-        .iter()
-        .any(|word| text.contains(word));
-    let resolved = [
+/// Whether a sentence says that the angular velocity, as the letter stands, has its components on space axes (`true`) or
+/// on the body's (`false`).
+pub(super) fn rate_in_space(text: &str) -> Option<bool> {
+    let says = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    let rate = says(&["angular velocity", "body rate", "⟨omega⟩", "⟨ω⟩"]);
+    let resolved = says(&[
         "component",
         "resolved",
         "expressed",
         "written",
         "spatial angular velocity",
-        "on space axes",
+        "axes",
         "coordinates",
-    ];
-    rate && !text.contains("body")
-        && resolved.iter().any(|word| text.contains(word))
-        && SPACE.iter().any(|word| text.contains(word))
+        "body rate",
+    ]);
+    match (text.contains("body"), says(SPACE)) {
+        _ if !(rate && resolved) => None,
+        (true, _) => Some(false),
+        (false, true) => Some(true),
+        _ => None,
+    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::verify::carried::Slip;
 use crate::verify::convention::convention;
 use crate::verify::doubt::Doubts;
+use crate::verify::euler_rates::RateLine;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
@@ -25,7 +26,23 @@ use std::collections::{BTreeSet, HashMap};
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
     let document = &written_out(document);
-    let mut checker = Checker::new(document);
+    let reading = Reading::of(document);
+    let first = checked(document, reading.clone());
+    // Which way matrix and quaternion go, where no word says it: as most lines have it.
+    let others = reading.attitude.other_ways().into_iter().map(|attitude| {
+        let mut reading = reading.clone();
+        reading.attitude = attitude;
+        checked(document, reading)
+    });
+    others.fold(first, |best, other| {
+        let (now, then) = (best.summary(), other.summary());
+        let better = then.refuted < now.refuted && then.proved > now.proved;
+        if better { other } else { best }
+    })
+}
+
+fn checked(document: &Document, reading: Reading) -> Report {
+    let mut checker = Checker::new(document, reading);
     for item in &document.items {
         checker.item(item);
     }
@@ -61,6 +78,8 @@ pub(super) struct Checker<'a> {
     /// Whether the line at hand stands apart from the text.
     pub(super) displayed: bool,
     pub(super) findings: Vec<Finding>,
+    /// Lines of rates of angles that were judged together.
+    pub(super) rate_lines: Vec<RateLine>,
     /// What lines that were left open leave in doubt.
     pub(super) doubts: Doubts,
     /// False lines so far.
@@ -79,8 +98,7 @@ pub(super) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    fn new(document: &'a Document) -> Self {
-        let reading = Reading::of(document);
+    fn new(document: &'a Document, reading: Reading) -> Self {
         let (products, convention) = convention(document, &reading);
         let own_rate = reading
             .quantities
@@ -115,6 +133,7 @@ impl<'a> Checker<'a> {
             displayed: false,
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
+            rate_lines: vec![],
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),

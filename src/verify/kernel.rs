@@ -157,7 +157,7 @@ impl Lowering<'_> {
     }
 
     /// The partial derivative of a fraction in a variable, kernels by the chain rule.
-    fn partial(&mut self, fraction: &Fraction, place: u32) -> Fraction {
+    pub(super) fn partial(&mut self, fraction: &Fraction, place: u32) -> Fraction {
         let mut slope = fraction.partial(place);
         let variables: Vec<u32> = fraction.variables();
         for variable in variables {

@@ -276,8 +276,12 @@ impl Theory {
         if reduced == argument || !reduced.is_valid() {
             return None;
         }
-        let other = self.kernel(function, reduced.clone());
-        let other_variable = other.as_variable()?;
+        let same = Atom::Kernel {
+            function,
+            argument: reduced.clone(),
+        };
+        let other_variable = self.atoms.special(same);
+        let other = variable_fraction(other_variable);
         let equal = difference(&ratio(&argument), &ratio(&reduced));
         let done = Elimination::of(self, equal.clone())?;
         if !done.rest.is_zero() {
@@ -294,7 +298,33 @@ impl Theory {
             other: other_variable,
             by,
         };
-        Some(self.ledger.push(value, reason))
+        let equal = self.ledger.push(value, reason);
+        if reduced.is_zero() && matches!(function, Function::Sin | Function::Cos) {
+            return Some(self.value_at_zero(variable, other_variable, function, equal));
+        }
+        Some(equal)
+    }
+
+    /// A sine or a cosine of an argument that vanishes is 0 or 1.
+    fn value_at_zero(
+        &mut self,
+        variable: Variable,
+        at_zero: Variable,
+        function: Function,
+        equal: usize,
+    ) -> usize {
+        let (name, value) = match function {
+            Function::Sin => ("sin 0 = 0", Polynomial::zero()),
+            _ => ("cos 0 = 1", Polynomial::one()),
+        };
+        let known = Polynomial::variable(at_zero) - value.clone();
+        let known = self.ledger.push(known, Reason::Premise(name.to_owned()));
+        let combination = Combination {
+            multiplier: Polynomial::one(),
+            cofactors: vec![(equal, Polynomial::one()), (known, Polynomial::one())],
+        };
+        let value = Polynomial::variable(variable) - value;
+        self.ledger.push(value, Reason::Combination(combination))
     }
 
     /// The relation of the square of a sine or a root: d·v² − n.

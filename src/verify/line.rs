@@ -108,6 +108,9 @@ impl Checker<'_> {
         if self.defines(&sides, line, role, finding) {
             return;
         }
+        if !line.continues && self.slips_in_rates(line, finding) {
+            return;
+        }
         match role {
             Role::Claim => self.claim(&sides, finding),
             _ => self.accept(&sides, role, finding),

@@ -240,7 +240,7 @@ impl Checker<'_> {
     }
 
     /// The labels that the document writes for the space frame and for the moving one.
-    fn frame_labels(&self) -> [String; 2] {
+    pub(super) fn frame_labels(&self) -> [String; 2] {
         let mut found: [Option<String>; 2] = [None, None];
         let mut look = |label: &FrameLabel| {
             let slot = match frame(label) {

@@ -366,6 +366,11 @@ impl Theory {
 
     /// The variable of a kernel as a fraction.
     pub(super) fn kernel(&mut self, function: Function, argument: Fraction) -> Fraction {
+        match function {
+            Function::Sin if argument.is_zero() => return Fraction::zero(),
+            Function::Cos if argument.is_zero() => return Fraction::one(),
+            _ => {}
+        }
         variable_fraction(self.atoms.special(Atom::Kernel { function, argument }))
     }
 }
