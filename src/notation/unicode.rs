@@ -244,7 +244,6 @@ pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
     }
     let mut letters = stem.chars();
     if let (Some(c), None, true) = (letters.next(), letters.next(), dots > 0)
-        && c != 'w'
         && c.is_ascii_alphabetic()
     {
         return Some(Spelling {
@@ -255,7 +254,7 @@ pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
     }
     let (head, tail) = split_components(stem)?;
     let base = match head {
-        "w" | "omega" => Lexeme::Command("omega"),
+        "omega" => Lexeme::Command("omega"),
         "Omega" => Lexeme::Command("Omega"),
         "tau" => Lexeme::Command("tau"),
         _ => Lexeme::Letter(head.chars().next()?),

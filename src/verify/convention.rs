@@ -62,30 +62,28 @@ fn integral_convention(line: &Line, reading: &Reading) -> Option<bool> {
     }
 }
 
-/// A written inertia matrix: its entries off the diagonal show their sign.
+/// A written inertia matrix: its entries off the diagonal show their sign. The most of them decide, as one may have slipped.
 fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
     if let Kind::Matrix(rows) = &node.kind
         && rows.len() == 3
         && rows.iter().all(|row| row.len() == 3)
     {
-        let off = rows.iter().enumerate().flat_map(|(r, row)| {
-            row.iter()
-                .enumerate()
-                .filter(move |(c, _)| *c != r)
-                .map(|(_, entry)| entry)
-        });
-        for entry in off {
-            match &entry.kind {
-                Kind::Symbol(symbol) if is_product(symbol, reading) => return Some(true),
-                Kind::Negate(inside) => {
-                    if let Kind::Symbol(symbol) = &inside.kind
-                        && is_product(symbol, reading)
-                    {
-                        return Some(false);
+        let (mut plain, mut negated) = (0, 0);
+        for (r, row) in rows.iter().enumerate() {
+            for (_, entry) in row.iter().enumerate().filter(|(c, _)| *c != r) {
+                match &entry.kind {
+                    Kind::Symbol(symbol) if is_product(symbol, reading) => plain += 1,
+                    Kind::Negate(inside) => {
+                        let product =
+                            matches!(&inside.kind, Kind::Symbol(s) if is_product(s, reading));
+                        negated += usize::from(product);
                     }
+                    _ => {}
                 }
-                _ => {}
             }
+        }
+        if plain != negated {
+            return Some(plain > negated);
         }
     }
     node.children()

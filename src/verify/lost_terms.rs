@@ -38,7 +38,7 @@ impl Checker<'_> {
     }
 
     /// A vector quantity as the document first writes it.
-    fn spelled_vector(&self, quantity: Quantity) -> Option<String> {
+    pub(super) fn spelled_vector(&self, quantity: Quantity) -> Option<String> {
         let letters: Vec<&Letter> = self
             .reading
             .quantities

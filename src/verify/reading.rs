@@ -4,7 +4,7 @@
 //! in this field, given how they are used.
 
 use crate::notation::ast::{Kind, Node};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::quantity::Quantity;
@@ -47,6 +47,9 @@ impl Reading {
         reading.by_attitude(document);
         reading.by_custom();
         reading.in_a_plane();
+        if document.format == Format::Text {
+            reading.typed_w();
+        }
         reading
     }
 
@@ -280,6 +283,18 @@ impl Reading {
             if let Some(quantity) = self.custom(&letter) {
                 self.quantities.insert(letter, quantity);
             }
+        }
+    }
+
+    /// The w of a typewriter is an ω, unless there is an ω, or it stands with x, y and z as the parts of a quaternion do.
+    fn typed_w(&mut self) {
+        let quaternion = ["x", "y", "z"].iter().all(|name| self.has(name));
+        let letter = Letter::plain("w");
+        let indexed = self.usage.get(&letter).component > 0;
+        if self.has("w") && !quaternion && (indexed || !self.has("omega")) {
+            self.quantities
+                .entry(letter)
+                .or_insert(Quantity::AngularVelocity);
         }
     }
 

@@ -16,6 +16,8 @@ use crate::verify::verdict::{Diagnosis, Finding};
 
 /// Texts that are tried for one line at most.
 const CANDIDATES: usize = 3000;
+/// Slips that put one symbol in the place of another.
+const SYMBOLS: &[&str] = &["index", "symbol"];
 /// Edits that are tried two at a time.
 const PAIRED: usize = 40;
 
@@ -39,13 +41,20 @@ impl Checker<'_> {
         if finding.diagnosis.is_some() {
             return;
         }
-        let mut all = self.wanted(line, &mut search);
-        all.extend(edits.iter().cloned());
+        let wanted = self.wanted(line, &mut search);
+        let mut all = edits.clone();
+        if let Some(wanted) = &wanted {
+            // A symbol's place in which the line is linear has been solved for; nothing else fits there.
+            all.retain(|edit| !SYMBOLS.contains(&edit.kind) || !wanted.covers(edit.span));
+            all.extend(wanted.symbols());
+        }
+        all.extend(self.lost_vectors(line, &mut search));
         all.sort_by_key(|edit| (edit.cost, edit.span));
         finding.diagnosis = self
             .single(&all, &mut search)
             .or_else(|| self.alike(&edits, &mut search))
             .or_else(|| self.by_component(&edits, &mut search))
+            .or_else(|| self.single(&wanted.as_ref()?.terms(), &mut search))
             .or_else(|| self.lost_term(line, &mut search))
             .or_else(|| self.pairs(&edits, &mut search));
     }
@@ -166,7 +175,11 @@ impl Checker<'_> {
                 .equations
                 .iter()
                 .all(|e| passes_filter(&mut self.theory, &e.residual) == Some(true));
-            if holds && !self.says_nothing(&read) && vanishes(&mut self.theory, &read.equations) {
+            if holds
+                && !self.says_nothing(&read)
+                && !self.empties(&text, search.line)
+                && vanishes(&mut self.theory, &read.equations)
+            {
                 return Some(without_alignment(text.trim()));
             }
         }
@@ -179,6 +192,15 @@ impl Checker<'_> {
             let written = e.left.is_zero() || e.right.is_zero();
             !written && passes_filter(&mut self.theory, &e.left) == Some(true)
         })
+    }
+
+    /// Whether a part of the text vanishes that does not in the line as it stands.
+    fn empties(&mut self, text: &str, line: &Line) -> bool {
+        let rows = reread(self.document.format, text);
+        match rows.as_slice() {
+            [Row::Line(new)] => self.hollow(&new.sides) > self.hollow(&line.sides),
+            _ => true,
+        }
     }
 
     fn edited_text(&self, edits: &[&Edit], search: &mut Search<'_>) -> Option<String> {

@@ -1,8 +1,8 @@
 //! The slips that people make, as changes to the text of a line.
 
-use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node, Operator, Symbol, Term};
+use crate::notation::ast::{FrameLabel, Kind, Node, Operator, Symbol, Term};
 use crate::source::{Source, Span};
-use crate::verify::edit::{Edit, dotted, other_axis, replaced_index};
+use crate::verify::edit::{Edit, dotted, other_axis, replaced_index, undotted};
 use crate::verify::frame::{Frame, frame};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
@@ -117,12 +117,15 @@ impl<'a> Slips<'a> {
             Kind::Symbol(symbol) => self.symbol(node, symbol),
             Kind::TimeDerivative {
                 operand,
-                style,
                 frame: label,
                 order,
+                ..
             } => {
-                if *style == DerivativeStyle::Dots && *order == 1 {
-                    let text = self.slice(operand).to_owned();
+                let single = *order == 1 && label.is_none();
+                if single
+                    && matches!(operand.kind, Kind::Symbol(_))
+                    && let Some(text) = undotted(self.slice(node))
+                {
                     self.push(node.span, text, "extra-dot", 14, "a dot too many");
                 }
                 if let Some(label) = label {

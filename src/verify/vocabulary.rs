@@ -2,12 +2,16 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::document::{Format, Row};
+use crate::notation::reread;
+use crate::verify::atoms::Entity;
 use crate::verify::check::Checker;
 use crate::verify::edit::{dotted, other_axis, replaced_index, undotted};
 use crate::verify::frame::Frame;
 use crate::verify::repair::lines;
+use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{Letter, axis};
-use crate::verify::wanted::expression;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 /// Symbols that are kept at most.
@@ -16,8 +20,12 @@ const WORDS: usize = 200;
 /// A symbol as the document writes it.
 pub(super) struct Word {
     pub(super) text: String,
-    pub(super) node: Node,
     pub(super) value: Fraction,
+    letter: Letter,
+    subscripts: Vec<String>,
+    order: u8,
+    /// What it is a component of.
+    of: Option<Entity>,
 }
 
 impl Checker<'_> {
@@ -41,6 +49,12 @@ impl Checker<'_> {
                 }
             });
         }
+        // A letter that is a component by itself has its siblings in other letters.
+        for letter in self.reading.components.keys().filter(|l| !l.calligraphic) {
+            if seen.insert(letter.name.clone()) {
+                texts.push(letter.name.clone());
+            }
+        }
         for at in 0..texts.len() {
             let Some(text) = texts.get(at).cloned() else {
                 break;
@@ -59,13 +73,32 @@ impl Checker<'_> {
 
     fn word(&mut self, text: String) -> Option<Word> {
         let node = expression(self.document.format, &text)?;
-        symbol(&node)?;
+        let (symbol, order) = symbol(&node)?;
         let value = self.lowering(Frame::Moving).value(&node).ok()?;
         let [value] = value.entries.as_slice() else {
             return None;
         };
-        let value = value.clone();
-        Some(Word { text, node, value })
+        let of = match meaning(symbol, &self.reading, &mut self.theory.atoms) {
+            Meaning::Component(entity, _) => Some(entity),
+            _ => None,
+        };
+        Some(Word {
+            value: value.clone(),
+            letter: Letter::of(symbol),
+            subscripts: symbol.subscripts.clone(),
+            order,
+            of,
+            text,
+        })
+    }
+}
+
+/// The expression that a text holds.
+pub(super) fn expression(format: Format, text: &str) -> Option<Node> {
+    let rows = reread(format, &format!("{text} = 0"));
+    match rows.as_slice() {
+        [Row::Line(line)] => line.sides.first().cloned(),
+        _ => None,
     }
 }
 
@@ -135,16 +168,16 @@ fn other_indices(text: &str) -> Vec<String> {
 }
 
 /// What one who writes one symbol for another has done, and how unlikely that is; `None` for the same symbol.
-pub(super) fn difference(written: &Node, wanted: &Word) -> Option<(&'static str, u32)> {
-    let ((a, m), (b, n)) = (symbol(written)?, symbol(&wanted.node)?);
-    let same_letter = Letter::of(a) == Letter::of(b);
-    let same_index = a.subscripts == b.subscripts;
-    match (same_letter, same_index) {
-        (true, true) if m < n => Some(("missing-dot", 10)),
-        (true, true) if m > n => Some(("extra-dot", 13)),
-        (true, true) => None,
-        (true, false) if m == n => Some(("index", 12)),
-        _ if m == n => Some(("symbol", 16)),
-        _ => Some(("symbol", 19)),
+pub(super) fn difference(written: &Word, wanted: &Word) -> Option<(&'static str, u32)> {
+    let same_letter = written.letter == wanted.letter;
+    let same_index = written.subscripts == wanted.subscripts;
+    let siblings = same_letter || (written.of.is_some() && written.of == wanted.of);
+    match (same_letter && same_index, written.order.cmp(&wanted.order)) {
+        (true, Ordering::Less) => Some(("missing-dot", 10)),
+        (true, Ordering::Greater) => Some(("extra-dot", 13)),
+        (true, Ordering::Equal) => None,
+        (false, Ordering::Equal) if siblings => Some(("index", 12)),
+        (false, Ordering::Equal) => Some(("symbol", 16)),
+        (false, _) => None,
     }
 }

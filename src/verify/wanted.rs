@@ -6,14 +6,14 @@
 //! comes out is an edit like any other, and is proved before it is shown.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Line, Node};
-use crate::notation::document::{Format, Row};
-use crate::notation::reread;
+use crate::notation::ast::{Kind, Line};
+use crate::notation::document::Format;
 use crate::scalar::Prime;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::edit::{Edit, edited};
 use crate::verify::frame::Frame;
+use crate::verify::places::{Around, Place, Role, visit};
 use crate::verify::repair::Search;
 use crate::verify::vocabulary::{Word, difference};
 use crate::verify::world::World;
@@ -25,91 +25,99 @@ const PLACES: usize = 80;
 /// Worlds that are tried for one in which the line has a value.
 const WORLDS: u64 = 6;
 
-/// Where something may be wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
-    /// A symbol, under its dots.
-    Symbol,
-    /// A term of a sum, or a whole side.
-    Term,
-    /// A sum, or what may become one by a further term.
-    Sum,
-}
-
-/// A place of a line.
-struct Place<'a> {
-    node: &'a Node,
-    role: Role,
-    /// Whether a term may be written beside it without brackets.
-    open: bool,
-}
-
-/// A place with the values that decide what is wanted.
-struct Slot<'a> {
+/// A place with what decides what is wanted there.
+struct Probe<'a> {
     place: Place<'a>,
-    /// What stands there.
+    text: String,
     value: Fraction,
     /// The difference of the sides with 1 added here.
     shifted: Vec<Fraction>,
 }
 
-/// What stands in a slot, and what must be added to it.
-struct Want {
+/// A place, and what must stand there.
+pub(super) struct Slot<'a> {
+    place: Place<'a>,
+    text: String,
+    /// The value that stands there.
     now: Prime,
-    more: Prime,
+    /// What must be added to it.
+    pub(super) more: Prime,
 }
 
-/// The words of a document, by their value in one world.
-pub(super) struct Table<'a> {
-    words: &'a [Word],
-    values: Vec<Option<Prime>>,
+/// What is wanted in each place of a line, and the words that could stand there.
+pub(super) struct Wanted<'a> {
+    pub(super) slots: Vec<Slot<'a>>,
+    pub(super) words: Vec<Word>,
+    /// The value of each word, where it has one that is not zero.
+    pub(super) values: Vec<Option<Prime>>,
+    /// Whether the document is plain text.
+    pub(super) unicode: bool,
     at: HashMap<Prime, usize>,
 }
 
 impl Checker<'_> {
-    /// Edits that put what is wanted in one place.
-    pub(super) fn wanted(&mut self, line: &Line, search: &mut Search<'_>) -> Vec<Edit> {
-        let Some(residual) = self.residual_with(line, &[], search) else {
-            return vec![];
-        };
+    /// What is wanted in each place of a line; `None` where the line has no value.
+    pub(super) fn wanted<'n>(
+        &mut self,
+        line: &'n Line,
+        search: &mut Search<'_>,
+    ) -> Option<Wanted<'n>> {
+        let residual = self.residual_with(line, &[], search)?;
         let mut places = vec![];
         for side in &line.sides {
-            visit(side, true, &mut places);
+            visit(side, Around::Nothing, &mut places);
         }
+        places.retain(|place| !place.roles.is_empty());
         places.truncate(PLACES);
-        let slots: Vec<Slot<'_>> = places
+        let probes: Vec<Probe<'n>> = places
             .into_iter()
-            .filter_map(|place| self.slot(line, place, residual.len(), search))
+            .filter_map(|place| self.probe(line, place, residual.len(), search))
             .collect();
         let words = self.vocabulary(line);
-        for seed in 1..=WORLDS {
-            let mut world: World<Prime> = World::new(&mut self.theory, seed);
-            let Some(gap) = values(&mut world, &residual) else {
-                continue;
-            };
-            let wants: Vec<Option<Want>> = slots
+        let unicode = self.document.format == Format::Text;
+        let theory = &mut self.theory;
+        let found = (1..=WORLDS).find_map(|seed| {
+            let mut world: World<Prime> = World::new(theory, seed);
+            let gap = values(&mut world, &residual)?;
+            let wants: Vec<Option<(Prime, Prime)>> = probes
                 .iter()
-                .map(|slot| want(&mut world, slot, &gap))
+                .map(|probe| want(&mut world, probe, &gap))
                 .collect();
-            let table = Table::new(&words, &mut world);
-            if std::mem::take(&mut self.theory.exhausted) {
-                return vec![];
+            let known: Vec<Option<Prime>> = words
+                .iter()
+                .map(|word| world.fraction(&word.value).filter(|value| !value.is_zero()))
+                .collect();
+            Some((wants, known))
+        });
+        let exhausted = std::mem::take(&mut self.theory.exhausted);
+        let (wants, values) = found.filter(|_| !exhausted)?;
+        let slot = |(probe, want): (Probe<'n>, Option<(Prime, Prime)>)| {
+            let (now, more) = want?;
+            Some(Slot {
+                place: probe.place,
+                text: probe.text,
+                now,
+                more,
+            })
+        };
+        let slots = probes.into_iter().zip(wants).filter_map(slot).collect();
+        let mut at = HashMap::new();
+        for (i, value) in values.iter().enumerate() {
+            if let Some(value) = value {
+                at.entry(*value).or_insert(i);
             }
-            let unicode = self.document.format == Format::Text;
-            let mut edits = vec![];
-            for (slot, want) in slots.iter().zip(&wants) {
-                if let Some(want) = want {
-                    let text = self.document.source.slice(slot.place.node.span);
-                    fill(&slot.place, text, want, &table, unicode, &mut edits);
-                }
-            }
-            return edits;
         }
-        vec![]
+        Some(Wanted {
+            slots,
+            words,
+            values,
+            unicode,
+            at,
+        })
     }
 
     /// The difference of the sides of the line, with some edits.
-    fn residual_with(
+    pub(super) fn residual_with(
         &mut self,
         line: &Line,
         edits: &[&Edit],
@@ -127,53 +135,51 @@ impl Checker<'_> {
         )
     }
 
-    fn slot<'n>(
+    fn probe<'n>(
         &mut self,
         line: &Line,
         place: Place<'n>,
         entries: usize,
         search: &mut Search<'_>,
-    ) -> Option<Slot<'n>> {
+    ) -> Option<Probe<'n>> {
         let span = place.node.span;
-        let inside = line.span.start <= span.start && span.end <= line.span.end;
+        if span.start < line.span.start || line.span.end < span.end {
+            return None;
+        }
         let value = self.lowering(Frame::Moving).value(place.node).ok()?;
         let [value] = value.entries.as_slice() else {
             return None;
         };
-        let text = format!("({} + 1)", self.document.source.slice(span));
-        let edit = plain_edit(span, text);
-        let shifted = inside.then(|| self.residual_with(line, &[&edit], search))??;
         let value = value.clone();
-        (shifted.len() == entries).then_some(Slot {
+        let text = self.document.source.slice(span).to_owned();
+        let edit = Edit {
+            span,
+            text: format!("({text} + 1)"),
+            kind: "",
+            message: String::new(),
+            cost: 0,
+        };
+        let shifted = self.residual_with(line, &[&edit], search)?;
+        (shifted.len() == entries).then_some(Probe {
             place,
+            text,
             value,
             shifted,
         })
     }
 }
 
-fn plain_edit(span: Span, text: String) -> Edit {
-    Edit {
-        span,
-        text,
-        kind: "",
-        message: String::new(),
-        cost: 0,
-    }
-}
-
-fn values(world: &mut World<'_, Prime>, fractions: &[Fraction]) -> Option<Vec<Prime>> {
+pub(super) fn values(world: &mut World<'_, Prime>, fractions: &[Fraction]) -> Option<Vec<Prime>> {
     fractions.iter().map(|f| world.fraction(f)).collect()
 }
 
-/// The one value that makes every component of the difference vanish.
-fn want(world: &mut World<'_, Prime>, slot: &Slot<'_>, gap: &[Prime]) -> Option<Want> {
-    let shifted = values(world, &slot.shifted)?;
-    let now = world.fraction(&slot.value)?;
+/// What stands in a place, and the one value to be added to it that makes every component of the difference vanish.
+fn want(world: &mut World<'_, Prime>, probe: &Probe<'_>, gap: &[Prime]) -> Option<(Prime, Prime)> {
+    let shifted = values(world, &probe.shifted)?;
+    let now = world.fraction(&probe.value)?;
     let mut more = None;
     for (gap, shifted) in gap.iter().zip(shifted) {
-        let slope = shifted - *gap;
-        match slope.inverse() {
+        match (shifted - *gap).inverse() {
             None if !gap.is_zero() => return None,
             None => {}
             Some(inverse) => {
@@ -184,193 +190,115 @@ fn want(world: &mut World<'_, Prime>, slot: &Slot<'_>, gap: &[Prime]) -> Option<
             }
         }
     }
-    more.filter(|more| !more.is_zero())
-        .map(|more| Want { now, more })
+    more.filter(|more| !more.is_zero()).map(|more| (now, more))
 }
 
-/// The places in a tree, each with whether a term may be added beside it.
-fn visit<'a>(node: &'a Node, open: bool, out: &mut Vec<Place<'a>>) {
-    let mut push = |node, role| out.push(Place { node, role, open });
-    match &node.kind {
-        Kind::Symbol(_) => {
-            push(node, Role::Symbol);
-            push(node, Role::Sum);
-            return;
-        }
-        Kind::TimeDerivative { operand, .. } if matches!(operand.kind, Kind::Symbol(_)) => {
-            push(node, Role::Symbol);
-            push(node, Role::Sum);
-            return;
-        }
-        Kind::TimeDerivative { .. } | Kind::Number(_) => return,
-        Kind::Derivative { .. } => {
-            push(node, Role::Sum);
-            return;
-        }
-        Kind::Sum(terms) => {
-            push(node, Role::Sum);
-            for term in terms {
-                out.push(Place {
-                    node: &term.node,
-                    role: Role::Term,
-                    open: false,
-                });
-                visit(&term.node, false, out);
-            }
-            return;
-        }
-        _ if open => {
-            push(node, Role::Term);
-            push(node, Role::Sum);
-        }
-        _ => {}
+impl Wanted<'_> {
+    /// Edits of one symbol, one factor or sign, and one lost symbol.
+    pub(super) fn symbols(&self) -> Vec<Edit> {
+        let each = |slot: &Slot<'_>| -> Vec<Edit> {
+            let edit = |role: &Role| match role {
+                Role::Symbol => self.other_symbol(slot),
+                Role::Term => slot.other_factor(self.unicode),
+                Role::Sum => self.lost_symbol(slot),
+            };
+            slot.place.roles.iter().filter_map(edit).collect()
+        };
+        self.slots.iter().flat_map(each).collect()
     }
-    let inner_open = matches!(
-        node.kind,
-        Kind::Group(..) | Kind::Quotient(..) | Kind::Matrix(_) | Kind::Tuple(_)
-    );
-    for child in node.children() {
-        visit(child, inner_open, out);
+
+    fn lost_symbol(&self, slot: &Slot<'_>) -> Option<Edit> {
+        let signs = [("+", slot.more), ("-", -slot.more)];
+        let term = signs
+            .into_iter()
+            .find_map(|(sign, value)| Some(format!(" {sign} {}", self.word(value)?.text)))?;
+        Some(slot.with_term(&term, 18))
+    }
+
+    /// Whether every other symbol at these bytes has been thought of.
+    pub(super) fn covers(&self, span: Span) -> bool {
+        let there = |slot: &Slot<'_>| {
+            slot.place.roles.contains(&Role::Symbol) && slot.place.node.span == span
+        };
+        self.slots.iter().any(there)
+    }
+
+    fn other_symbol(&self, slot: &Slot<'_>) -> Option<Edit> {
+        // By its text: what stands there may be zero, or equal to another.
+        let written = self
+            .words
+            .iter()
+            .find(|word| word.text == slot.text.trim())?;
+        let wanted = self.word(slot.now + slot.more)?;
+        let (kind, cost) = difference(written, wanted)?;
+        let message = match kind {
+            "missing-dot" => "a dot is missing".to_owned(),
+            "extra-dot" => "a dot too many".to_owned(),
+            _ => format!("{} should be {}", slot.text.trim(), wanted.text),
+        };
+        Some(slot.edit(wanted.text.clone(), kind, cost, message))
+    }
+
+    fn word(&self, value: Prime) -> Option<&Word> {
+        self.at.get(&value).and_then(|&i| self.words.get(i))
     }
 }
 
-/// Edits that put what is wanted in a slot.
-fn fill(
-    place: &Place<'_>,
-    text: &str,
-    want: &Want,
-    table: &Table<'_>,
-    unicode: bool,
-    out: &mut Vec<Edit>,
-) {
-    let span = place.node.span;
-    let mut push = |text: String, kind, cost, message: String| {
-        out.push(Edit {
-            span,
+impl Slot<'_> {
+    fn edit(&self, text: String, kind: &'static str, cost: u32, message: String) -> Edit {
+        Edit {
+            span: self.place.node.span,
             text,
             kind,
             message,
             cost,
-        });
-    };
-    match place.role {
-        Role::Symbol => {
-            if let Some(word) = table.word(want.now + want.more)
-                && let Some((kind, cost)) = difference(place.node, word)
-            {
-                let message = match kind {
-                    "missing-dot" => "a dot is missing".to_owned(),
-                    "extra-dot" => "a dot too many".to_owned(),
-                    _ => format!("{} should be {}", text.trim(), word.text),
-                };
-                push(word.text.clone(), kind, cost, message);
-            }
-        }
-        Role::Term => {
-            let Some(ratio) = want
-                .now
-                .inverse()
-                .map(|inverse| (want.now + want.more) * inverse)
-            else {
-                return;
-            };
-            let two = Prime::new(2);
-            let half = if unicode { "½ " } else { "\\tfrac{1}{2} " };
-            let bracketed = match place.node.kind {
-                Kind::Negate(_) | Kind::Sum(_) => format!("({text})"),
-                _ => text.to_owned(),
-            };
-            if ratio == two {
-                push(
-                    format!("2 {bracketed}"),
-                    "factor",
-                    15,
-                    "a factor 2 is missing".to_owned(),
-                );
-            } else if ratio * two == Prime::one() {
-                push(
-                    format!("{half}{bracketed}"),
-                    "factor",
-                    14,
-                    "a factor ½ is missing".to_owned(),
-                );
-            } else if ratio == -Prime::one() && place.open {
-                push(
-                    format!("-{bracketed}"),
-                    "sign",
-                    11,
-                    "the sign is wrong".to_owned(),
-                );
-            }
-        }
-        Role::Sum => {
-            let Some((sign, term, cost)) = table.term(want.more, place.open) else {
-                return;
-            };
-            let whole = format!("{text} {sign} {term}");
-            let whole = match (&place.node.kind, place.open) {
-                (Kind::Sum(_), _) | (_, true) => whole,
-                _ => format!("({whole})"),
-            };
-            push(
-                whole,
-                "missing-term",
-                cost,
-                format!("a term is missing: {sign} {term}"),
-            );
         }
     }
-}
 
-impl<'a> Table<'a> {
-    fn new(words: &'a [Word], world: &mut World<'_, Prime>) -> Self {
-        let values: Vec<Option<Prime>> = words
-            .iter()
-            .map(|word| world.fraction(&word.value))
-            .collect();
-        let mut at = HashMap::new();
-        for (i, value) in values.iter().enumerate() {
-            if let Some(value) = value.filter(|value| !value.is_zero()) {
-                at.entry(value).or_insert(i);
-            }
-        }
-        Self { words, values, at }
+    /// Whether a term of several factors may be added here.
+    pub(super) fn is_sum(&self) -> bool {
+        self.place.roles.contains(&Role::Sum)
+            && (self.place.around != Around::Factors
+                || matches!(self.place.node.kind, Kind::Sum(_)))
     }
 
-    fn word(&self, value: Prime) -> Option<&'a Word> {
-        self.at.get(&value).and_then(|&i| self.words.get(i))
+    /// The edit that adds a term with its sign.
+    pub(super) fn with_term(&self, term: &str, cost: u32) -> Edit {
+        let whole = format!("{}{term}", self.text);
+        let whole = match self.place.around {
+            Around::Nothing => whole,
+            _ => format!("({whole})"),
+        };
+        self.edit(
+            whole,
+            "missing-term",
+            cost,
+            format!("a term is missing:{term}"),
+        )
     }
 
-    /// A sign and a product of few words that come to a value; more than one factor only where brackets are not needed.
-    fn term(&self, value: Prime, long: bool) -> Option<(char, String, u32)> {
-        for (sign, value) in [('+', value), ('-', -value)] {
-            if let Some(word) = self.word(value) {
-                return Some((sign, word.text.clone(), 18));
-            }
+    fn other_factor(&self, unicode: bool) -> Option<Edit> {
+        let ratio = (self.now + self.more) * self.now.inverse()?;
+        let text = match self.place.node.kind {
+            Kind::Negate(_) | Kind::Sum(_) => format!("({})", self.text),
+            _ => self.text.clone(),
+        };
+        let half = if unicode { "½" } else { "\\tfrac{1}{2}" };
+        let missing = |number: &str| format!("a factor {number} is missing");
+        if ratio == Prime::new(2) {
+            return Some(self.edit(format!("2 {text}"), "factor", 15, missing("2")));
         }
-        if !long {
-            return None;
+        if ratio + ratio == Prime::one() {
+            return Some(self.edit(format!("{half} {text}"), "factor", 14, missing("½")));
         }
-        for (i, first) in self.values.iter().enumerate() {
-            let Some(inverse) = first.and_then(Prime::inverse) else {
-                continue;
-            };
-            for (sign, value) in [('+', value), ('-', -value)] {
-                if let Some(second) = self.word(value * inverse) {
-                    let first = self.words.get(i)?;
-                    return Some((sign, format!("{} {}", first.text, second.text), 20));
-                }
-            }
-        }
-        None
-    }
-}
-
-/// The expression that a text holds.
-pub(super) fn expression(format: Format, text: &str) -> Option<Node> {
-    let rows = reread(format, &format!("{text} = 0"));
-    match rows.as_slice() {
-        [Row::Line(line)] => line.sides.first().cloned(),
-        _ => None,
+        let sign = ratio == -Prime::one() && self.place.around == Around::Nothing;
+        sign.then(|| {
+            self.edit(
+                format!("-{text}"),
+                "sign",
+                11,
+                "the sign is wrong".to_owned(),
+            )
+        })
     }
 }

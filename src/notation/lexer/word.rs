@@ -33,10 +33,6 @@ impl<'a> Lexer<'a> {
             self.push(Lexeme::Command(name), start);
             return true;
         }
-        if word == "w" {
-            self.push(Lexeme::Command("omega"), start);
-            return true;
-        }
         if let Some(spelling) = unicode::word(word) {
             self.spelled(&spelling, start);
             return true;
