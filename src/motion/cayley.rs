@@ -8,6 +8,9 @@ use nalgebra::{Matrix3, Vector3};
 /// radian; what has not settled after so many has no solution nearby.
 const CAP: usize = 40;
 
+/// A change below which the next ones fall as squares, until they are rounding: of single precision too.
+const SETTLED: f64 = 1e-4;
+
 /// The turn with the Cayley vector c = tan(angle/2) axis of `I c + c × I c = σ p`: σ is 1, or 1 + |c|² where
 /// `stretched`. Not a number where no solution is found.
 ///
@@ -79,14 +82,14 @@ impl<T: Number> Equation<T> {
             c -= change;
             let size = largest(&change) / (1.0 + largest(&c));
             // Convergence is quadratic: the next change would be below rounding, or rounding is all there is.
-            if size < 1e-9 && (size < 1e-15 || size >= before) {
+            if size < SETTLED && (size < 1e-15 || size >= before) {
                 return (c, self.inverse_slope(&c));
             }
             before = size;
         }
         // The root of a negative number marks what has not settled.
         let change = apply(&self.inverse_slope(&c), &self.residual(&c));
-        let room = (T::one() + c.dot(&c)) * T::of(1e-18) - change.dot(&change);
+        let room = (T::one() + c.dot(&c)) * T::of(SETTLED * SETTLED) - change.dot(&change);
         let mark = room.sqrt() * T::zero();
         let c = c.map(|c| c + mark);
         (c, self.inverse_slope(&c))
