@@ -116,20 +116,25 @@ impl Polynomial {
             .terms
             .iter()
             .filter(|(m, _)| m.exponent(variable) == power);
-        Self::from_terms(
-            with.map(|(m, c)| (m.without(variable), c.clone()))
-                .collect(),
-        )
+        // One power taken out of each, so their order stays.
+        let terms = with.map(|(m, c)| (m.without(variable), c.clone()));
+        Self {
+            terms: terms.collect(),
+        }
     }
 
     /// The partial derivative in a variable.
     pub fn partial(&self, variable: Variable) -> Self {
+        let one = Monomial::of(variable);
         let slope = |(m, c): &(Monomial, Rational)| {
             let power = m.exponent(variable);
-            let lower = m.quotient(&Monomial::of(variable))?;
+            let lower = m.quotient(&one)?;
             Some((lower, c.clone() * Rational::from(i64::from(power))))
         };
-        Self::from_terms(self.terms.iter().filter_map(slope).collect())
+        // One power taken out of each, so their order stays.
+        Self {
+            terms: self.terms.iter().filter_map(slope).collect(),
+        }
     }
 
     /// The derivation that takes each variable to its image: Σ ∂p/∂v · image(v).

@@ -50,6 +50,18 @@ impl Polynomial {
     /// Divides by `d·v − n`, given d and n, neither of which holds `v`.
     pub fn pseudo_division(&self, variable: Variable, n: &Self, d: &Self) -> PseudoDivision {
         let degree = self.degree_in(variable);
+        if degree == 1 {
+            let (slope, rest) = (
+                self.coefficient_of(variable, 1),
+                self.coefficient_of(variable, 0),
+            );
+            let rest = if d.is_one() { rest } else { rest * d.clone() };
+            return PseudoDivision {
+                remainder: slope.clone() * n.clone() + rest,
+                quotient: slope,
+                multiplier: d.clone(),
+            };
+        }
         // dᵏ·aᵢ·vⁱ = aᵢ·dᵏ⁻ⁱ·(d·v)ⁱ, and (d·v)ⁱ − nⁱ = (d·v − n)·Σ (d·v)ʲ·nⁱ⁻¹⁻ʲ, summed by Horner's rule.
         let scaled = Self::variable(variable) * d.clone();
         let (mut quotient, mut remainder) = (Self::zero(), Self::zero());

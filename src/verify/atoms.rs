@@ -81,7 +81,7 @@ pub(super) struct Atoms {
     by_owner: HashMap<Owner, Entity>,
     atoms: Vec<Atom>,
     parts: HashMap<(Entity, u8, u8), Variable>,
-    named: HashMap<String, Variable>,
+    named: HashMap<Key, Variable>,
     spelled: HashMap<(Entity, u8), String>,
     /// Whether the document numbers its axes.
     pub numbered: bool,
@@ -166,7 +166,9 @@ impl Atoms {
 
     /// The variable of a kernel, a rate seen from space or an opaque value; equal ones are one variable.
     pub(super) fn special(&mut self, atom: Atom) -> Variable {
-        let key = key(&atom);
+        let Some(key) = key(&atom) else {
+            return self.push(atom);
+        };
         if let Some(&variable) = self.named.get(&key) {
             return variable;
         }
@@ -286,17 +288,24 @@ pub(super) fn variable_fraction(variable: Variable) -> Fraction {
     Fraction::from(Polynomial::variable(variable))
 }
 
-/// A text that is the same for equal atoms.
-fn key(atom: &Atom) -> String {
+/// What tells atoms that are no parts apart: fractions by their written form.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+enum Key {
+    Kernel(Function, [Polynomial; 2]),
+    SpaceRate([[Polynomial; 2]; 3], u8),
+    Opaque(String),
+}
+
+/// The key of an atom; `None` for a part.
+fn key(atom: &Atom) -> Option<Key> {
+    let written = |f: &Fraction| [f.numerator().clone(), f.denominator().clone()];
     match atom {
-        Atom::Part {
-            entity,
-            component,
-            order,
-        } => format!("{}.{component}.{order}", entity.0),
-        Atom::Kernel { function, argument } => format!("{function:?} {argument:?}"),
-        Atom::SpaceRate { of, component } => format!("rate {of:?} {component}"),
-        Atom::Opaque { latex } => format!("opaque {latex}"),
+        Atom::Part { .. } => None,
+        Atom::Kernel { function, argument } => Some(Key::Kernel(*function, written(argument))),
+        Atom::SpaceRate { of, component } => {
+            Some(Key::SpaceRate(of.each_ref().map(written), *component))
+        }
+        Atom::Opaque { latex } => Some(Key::Opaque(latex.clone())),
     }
 }
 

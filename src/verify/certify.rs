@@ -3,13 +3,15 @@
 //! Dividing by d·v − n leaves the polynomial with n/d put in for v, and the quotient is the cofactor of that fact.
 
 use crate::algebra::{
-    Argument, Combination, Fraction, Goal, Polynomial, Proof, Ratio, Reason, Variable, difference,
+    Argument, Combination, Fraction, Goal, Kernel, Polynomial, Proof, Ratio, Reason, Variable,
+    difference,
 };
 use crate::verify::decide::Equation;
 use crate::verify::ledger::{Relation, ratio};
 use crate::verify::theory::Theory;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Terms that a polynomial on the way may have.
 const MOST_TERMS: usize = 40_000;
@@ -109,7 +111,7 @@ impl Elimination {
 }
 
 /// The variable that a rule gives and that no other rule leads to.
-fn next(theory: &mut Theory, rest: &Polynomial) -> Option<(Variable, Relation)> {
+fn next(theory: &mut Theory, rest: &Polynomial) -> Option<(Variable, Arc<Relation>)> {
     let variables = rest.variables().into_iter();
     let found = variables.filter_map(|v| Some((v, theory.relation(v)?)));
     found.max_by_key(|(v, relation)| (relation.height, std::cmp::Reverse(*v)))
@@ -199,9 +201,36 @@ fn argument(theory: &Theory, mut goals: Vec<Goal>) -> Argument {
     }
     goals.iter_mut().for_each(|goal| moved(&mut goal.by));
     argument.goals = goals;
-    argument.kernels = ledger.kernels.clone();
+    argument.kernels = kernels(&argument, &ledger.kernels);
     argument.conditions = conditions(&argument, &ledger.conditions);
     argument
+}
+
+/// The kernels that stand in an argument, with those in their arguments.
+fn kernels(argument: &Argument, known: &BTreeMap<Variable, Kernel>) -> BTreeMap<Variable, Kernel> {
+    let mut found = BTreeMap::new();
+    if known.is_empty() {
+        return found;
+    }
+    let facts = argument.facts.iter().map(|fact| &fact.value);
+    let sides = argument.goals.iter().flat_map(|g| [&g.left, &g.right]);
+    let rates = argument.rates.values();
+    let ratios = sides
+        .chain(rates)
+        .flat_map(|r| [&r.numerator, &r.denominator]);
+    let mut open: Vec<Variable> = facts
+        .chain(ratios)
+        .flat_map(Polynomial::variables)
+        .collect();
+    while let Some(variable) = open.pop() {
+        if let Some(kernel) = known.get(&variable)
+            && found.insert(variable, kernel.clone()).is_none()
+        {
+            open.extend(kernel.argument.numerator.variables());
+            open.extend(kernel.argument.denominator.variables());
+        }
+    }
+    found
 }
 
 fn indices(by: &Combination) -> impl Iterator<Item = usize> {

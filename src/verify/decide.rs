@@ -15,8 +15,6 @@ use crate::verify::world::World;
 use num_traits::{ToPrimitive, Zero};
 use std::collections::BTreeSet;
 
-/// Worlds in which the filter looks before a proof is tried.
-const FILTER_WORLDS: u64 = 2;
 /// Worlds that are tried for one in which everything has a value.
 const TRIES: u64 = 24;
 
@@ -44,9 +42,9 @@ pub(super) enum Decision {
     Open(String),
 }
 
-/// Whether an equation holds in random worlds of the prime field; `None` where no world gives it a value.
+/// Whether an equation holds in a random world of the prime field, which a false one does with a chance of its degree
+/// over 2⁶¹; `None` where no world gives it a value.
 pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<bool> {
-    let mut seen = 0;
     for seed in 1..=TRIES {
         let mut world: World<Prime> = World::new(theory, seed);
         let values: Option<Vec<Prime>> =
@@ -58,12 +56,9 @@ pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<boo
         if values.iter().any(|v| !v.is_zero()) {
             return Some(false);
         }
-        seen += 1;
-        if seen == FILTER_WORLDS {
-            return Some(true);
-        }
+        return Some(true);
     }
-    (seen > 0).then_some(true)
+    None
 }
 
 /// Decides equations that must hold together.

@@ -14,6 +14,7 @@ use crate::verify::law::has_own_rate;
 use crate::verify::theory::Theory;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
 
 /// The highest order of a rate that a fact is differentiated for.
 const HIGHEST_ORDER: u8 = 6;
@@ -52,7 +53,7 @@ pub(super) struct Ledger {
     /// Rates of variables.
     pub rates: BTreeMap<Variable, Ratio>,
     /// The relations of variables, where they have one.
-    relations: HashMap<Variable, Option<Relation>>,
+    relations: HashMap<Variable, Option<Arc<Relation>>>,
     /// Facts of laws; they do not depend on the premises in force.
     laws: HashMap<Variable, usize>,
     squares: HashMap<Variable, usize>,
@@ -107,7 +108,7 @@ impl Ledger {
 
 impl Theory {
     /// The relation that gives a variable, if a law or a premise does.
-    pub(super) fn relation(&mut self, variable: Variable) -> Option<Relation> {
+    pub(super) fn relation(&mut self, variable: Variable) -> Option<Arc<Relation>> {
         if let Some(known) = self.ledger.relations.get(&variable) {
             return known.clone();
         }
@@ -123,7 +124,7 @@ impl Theory {
                 .flat_map(Polynomial::variables)
                 .map(|v| self.relation(v).map_or(0, |r| r.height));
             relation.height = 1 + heights.max().unwrap_or(0);
-            relation
+            Arc::new(relation)
         });
         self.ledger.open.remove(&variable);
         self.ledger.relations.insert(variable, found.clone());
