@@ -3,13 +3,17 @@
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
+mod bench;
 mod certificates;
+mod chart;
 mod check;
 mod derive;
 mod explain;
 mod input;
 mod output;
+mod plot;
 mod run;
+mod stress;
 
 /// Checks derivations in rigid-body rotation, and gives exact, fast Jacobians of the same equations.
 #[derive(Debug, Parser)]
@@ -26,8 +30,11 @@ struct Arguments {
 enum Command {
     Check(check::Options),
     Derive(derive::Options),
-    Explain(explain::Options),
     Run(run::Options),
+    Explain(explain::Options),
+    Plot(plot::Options),
+    Bench(bench::Options),
+    Stress(stress::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -39,10 +46,13 @@ pub fn run() -> ExitCode {
         clap::ColorChoice::Never => anstream::ColorChoice::Never,
     };
     let code = match &arguments.command {
+        Command::Bench(options) => bench::run(options, color),
         Command::Check(options) => check::run(options, color),
         Command::Derive(options) => derive::run(options, color),
         Command::Explain(options) => explain::run(options, color),
         Command::Run(options) => run::run(options, color),
+        Command::Plot(options) => plot::run(options, color),
+        Command::Stress(options) => stress::run(options, color),
     };
     ExitCode::from(code)
 }

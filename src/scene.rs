@@ -32,7 +32,7 @@ mod sensitivity;
 mod simulate;
 mod spin;
 
-pub use accuracy::{Estimated, Unsettled, distance, foresee, settle};
+pub use accuracy::{Estimated, Unsettled, distance, foresee, settle, size};
 pub use balance::Balance;
 pub use costs::{BOUNDS, Costs};
 pub use course::Course;

@@ -36,7 +36,7 @@ fn a_method_is_chosen_by_what_the_motion_is() {
         (
             UNEQUAL.to_owned() + damping,
             "",
-            "Taylor series, 2e-12 a step",
+            "Taylor series, 5e-12 a step",
         ),
         (
             UNEQUAL.to_owned() + gravity,
@@ -46,7 +46,7 @@ fn a_method_is_chosen_by_what_the_motion_is() {
         (
             UNEQUAL.to_owned(),
             "method = 'taylor'",
-            "Taylor series, 2e-12 a step",
+            "Taylor series, 5e-12 a step",
         ),
         (
             UNEQUAL.to_owned(),

@@ -121,3 +121,81 @@ fn a_tolerance_that_cannot_be_kept_is_said() {
     let said = String::from_utf8(output.stderr).expect("UTF-8");
     assert!(said.contains("\"handle\" may be off by up to"), "{said}");
 }
+
+#[test]
+fn the_plan_is_explained_as_text_and_json() {
+    let path = "examples/scenes/ensemble.toml";
+    let text = polhode(Path::new("."), &["explain", path]);
+    assert_eq!(code(&text), Some(0));
+    let text = String::from_utf8(text.stdout).expect("UTF-8");
+    assert!(
+        text.starts_with("throw × 100000\n")
+            && text.contains("  method    closed form, free body\n"),
+        "{text}"
+    );
+    let output = polhode(Path::new("."), &["explain", "--format", "json", path]);
+    let form: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(form["schema"], "polhode-explain/1");
+    assert_eq!(form["bodies"][0]["skipped"][0]["what"], "integration");
+}
+
+#[test]
+fn a_body_is_drawn() {
+    for (name, body) in [
+        ("t-handle", "T-handle"),
+        ("damped-satellite", "shaken"),
+        ("sphere", "ball"),
+    ] {
+        let path = format!("examples/scenes/{name}.toml");
+        let output = polhode(Path::new("."), &["plot", "--body", body, &path]);
+        assert_eq!(
+            code(&output),
+            Some(0),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        let svg = String::from_utf8(output.stdout).expect("UTF-8");
+        assert!(
+            svg.starts_with("<svg") && svg.contains("herpolhode") && !svg.contains("NaN"),
+            "{name}"
+        );
+    }
+    let output = polhode(
+        Path::new("."),
+        &["plot", "--body", "nobody", "examples/scenes/sphere.toml"],
+    );
+    assert_eq!(code(&output), Some(2));
+}
+
+#[test]
+fn a_bench_has_its_table_and_its_diagrams() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = [
+        "bench",
+        "--quick",
+        "--problem",
+        "damped",
+        "--format",
+        "csv",
+        "--diagrams",
+        "d",
+    ];
+    let output = polhode(folder.path(), &arguments);
+    assert_eq!(
+        code(&output),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let text = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(
+        text.lines()
+            .any(|line| line.starts_with("\"damped\",\"ode_solvers DOP853\",1e-9,")),
+        "{text}"
+    );
+    let svg =
+        fs::read_to_string(folder.path().join("d/work-precision-damped.svg")).expect("a diagram");
+    assert!(svg.contains("ode_solvers DOP853") && !svg.contains("NaN"));
+    let output = polhode(folder.path(), &["bench", "--problem", "nothing"]);
+    assert_eq!(code(&output), Some(2));
+}

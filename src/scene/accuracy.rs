@@ -25,12 +25,17 @@ pub struct Estimated {
     pub way: Way,
 }
 
+/// |v|, without squares that overflow.
+pub fn size(v: &Vector3<f64>) -> f64 {
+    v.x.hypot(v.y).hypot(v.z)
+}
+
 /// The larger of the attitude's distance in radians and that of ω against the larger |ω|.
 pub fn distance(one: &State<f64>, other: &State<f64>, scale: f64) -> f64 {
     let tangent = one.difference(other);
-    let attitude = tangent.fixed_rows::<3>(0).norm();
-    let off = tangent.fixed_rows::<3>(3).norm();
-    let scale = scale.max(one.angular_velocity.norm());
+    let attitude = size(&tangent.fixed_rows::<3>(0).into_owned());
+    let off = size(&tangent.fixed_rows::<3>(3).into_owned());
+    let scale = scale.max(size(&one.angular_velocity));
     let rate = if scale > 0.0 { off / scale } else { off };
     // What is no number is as far as can be.
     if attitude.is_nan() || rate.is_nan() {
@@ -75,7 +80,7 @@ pub fn settle(
         settled.error = Some(error_without_bound(member, &settled, duration, stop)?);
         return Ok(settled);
     };
-    let scale = member.start.angular_velocity.norm();
+    let scale = size(&member.start.angular_velocity);
     let mut growth = f64::INFINITY;
     for loose in LOOSE.into_iter().filter(|loose| *loose > 4.0 * bound) {
         let other = end(member, way.within(loose), duration, stop)?;
@@ -110,7 +115,7 @@ pub fn foresee(
         let settled = end(member, way, duration, stop)?;
         return Ok((way, error_without_bound(member, &settled, duration, stop)?));
     };
-    let scale = member.start.angular_velocity.norm();
+    let scale = size(&member.start.angular_velocity);
     let mut growth = f64::INFINITY;
     let mut one = end(member, way.within(LOOSE[0]), duration, stop)?;
     for (loose, tight) in LOOSE.into_iter().zip(LOOSE.into_iter().skip(1)) {
@@ -167,11 +172,11 @@ fn error_without_bound(
     duration: f64,
     stop: &dyn Fn() -> bool,
 ) -> Result<f64, Unsettled> {
-    let speed = member.start.angular_velocity.norm();
+    let speed = size(&member.start.angular_velocity);
     Ok(match found.way {
         Way::Free => free_error(member, duration),
         Way::Spin(_) => {
-            let speed = speed.max(found.state.angular_velocity.norm());
+            let speed = speed.max(size(&found.state.angular_velocity));
             ROUNDING * (1.0 + speed * duration)
         }
         _ => {
@@ -185,7 +190,7 @@ fn error_without_bound(
 /// By moving the initial ω a little each way: the state after it moves by the conditioning of the problem.
 fn free_error(member: &Member, duration: f64) -> f64 {
     let omega = member.start.angular_velocity;
-    let speed = omega.norm();
+    let speed = size(&omega);
     if speed == 0.0 {
         return ROUNDING;
     }

@@ -1,7 +1,7 @@
 //! What a method costs on this machine.
 
 use crate::motion::{System, Torque};
-use crate::scene::{Member, Run, Way, plan};
+use crate::scene::{Member, Run, Way, plan, size};
 use nalgebra::Vector3;
 
 /// Bounds of a step for which costs are known.
@@ -27,8 +27,8 @@ pub struct Costs {
 impl Default for Costs {
     fn default() -> Self {
         Self {
-            taylor: [160.0, 240.0, 350.0, 520.0, 800.0],
-            dop853: [125.0, 280.0, 560.0, 1300.0, 3000.0],
+            taylor: [280.0, 400.0, 480.0, 650.0, 800.0],
+            dop853: [115.0, 225.0, 500.0, 1150.0, 2700.0],
             free: [600.0, 100.0],
             spin: 40.0,
             rk4: 60.0,
@@ -39,9 +39,12 @@ impl Default for Costs {
 impl Costs {
     /// The ways of stepping that meet the tolerance of a run, with their costs in s: Taylor, DOP853.
     pub fn candidates(&self, member: &Member, run: &Run) -> [(Way, f64); 2] {
-        let tolerance = plan::bound(run);
-        [Way::Taylor { tolerance }, Way::Dop853 { tolerance }]
-            .map(|way| (way, self.seconds(member, run, &way)))
+        let [taylor, dop853] = plan::bounds(run);
+        let ways = [
+            Way::Taylor { tolerance: taylor },
+            Way::Dop853 { tolerance: dop853 },
+        ];
+        ways.map(|way| (way, self.seconds(member, run, &way)))
     }
 
     /// The time for one body, s.
@@ -73,10 +76,7 @@ fn angle(member: &Member, duration: f64) -> f64 {
         } => angular_frequency.abs(),
         _ => 0.0,
     };
-    let rate = member
-        .start
-        .angular_velocity
-        .norm()
+    let rate = size(&member.start.angular_velocity)
         .max(alpha.sqrt())
         .max(frequency);
     rate * duration

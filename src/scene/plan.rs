@@ -75,8 +75,9 @@ impl fmt::Display for PlanError {
 
 impl error::Error for PlanError {}
 
-/// How much smaller the bound of a step is than the error allowed at the end: what steps add up to in an ordinary run.
-const PART: f64 = 0.02;
+/// How much smaller the bound of a step is than the error allowed at the end, for Taylor series and DOP853: what their
+/// steps add up to in an ordinary run.
+const PARTS: [f64; 2] = [0.05, 0.02];
 /// The least bound of a step: rounding makes more error than a smaller one would save.
 pub(crate) const LEAST: f64 = 1e-16;
 
@@ -87,23 +88,23 @@ pub(crate) const LEAST: f64 = 1e-16;
 pub fn way(member: &Member, run: &Run) -> Result<Way, PlanError> {
     let spin = || Spin::new(member).map(Way::Spin);
     let free = || is_free(&member.torque).then_some(Way::Free);
-    let tolerance = bound(run);
+    let [taylor, dop853] = bounds(run);
     match run.method {
         Method::Auto => Ok(spin()
             .or_else(free)
             .unwrap_or_else(|| cheapest(member, run))),
         Method::Exact => free().or_else(spin).ok_or(PlanError::NoClosedForm),
-        Method::Taylor => Ok(Way::Taylor { tolerance }),
-        Method::Dop853 => Ok(Way::Dop853 { tolerance }),
+        Method::Taylor => Ok(Way::Taylor { tolerance: taylor }),
+        Method::Dop853 => Ok(Way::Dop853 { tolerance: dop853 }),
         Method::Rk4 => Ok(Way::Rk4 {
             step: run.step.unwrap_or(run.duration),
         }),
     }
 }
 
-/// The bound of a step to begin with.
-pub(crate) fn bound(run: &Run) -> f64 {
-    (run.tolerance * PART).max(LEAST)
+/// The bounds of a step to begin with: of Taylor series, of DOP853.
+pub(crate) fn bounds(run: &Run) -> [f64; 2] {
+    PARTS.map(|part| (run.tolerance * part).max(LEAST))
 }
 
 fn cheapest(member: &Member, run: &Run) -> Way {

@@ -3,7 +3,7 @@
 use crate::motion::{Body, MotionError, State};
 use crate::scene::{
     Balance, Course, Group, Member, PlanError, Run, Scene, Sensitivity, Unsettled, Way, foresee,
-    sensitivity, settle, way,
+    plan, sensitivity, settle, way,
 };
 use std::{error, fmt};
 
@@ -150,13 +150,14 @@ fn one<S: Sink>(
     let complete = outcome.time >= run.duration;
     if run.outputs.jacobian && complete {
         let last = outcome.last;
+        let bound = outcome.way.step_tolerance().unwrap_or(plan::LEAST);
         let found = sensitivity(
             &member,
             &run.wrt,
             group.products,
             run.duration,
             &last,
-            run.tolerance,
+            bound,
         );
         outcome.jacobian = Some(found.map_err(failed)?);
     }

@@ -1,7 +1,7 @@
 //! Motion about an axis that stays: planar motion, in closed form.
 
 use crate::motion::{Frame, Quaternion, State, Torque};
-use crate::scene::Member;
+use crate::scene::{Member, size};
 use nalgebra::{Matrix3, Vector3};
 
 /// A spin about an axis fixed in the body and in space, under a torque along it.
@@ -35,7 +35,7 @@ impl Spin {
         let inertia = member.body.inertia();
         let sphere = *inertia == Matrix3::from_diagonal_element(inertia[(0, 0)]);
         let (axis, speed, drive, moment) = if sphere && drive == Vector3::zeros() {
-            let speed = omega.norm();
+            let speed = size(&omega);
             let axis = if speed > 0.0 { omega / speed } else { omega };
             (axis, speed, 0.0, inertia[(0, 0)])
         } else {

@@ -1,0 +1,76 @@
+//! References and comparisons: what is right to thirty digits, and what is measured against it.
+#![cfg(feature = "bench")]
+
+use polhode::bench::{Contender, Problem, axes, cells, floor, held, measure, problems, reference};
+use polhode::motion::FreeBody;
+use polhode::scene::{distance, size};
+use std::time::Duration;
+
+fn problem(name: &str) -> Problem {
+    let mut all = problems().expect("bodies");
+    let at = all.iter().position(|p| p.name == name).expect("a problem");
+    let mut found = all.swap_remove(at);
+    // Thirty digits take their time in a debug build.
+    found.duration = found.duration.min(2.0);
+    found
+}
+
+#[test]
+fn the_reference_of_a_free_body_is_its_closed_form() {
+    for name in ["free", "separatrix"] {
+        let p = problem(name);
+        let truth = reference(&p.member, &[0.5 * p.duration, p.duration]).expect("a motion");
+        let exact = FreeBody::new(&p.member.body, &p.member.start);
+        for (part, state) in [0.5, 1.0].iter().zip(&truth) {
+            let other = exact.at(part * p.duration).expect("finite");
+            let off = distance(state, &other, size(&p.member.start.angular_velocity));
+            assert!(off < 1e-13, "{name}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn every_method_comes_near_the_truth_and_finer_is_nearer() {
+    let p = problem("top");
+    let truth = reference(&p.member, &[p.duration]).expect("a motion")[0];
+    let error = |contender, setting| measure(&p, contender, setting, &truth, Duration::ZERO).error;
+    for contender in [
+        Contender::Taylor,
+        Contender::Dop853,
+        Contender::RivalDop853,
+        Contender::RivalDopri5,
+    ] {
+        let (rough, fine) = (error(contender, 1e-4), error(contender, 1e-10));
+        assert!(
+            rough < 1e-1 && fine < 1e-7 && fine < rough,
+            "{contender:?}: {rough:e}, {fine:e}"
+        );
+    }
+    for contender in [
+        Contender::Rk4,
+        Contender::Splitting,
+        Contender::Midpoint,
+        Contender::MoserVeselov,
+    ] {
+        let (rough, fine) = (error(contender, 0.2), error(contender, 0.02));
+        assert!(
+            fine < 1e-2 && fine < 0.2 * rough,
+            "{contender:?}: {rough:e}, {fine:e}"
+        );
+    }
+    let single = error(Contender::Rk4Single, 0.02);
+    assert!((1e-8..1e-3).contains(&single), "{single:e}");
+    assert!(!Contender::Exact.takes(&p.member));
+    let points = vec![measure(&p, Contender::Plan, 1e-9, &truth, Duration::ZERO)];
+    assert!(floor(&points, "top", Contender::Plan).is_some_and(|least| least < 1e-9));
+}
+
+#[test]
+fn the_closed_form_holds_on_every_axis() {
+    for axis in axes(1e2).expect("bodies") {
+        let found =
+            cells(&axis, &[Contender::Exact, Contender::Taylor], &mut || ()).expect("a map");
+        let (_, lost) = held(&found, axis.name, Contender::Exact, 1e-9);
+        assert!(lost.is_empty(), "{}: {lost:?}", axis.name);
+    }
+}
