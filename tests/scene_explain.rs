@@ -44,6 +44,12 @@ fn a_method_is_chosen_by_what_the_motion_is() {
             "DOP853, 1e-3 a step",
         ),
         (
+            "inertia = { xx = 2, yy = 3, zz = 4 }\nangular_velocity = [1e-20, 3e-20, 0]".to_owned()
+                + damping,
+            "",
+            "DOP853, 2e-12 a step",
+        ),
+        (
             UNEQUAL.to_owned(),
             "method = 'taylor'",
             "Taylor series, 5e-12 a step",
