@@ -8,7 +8,6 @@ use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::quantity::Quantity;
-use crate::verify::symbol::is_point;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -74,7 +73,7 @@ impl Reading {
         let number = |letter: &Letter| {
             let used = self.usage.get(letter);
             let indices = self.usage.subscripts.get(letter);
-            let points = indices.is_none_or(|all| all.iter().all(|s| is_point(s)));
+            let points = indices.is_none_or(|all| !all.iter().any(|s| runs(s)));
             points && used.vector + used.tensor + used.component + used.double == 0
         };
         let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
@@ -373,4 +372,11 @@ fn lone_letters(node: &Node) -> Vec<Letter> {
         Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
         _ => vec![],
     }
+}
+
+/// Whether an index runs: i, jk, k+1.
+fn runs(index: &str) -> bool {
+    let mut letters = index.chars().filter(|c| c.is_alphabetic());
+    let runs = |c| matches!(c, 'i'..='n');
+    index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
 }

@@ -42,11 +42,6 @@ const POINTS: &[&str] = &[
     "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
 ];
 
-/// Whether an index names a point.
-pub(super) fn is_point(index: &str) -> bool {
-    POINTS.contains(&index)
-}
-
 fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let mut sorted = Subscripts::default();
     if reading.usage.names_whole(symbol) {
