@@ -2,12 +2,14 @@
 //!
 //! A polynomial is a scalar like any other: run an equation of `mechanics` on it and the result is its normal form.
 
+mod bound;
 mod certificate;
 mod combination;
 mod composition;
 mod divide;
 mod fraction;
 mod groebner;
+mod interval;
 mod linear;
 mod monomial;
 mod polynomial;
@@ -17,10 +19,12 @@ mod rational;
 mod reduce;
 mod substitute;
 
+pub use bound::{Bound, enclosure};
 pub use certificate::Certificate;
 pub use combination::Budget;
 pub use composition::{TooLarge, compose};
 pub use fraction::Fraction;
+pub use interval::Interval;
 pub use linear::{LinearError, LinearSolution, solve_linear};
 pub use monomial::{Monomial, Variable};
 pub use polynomial::Polynomial;

@@ -4,7 +4,7 @@
 //! (equations that follow from them). It may come from anywhere. [`Argument::checked`] is the only way to a
 //! [`Proof`], and it believes nothing but the premises.
 
-use crate::algebra::{Polynomial, Variable};
+use crate::algebra::{Bound, Polynomial, Variable};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -97,6 +97,8 @@ pub struct Argument {
     pub kernels: BTreeMap<Variable, Kernel>,
     /// What is to be shown.
     pub goals: Vec<Goal>,
+    /// What numbers lie between.
+    pub bounds: Vec<Bound>,
     /// What must not be zero: every divisor is a product of powers of these.
     pub conditions: Vec<Polynomial>,
 }
@@ -128,6 +130,8 @@ pub enum Fault {
     Fact(usize),
     /// The goal of this index does not follow as it says.
     Goal(usize),
+    /// The bound of this index does not hold.
+    Bound(usize),
     /// There is no goal.
     Empty,
 }
@@ -137,6 +141,7 @@ impl fmt::Display for Fault {
         match self {
             Self::Fact(index) => write!(f, "fact {index} does not follow as it says"),
             Self::Goal(index) => write!(f, "goal {index} does not follow as it says"),
+            Self::Bound(index) => write!(f, "bound {index} does not hold"),
             Self::Empty => f.write_str("nothing is shown"),
         }
     }
@@ -159,6 +164,9 @@ impl Argument {
         }
         for index in 0..self.goals.len() {
             self.goal_holds(index).ok_or(Fault::Goal(index))?;
+        }
+        for (index, bound) in self.bounds.iter().enumerate() {
+            holds(bound.holds(&self.kernels)).ok_or(Fault::Bound(index))?;
         }
         Ok(Proof(Arc::new([self])))
     }

@@ -19,6 +19,7 @@ pub(crate) mod rows;
 mod script;
 mod sum;
 mod text;
+mod unit;
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::token::{Lexeme, Token};

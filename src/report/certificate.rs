@@ -106,6 +106,7 @@ fn joined(proof: &Proof) -> Argument {
             goal.by = moved(&goal.by);
             whole.goals.push(goal);
         }
+        whole.bounds.extend(argument.bounds.iter().cloned());
         whole.rates.extend(argument.rates.clone());
         whole.kernels.extend(argument.kernels.clone());
         for condition in &argument.conditions {
@@ -132,6 +133,9 @@ fn variables(argument: &Argument) -> BTreeSet<Variable> {
         ratio(&goal.left, &mut found);
         ratio(&goal.right, &mut found);
         combination(&goal.by, &mut found);
+    }
+    for bound in &argument.bounds {
+        ratio(&bound.value, &mut found);
     }
     for fact in &argument.facts {
         found.extend(fact.value.variables());
@@ -208,6 +212,11 @@ fn text(checked: &Checked, line: &Line<'_>) -> String {
         rows.push(format!("left {}", ratio(&goal.left)));
         rows.push(format!("right {}", ratio(&goal.right)));
         combination(&goal.by, &mut rows);
+    }
+    for bound in &argument.bounds {
+        rows.push(format!("bound {}", ratio(&bound.value)));
+        rows.push(format!("lower {}", bound.lower));
+        rows.push(format!("upper {}", bound.upper));
     }
     rows.push("end\n".to_owned());
     rows.join("\n")

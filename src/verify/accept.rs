@@ -54,6 +54,7 @@ impl Checker<'_> {
         });
         let name = self.line_name(finding);
         let definition = role == Role::Define;
+        self.mark_instant(&name, &read);
         match self.theory.assume(Premise {
             name: name.clone(),
             residuals,

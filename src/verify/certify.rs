@@ -3,8 +3,8 @@
 //! Dividing by d·v − n leaves the polynomial with n/d put in for v, and the quotient is the cofactor of that fact.
 
 use crate::algebra::{
-    Argument, Combination, Fraction, Goal, Kernel, Polynomial, Proof, Ratio, Reason, Variable,
-    difference,
+    Argument, Bound, Combination, Fraction, Goal, Kernel, Polynomial, Proof, Ratio, Reason,
+    Variable, difference,
 };
 use crate::verify::decide::Equation;
 use crate::verify::ledger::{Relation, ratio};
@@ -128,6 +128,15 @@ fn next_square(theory: &mut Theory, rest: &Polynomial) -> Option<(Variable, Rela
 
 /// A proof that equations hold, multiplied out; `None` where none was found.
 pub(super) fn certify(theory: &mut Theory, equations: &[Equation]) -> Option<Proof> {
+    certify_within(theory, equations, vec![])
+}
+
+/// A proof that equations hold and that numbers lie within bounds.
+pub(super) fn certify_within(
+    theory: &mut Theory,
+    equations: &[Equation],
+    bounds: Vec<Bound>,
+) -> Option<Proof> {
     let mut goals = vec![];
     for equation in equations {
         for place in 0..equation.residual.entries.len() {
@@ -143,7 +152,7 @@ pub(super) fn certify(theory: &mut Theory, equations: &[Equation]) -> Option<Pro
             goals.push(Goal { left, right, by });
         }
     }
-    let proof = argument(theory, goals).checked();
+    let proof = argument(theory, goals, bounds).checked();
     debug_assert!(
         proof.is_ok(),
         "a search that finds wrong cofactors: {proof:?}"
@@ -161,7 +170,7 @@ fn side(entries: &[Fraction], place: usize) -> Option<Ratio> {
 }
 
 /// The goals with the facts, rates, kernels and conditions that they need, and no others.
-fn argument(theory: &Theory, mut goals: Vec<Goal>) -> Argument {
+fn argument(theory: &Theory, mut goals: Vec<Goal>, bounds: Vec<Bound>) -> Argument {
     let ledger = &theory.ledger;
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     let mut open: Vec<usize> = goals.iter().flat_map(|g| indices(&g.by)).collect();
@@ -201,6 +210,7 @@ fn argument(theory: &Theory, mut goals: Vec<Goal>) -> Argument {
     }
     goals.iter_mut().for_each(|goal| moved(&mut goal.by));
     argument.goals = goals;
+    argument.bounds = bounds;
     argument.kernels = kernels(&argument, &ledger.kernels);
     argument.conditions = conditions(&argument, &ledger.conditions);
     argument
@@ -217,6 +227,7 @@ fn kernels(argument: &Argument, known: &BTreeMap<Variable, Kernel>) -> BTreeMap<
     let rates = argument.rates.values();
     let ratios = sides
         .chain(rates)
+        .chain(argument.bounds.iter().map(|bound| &bound.value))
         .flat_map(|r| [&r.numerator, &r.denominator]);
     let mut open: Vec<Variable> = facts
         .chain(ratios)

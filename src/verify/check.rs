@@ -7,6 +7,7 @@ use crate::verify::carried::Slip;
 use crate::verify::convention::convention;
 use crate::verify::doubt::Doubts;
 use crate::verify::euler_rates::RateLine;
+use crate::verify::figures::Figures;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
@@ -93,6 +94,7 @@ pub(super) struct Checker<'a> {
     pub(super) level: u8,
     axes_before: Axes,
     pub(super) convention: Convention,
+    pub(super) figures: Figures,
     pub(super) from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
@@ -143,6 +145,7 @@ impl<'a> Checker<'a> {
             level: 0,
             axes_before: axes,
             convention,
+            figures: Figures::default(),
             from_prose: vec![],
             passed: vec![],
             reading,

@@ -1,7 +1,7 @@
 //! Claims: proved, refuted or open.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::Node;
+use crate::notation::ast::{Node, Relation};
 use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
 use crate::verify::decide::{Decision, decide, needed};
@@ -18,7 +18,12 @@ impl Checker<'_> {
     pub(super) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
         let readings = match self.readings(sides) {
             Ok(readings) => readings,
-            Err(trouble) => return self.troubled(sides, trouble, finding),
+            Err(trouble) => {
+                if !self.wrong_arithmetic(sides, finding) {
+                    self.troubled(sides, trouble, finding);
+                }
+                return;
+            }
         };
         let mut failed = None;
         for read in readings {
@@ -28,8 +33,18 @@ impl Checker<'_> {
             }
         }
         if let Some((read, decision)) = failed {
-            if !matches!(decision, Decision::Open(_)) && self.is_given(sides, &read) {
+            let open = matches!(decision, Decision::Open(_));
+            if (!open || self.is_in_numbers(&sides[1..])) && self.is_given(sides, &read) {
                 return self.given(sides, finding);
+            }
+            if self.settled_by_numbers(sides, &read, open, finding)
+                || self.holds_still(sides, finding)
+            {
+                return;
+            }
+            if self.lacks_numbers(sides) {
+                finding.reason = Some("nothing before gives the numbers for this".to_owned());
+                return;
             }
             self.failed(sides, &read, decision, finding);
         }
@@ -81,8 +96,13 @@ impl Checker<'_> {
             Decision::False(_) => self.doubt(read),
             _ => None,
         };
+        let approximate = self.figures.relations.contains(&Relation::Approximate);
         match decision {
             Decision::Open(reason) => finding.reason = Some(reason),
+            _ if approximate => {
+                finding.reason =
+                    Some("an approximation is decided where both sides are numbers".to_owned());
+            }
             _ if unknown.is_some() => {
                 finding.reason = unknown.map(|name| format!("nothing before says what {name} is"));
             }

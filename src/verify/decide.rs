@@ -6,6 +6,7 @@ use crate::scalar::Prime;
 use crate::verify::atoms::Atom;
 use crate::verify::attitude_law::{UNIT, number_of_quaternion};
 use crate::verify::certify::certify;
+use crate::verify::figures::is_pi;
 use crate::verify::law::inertia;
 use crate::verify::names::latex;
 use crate::verify::theory::{Name, Theory};
@@ -109,7 +110,8 @@ fn unfinished(theory: &mut Theory, equation: &Equation) -> Option<String> {
     let mut opaque = 0;
     for entry in &equation.residual.entries {
         for variable in theory.normal(entry).variables() {
-            if matches!(theory.atoms.atom(variable), Atom::Opaque { .. }) {
+            let named = matches!(theory.atoms.atom(variable), Atom::Opaque { .. });
+            if named && !is_pi(&theory.atoms, variable) {
                 opaque += 1;
             }
             related.insert(variable);

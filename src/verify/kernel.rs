@@ -56,6 +56,15 @@ impl Lowering<'_> {
         let mut total = (Fraction::zero(), Fraction::one());
         let denominator = Fraction::from(argument.denominator().clone());
         for (coefficient, monomial) in argument.numerator().split() {
+            let angle = Fraction::from(monomial.clone());
+            if let Some((sin, cos)) = self.known_angle(&coefficient, &angle, &denominator) {
+                let (s, c) = total;
+                total = (
+                    s.clone() * cos.clone() + c.clone() * sin.clone(),
+                    c * cos - s * sin,
+                );
+                continue;
+            }
             let double = coefficient.clone() * Rational::from(2);
             let turns = double.to_integer().filter(|n| n.abs() <= 2 * MOST_TURNS);
             let (angle, turns) = match turns {
@@ -104,6 +113,7 @@ impl Lowering<'_> {
             let by = self.value(variable)?;
             // The moment is held fixed beside the angular velocity: ω̇ is what follows from both.
             let dynamics = self.theory.setting.dynamics;
+            let left_out = self.theory.leave_out_point(&by);
             self.theory
                 .set(|setting| setting.dynamics = Dynamics::Forward);
             let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
@@ -111,6 +121,7 @@ impl Lowering<'_> {
                 let free = places.iter().all(|&p| self.theory.rule(p).is_none());
                 (free, self.jacobian(&value, &places))
             });
+            self.theory.left_out = left_out;
             self.theory.set(|setting| setting.dynamics = dynamics);
             match result {
                 Some((true, jacobian)) => value = jacobian,

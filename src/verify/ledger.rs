@@ -10,8 +10,9 @@ use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Entity, variable_fraction};
 use crate::verify::attitude_law::UNIT;
 use crate::verify::certify::Elimination;
+use crate::verify::figures::is_pi;
 use crate::verify::law::has_own_rate;
-use crate::verify::theory::Theory;
+use crate::verify::theory::{MOMENTARY, Theory};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
@@ -161,13 +162,18 @@ impl Theory {
     }
 
     fn fact_of_part(&mut self, variable: Variable, part: (Entity, u8), order: u8) -> Option<usize> {
+        let momentary = (part.0, part.1 | MOMENTARY);
+        if order == 0 && self.rules.contains_key(&momentary) {
+            return self.solved_fact(variable, momentary);
+        }
         let ruled = self.rules.get(&part).map(|(ruled, _)| *ruled);
         match ruled.filter(|&ruled| ruled <= order) {
             Some(ruled) if ruled == order => self.solved_fact(variable, part),
             Some(_) => self.rate_fact(part, order),
             None => {
                 // The rate of a law's own value is the rate of that law.
-                if order > 0 && !has_own_rate(&self.atoms, part.0, order) {
+                let at_once = order == 1 && self.rules.contains_key(&momentary);
+                if order > 0 && !at_once && !has_own_rate(&self.atoms, part.0, order) {
                     let lower = self.atoms.part(part.0, part.1, order - 1);
                     if self.law(lower).is_some() {
                         return self.rate_fact(part, order);
@@ -371,6 +377,13 @@ impl Theory {
         for variable in fraction.variables() {
             if self.ledger.kernels.contains_key(&variable) {
                 continue;
+            }
+            if is_pi(&self.atoms, variable) {
+                let kernel = Kernel {
+                    function: "pi",
+                    argument: ratio(&Fraction::zero()),
+                };
+                self.ledger.kernels.insert(variable, kernel);
             }
             if let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() {
                 self.ledger.divide_by(argument.denominator());

@@ -27,7 +27,8 @@ impl Checker<'_> {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
         self.note_doubt(line, &finding);
-        if finding.verdict == Verdict::Refuted && finding.counterexample.is_some() {
+        let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
+        if finding.verdict == Verdict::Refuted && unexplained {
             self.diagnose(line, &mut finding);
         }
         self.reading.scalars.clear();
@@ -77,11 +78,12 @@ impl Checker<'_> {
     }
 
     pub(super) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
-        if let Some((_, place)) = line
-            .relations
-            .iter()
-            .find(|(r, _)| !matches!(r, Relation::Equal | Relation::Defined))
-        {
+        if let Some((_, place)) = line.relations.iter().find(|(r, _)| {
+            !matches!(
+                r,
+                Relation::Equal | Relation::Defined | Relation::Approximate
+            )
+        }) {
             finding.reason = Some("this relation is not decided".to_owned());
             finding.place = *place;
             return;
@@ -97,6 +99,7 @@ impl Checker<'_> {
             }
         }
         keeps_its_value(&mut sides);
+        self.figures.relations = line.relations.iter().map(|(r, _)| *r).collect();
         if let Some(span) = sides.iter().find_map(error_in) {
             finding.verdict = Verdict::Unreadable;
             finding.reason = Some(span.0);
@@ -105,20 +108,23 @@ impl Checker<'_> {
         }
         self.note_origin(&sides);
         self.note_scalars(&sides);
-        if self.defines(&sides, line, role, finding) {
-            return;
+        let settled = self.defines(&sides, line, role, finding)
+            || !line.continues && self.slips_in_rates(line, finding)
+            || self.works_out(&sides, role, finding);
+        if !settled {
+            match role {
+                Role::Claim => self.claim(&sides, finding),
+                _ => self.accept(&sides, role, finding),
+            }
         }
-        if !line.continues && self.slips_in_rates(line, finding) {
-            return;
-        }
-        match role {
-            Role::Claim => self.claim(&sides, finding),
-            _ => self.accept(&sides, role, finding),
-        }
+        self.note_figures(&sides, finding);
     }
 
     /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
     fn note_scalars(&mut self, sides: &[Node]) {
+        if self.given_scalars(sides) {
+            return;
+        }
         // A symbol that is defined here takes any shape.
         let new = sides.first().and_then(|side| self.new_symbol(side));
         let sides = if new.is_some() { &sides[1..] } else { sides };
@@ -163,6 +169,7 @@ impl Checker<'_> {
             met_unlabelled: false,
             in_space: false,
             functions: &self.functions,
+            figures: &self.figures,
         }
     }
 

@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::notation::ast::{Kind, Node};
 use crate::source::Span;
 use crate::verify::atoms::{Atom, variable_fraction};
+use crate::verify::figures::Figures;
 use crate::verify::frame::Frame;
 use crate::verify::law::inertia;
 use crate::verify::quantity::Shape;
@@ -61,6 +62,8 @@ pub(super) struct Lowering<'a> {
     pub in_space: bool,
     /// Functions that the document defines.
     pub functions: &'a HashMap<String, FunctionOf>,
+    /// Numbers of the document.
+    pub figures: &'a Figures,
 }
 
 pub(super) type Lowered = Result<Value, Trouble>;
@@ -78,9 +81,8 @@ impl Lowering<'_> {
     pub(super) fn value(&mut self, node: &Node) -> Lowered {
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
         match &node.kind {
-            Kind::Number(number) => Ok(Value::scalar(constant(Rational::from(
-                number.value.clone(),
-            )))),
+            Kind::Number(number) => Ok(Value::scalar(self.number(number))),
+            Kind::WithUnit(inside, unit) => self.with_unit(inside, unit),
             Kind::Bold(number) if number.value.is_zero() => Ok(Value::scalar(Fraction::zero())),
             Kind::Bold(_) => Ok(Value::identity(3)),
             Kind::Symbol(symbol) => {
@@ -91,7 +93,7 @@ impl Lowering<'_> {
                 Ok(self.meaning_value(meaning, 0))
             }
             Kind::Negate(a) => Ok(self.value(a)?.negated()),
-            Kind::Group(_, a) | Kind::WithUnit(a, _) => self.value(a),
+            Kind::Group(_, a) => self.value(a),
             // `[r × v]_x` is a component.
             Kind::InFrame(a, label) => {
                 let value = self.value(a)?;

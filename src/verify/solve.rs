@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::verify::atoms::{Atom, Owner};
 use crate::verify::ledger::Source;
 use crate::verify::quantity::Quantity;
-use crate::verify::theory::{Premise, Rule, Taken, Theory};
+use crate::verify::theory::{MOMENTARY, Premise, Rule, Taken, Theory};
 use num_traits::Zero;
 
 impl Theory {
@@ -54,7 +54,7 @@ impl Theory {
         Taken::Kept
     }
 
-    fn insert(&mut self, variable: Variable, written: &Fraction, rule: Rule) {
+    pub(super) fn insert(&mut self, variable: Variable, written: &Fraction, rule: Rule) {
         if let Atom::Part {
             entity,
             component,
@@ -65,8 +65,11 @@ impl Theory {
                 residual: written.clone(),
                 before: self.sources.len(),
             };
-            self.sources.insert((entity, component), source);
-            self.rules.insert((entity, component), (order, rule));
+            let momentary = order == 0 && self.instants.contains(&rule.name);
+            let mark = if momentary { MOMENTARY } else { 0 };
+            let part = (entity, component | mark);
+            self.sources.insert(part, source);
+            self.rules.insert(part, (order, rule));
             self.normals.clear();
             self.forget_relations();
         }

@@ -7,6 +7,7 @@ use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::attitude_law::{UNIT, square_of_scalar_part};
+use crate::verify::figures::Alternative;
 use crate::verify::law::{Setting, law};
 use crate::verify::ledger::{Ledger, Source};
 use crate::verify::quantity::Quantity;
@@ -61,6 +62,9 @@ const DEEPEST: usize = 64;
 /// The highest order of a rate that a premise is differentiated for.
 const HIGHEST_ORDER: u8 = 6;
 
+/// Marks the component of a rule that holds at one instant, so that a rule for the rate can stand beside it.
+pub(super) const MOMENTARY: u8 = 0x80;
+
 /// Laws and premises in force.
 #[derive(Clone, Debug)]
 pub(super) struct Theory {
@@ -70,6 +74,10 @@ pub(super) struct Theory {
     pub setting: Setting,
     /// Names of laws and premises that are left out, to see whether a proof needs them.
     pub left_out: BTreeSet<Name>,
+    /// Values that stand in the place of what laws and premises give.
+    pub(super) fixed: Vec<Alternative>,
+    /// Premises that say what something is at one instant: nothing follows from them for its rate.
+    pub(super) instants: BTreeSet<Name>,
     /// Relations that could not be solved for a symbol.
     pub relations: Vec<(Name, Polynomial)>,
     premises: Vec<Premise>,
@@ -93,6 +101,8 @@ impl Theory {
             atoms: Atoms::default(),
             setting,
             left_out: BTreeSet::new(),
+            fixed: vec![],
+            instants: BTreeSet::new(),
             relations: vec![],
             premises: vec![],
             rules: HashMap::new(),
@@ -175,19 +185,23 @@ impl Theory {
     }
 
     /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
-    fn rebuild(&mut self) -> Taken {
+    pub(super) fn rebuild(&mut self) -> Taken {
         self.rules.clear();
         self.normals.clear();
         self.relations.clear();
         self.sources.clear();
         self.ledger = Ledger::default();
+        self.put_fixed();
         let mut order: Vec<Premise> = self
             .premises
             .iter()
             .filter(|p| !self.left_out.contains(&p.name))
             .cloned()
             .collect();
-        order.sort_by_key(|premise| (!premise.definition, self.highest_order(premise)));
+        order.sort_by_key(|premise| {
+            let momentary = self.instants.contains(&premise.name);
+            (!premise.definition, momentary, self.highest_order(premise))
+        });
         let mut worst = Taken::Solved;
         for premise in order {
             match self.solve(&premise) {
@@ -224,7 +238,10 @@ impl Theory {
                 component,
                 order,
             } => {
-                if let Some((ruled, rule)) = self.rules.get(&(entity, component)).cloned()
+                let momentary = (entity, component | MOMENTARY);
+                let at_once = self.rules.get(&momentary).filter(|_| order == 0);
+                let ruled = at_once.or_else(|| self.rules.get(&(entity, component)));
+                if let Some((ruled, rule)) = ruled.cloned()
                     && ruled <= order
                 {
                     let mut value = rule.value;

@@ -183,6 +183,19 @@ impl Usage {
         for side in &line.sides {
             self.node(side);
         }
+        // What is set against a column is a vector, and against a square of numbers a tensor.
+        for pair in line.sides.windows(2) {
+            if let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
+                (&inner(&pair[0]).kind, &inner(&pair[1]).kind)
+                && rows.len() > 1
+            {
+                let used = self.letters.entry(Letter::of(symbol)).or_default();
+                match rows.first().map_or(0, Vec::len) {
+                    1 => used.vector += 1,
+                    _ => used.tensor += 1,
+                }
+            }
+        }
         if let [left, right, ..] = line.sides.as_slice()
             && let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
                 (&inner(left).kind, &inner(right).kind)

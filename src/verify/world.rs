@@ -5,6 +5,7 @@ use crate::notation::ast::Function;
 use crate::scalar::{Field, Prime};
 use crate::verify::atoms::{Atom, Entity, Owner};
 use crate::verify::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
+use crate::verify::figures::is_pi;
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::Theory;
 use std::collections::BTreeSet;
@@ -164,6 +165,10 @@ impl<'a, T: Substance> World<'a, T> {
                     _ => Kind::Any,
                 };
                 Some(T::draw(kind, self.chance()))
+            }
+            // No polynomial in π vanishes unless it is zero, so any value shows a difference; this one is close.
+            Atom::Opaque { .. } if is_pi(&self.theory.atoms, variable) => {
+                T::lift(&Rational::from((355, 113)))
             }
             _ => Some(T::draw(Kind::Any, self.chance())),
         }

@@ -1,7 +1,7 @@
 //! Checks the text form of a certificate with arithmetic of its own: maps from powers to big rationals.
 
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::collections::BTreeMap;
 
 type Powers = BTreeMap<String, u32>;
@@ -212,9 +212,44 @@ impl Certificate {
                 self.combines(&difference, &rows[3..])?;
                 self.goals += 1;
             }
+            "bound" => {
+                let [_, ("lower", lower), ("upper", upper), ..] = rows else {
+                    return None;
+                };
+                let (top, bottom) = ratio(rest);
+                let value = self.number(&top)? / self.number(&bottom)?;
+                let end = |text: &str| text.parse::<BigRational>().ok()?.to_f64();
+                // Doubles hold fifteen digits; nobody shows so many.
+                let slack = 1e-13 * value.abs();
+                (end(lower)? - slack <= value && value <= end(upper)? + slack).then_some(())?;
+            }
             _ => {}
         }
         Some(())
+    }
+
+    /// The value of a polynomial in functions of numbers.
+    fn number(&self, of: &Sum) -> Option<f64> {
+        let mut total = 0.0;
+        for (powers, coefficient) in &of.0 {
+            let mut term = coefficient.to_f64()?;
+            for (name, exponent) in powers {
+                let (function, top, bottom) = self.kernels.get(name)?;
+                let argument = self.number(top)? / self.number(bottom)?;
+                let value = match function.as_str() {
+                    "pi" => std::f64::consts::PI,
+                    "sqrt" => argument.sqrt(),
+                    "sin" => argument.sin(),
+                    "cos" => argument.cos(),
+                    "exp" => argument.exp(),
+                    "ln" => argument.ln(),
+                    _ => return None,
+                };
+                term *= value.powi(i32::try_from(*exponent).ok()?);
+            }
+            total += term;
+        }
+        Some(total)
     }
 
     fn fact(&self, value: &Sum, rows: &[(&str, &str)]) -> Option<()> {

@@ -184,6 +184,7 @@ impl<'a> Parser<'_, 'a> {
             "crossof" | "dotof" => self.product_of(name == "crossof", start),
             "imath" => self.symbol("i".into(), start),
             "jmath" => self.symbol("j".into(), start),
+            "SI" | "qty" | "num" | "ang" => self.quantity(name, start),
             "unit" | "si" => {
                 let _ = self.argument();
                 self.error("a unit without a number before it")

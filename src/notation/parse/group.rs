@@ -177,7 +177,8 @@ fn arguments(name: &str) -> u8 {
         _ if is_operator(name) => 0,
         _ if letter::greek(name).is_some() => 0,
         _ if letter::takes_argument(name) || super::function::named(name).is_some() => 1,
-        "sqrt" | "underbrace" | "overbrace" | "unit" | "si" => 1,
+        "SI" | "qty" => 2,
+        "sqrt" | "underbrace" | "overbrace" | "unit" | "si" | "num" | "ang" => 1,
         "sum" | "int" | "iint" | "iiint" | "oint" | "partial" | "nabla" | "dots" | "ldots"
         | "cdots" | "imath" | "jmath" | "Rightarrow" | "implies" | "iff" | "therefore" => 0,
         _ => u8::MAX,

@@ -35,6 +35,7 @@ impl Parser<'_, '_> {
             }
             self.slashes(&mut factors);
             self.bars(&mut factors);
+            self.unit_behind(&mut factors);
             self.skip_spaces();
             match self.operator() {
                 Some((next, span)) => (operator, sign) = (next, span),

@@ -236,7 +236,7 @@ impl Parser<'_, '_> {
     }
 }
 
-fn unit_text(tokens: &[Token<'_>]) -> String {
+pub(super) fn unit_text(tokens: &[Token<'_>]) -> String {
     let mut out = String::new();
     for token in tokens {
         match token.kind {

@@ -5,7 +5,7 @@ Run `python3 recheck.py`. It prints each premise that was believed, and ends wit
 """
 import sys
 
-from sympy import Add, Integer, Rational, Symbol, diff, div, expand
+from sympy import Add, Integer, Rational, Symbol, cos, diff, div, exp, expand, log, pi, sin, sqrt, sympify
 
 
 class Wrong(Exception):
@@ -120,6 +120,23 @@ class Certificate:
         self.divisor(right_below)
         self.combines(left * right_below - right * left_below, multiplier, cofactors)
         self.goals += 1
+
+
+    def number(self, value):
+        """What a polynomial in functions of numbers is."""
+        functions = {"sqrt": sqrt, "sin": sin, "cos": cos, "exp": exp, "ln": log}
+        values = {}
+        for symbol in expand(value).free_symbols:
+            function, top, bottom = self.kernels[symbol]
+            if function == "pi":
+                values[symbol] = pi
+            else:
+                values[symbol] = functions[function](self.number(top) / self.number(bottom))
+        return sympify(value).subs(values)
+
+    def bound(self, top, bottom, lower, upper):
+        value = (self.number(top) / self.number(bottom)).evalf(60)
+        need(value.is_real and lower <= value <= upper, "a number out of its bounds")
 
 
 def readable(certificate, value):

@@ -1,7 +1,7 @@
 //! The certificates of a document as a Python script that checks them again with SymPy alone.
 
 use super::{Dialect, Line, lines, quoted, written};
-use crate::algebra::{Combination, Polynomial, Ratio, Reason, Variable};
+use crate::algebra::{Combination, Polynomial, Ratio, Rational, Reason, Variable};
 use crate::report::Checked;
 
 /// The script: one function for each proved line.
@@ -75,6 +75,14 @@ fn function(checked: &Checked, line: &Line<'_>, name: &str) -> String {
         let (left, right) = (ratio(&goal.left), ratio(&goal.right));
         let by = combination(&goal.by);
         rows.push(format!("    c.goal({left}, {right}, {by})"));
+    }
+    for bound in &argument.bounds {
+        let end = |value: &Rational| p(&Polynomial::constant(value.clone()));
+        let (lower, upper) = (end(&bound.lower), end(&bound.upper));
+        rows.push(format!(
+            "    c.bound({}, {lower}, {upper})",
+            ratio(&bound.value)
+        ));
     }
     rows.push("    return c\n".to_owned());
     rows.join("\n")

@@ -1,0 +1,170 @@
+//! Lines in numbers: true to the digits shown, false in one of them, or not to be told.
+
+use polhode::notation::{document::Format, read};
+use polhode::verify::{Finding, check};
+
+fn findings(text: &str) -> Vec<Finding> {
+    let (document, _) = read("numbers.md", text, Format::Markdown);
+    check(&document).findings
+}
+
+/// The verdicts of a document's lines.
+fn verdicts(text: &str) -> Vec<&'static str> {
+    findings(text).iter().map(|f| f.verdict.name()).collect()
+}
+
+/// The verdict of one displayed line behind an opening.
+fn verdict(opening: &str, line: &str) -> &'static str {
+    let text = format!("{opening}\n\nWe find\n\n$$\n{line}\n$$\n");
+    let found = findings(&text);
+    found.last().map_or("nothing", |f| f.verdict.name())
+}
+
+#[test]
+fn numerals_hold_to_the_digits_shown_and_not_beyond() {
+    let cases = [
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 13.56", "proved"),
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 13.57", "refuted"),
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 13.5", "undecided"),
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 13.6", "proved"),
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 14", "proved"),
+        (r"\sqrt{2^2 + 6^2 + 12^2} = 15", "refuted"),
+        (r"\frac{2\pi\,(1200)}{60} = 125.7", "proved"),
+        (r"\frac{2\pi\,(1200)}{60} = 40\pi", "proved"),
+        (r"\frac{2\pi\,(1200)}{60} = 41\pi", "refuted"),
+        (r"(0.012)(125.7)^2 = 189.6\ \text{N}\cdot\text{m}", "proved"),
+        (
+            r"(0.012)(125.7)^2 = 198.6\ \text{N}\cdot\text{m}",
+            "refuted",
+        ),
+        (r"(0.012)(125.7)^2 = -189.6", "refuted"),
+        (r"2 + 12 + 36 = 50", "proved"),
+        (r"2 + 12 + 36 = 51", "refuted"),
+        (r"\frac{7}{2} = 4", "refuted"),
+        (r"\frac{7}{2} \approx 4", "proved"),
+        (r"\frac{7}{2} \simeq 5", "refuted"),
+        (r"\frac{1}{3} = 0.333", "proved"),
+        (r"\frac{1}{3} = 0.334", "refuted"),
+        (r"\frac{2}{3}\times 10^{-3} = 6.67\times 10^{-4}", "proved"),
+        (r"\frac{2}{3}\times 10^{-3} = 6.67\times 10^{-5}", "refuted"),
+        (r"\sin 30^\circ = \tfrac12", "proved"),
+        (r"\cos 45^\circ = 0.707", "proved"),
+        (r"\cos 45^\circ = \frac{\sqrt 2}{2}", "proved"),
+        (r"\cos 36^\circ = 0.809", "proved"),
+        (r"\cos 36^\circ = 0.808", "refuted"),
+        (
+            r"\begin{bmatrix} 2/3 \\ -1/4 \\ 0 \end{bmatrix} = \begin{bmatrix} 0.6667 \\ -0.25 \\ 0 \end{bmatrix}",
+            "proved",
+        ),
+        (
+            r"\begin{bmatrix} 2/3 \\ -1/4 \\ 0 \end{bmatrix} = \begin{bmatrix} 0.6667 \\ 0.25 \\ 0 \end{bmatrix}",
+            "refuted",
+        ),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(verdict("Some arithmetic.", line), expected, "{line}");
+    }
+}
+
+#[test]
+fn results_from_exact_and_from_rounded_values_are_both_right() {
+    let opening = "Given $I_{xz} = 0.012\\ \\text{kg m}^2$ and the speed\n\n\
+        $$\n\\omega = \\frac{2\\pi(1200)}{60} = 125.7\\ \\text{rad/s}\n$$\n";
+    let cases = [
+        (
+            r"I_{xz}\,\omega^2 = (0.012)(125.7)^2 = 189.6\ \text{N m}",
+            "proved",
+        ),
+        (r"I_{xz}\,\omega^2 = 189.6\ \text{N m}", "proved"),
+        (r"I_{xz}\,\omega^2 = 189.5\ \text{N m}", "proved"),
+        (r"I_{xz}\,\omega^2 = 189.7\ \text{N m}", "refuted"),
+        (
+            r"I_{xz}\,\omega = (0.012)(125.7)^2 = 189.6\ \text{N m}",
+            "refuted",
+        ),
+        (r"I_{xz}\,\omega^2 = 18.95\ \text{N m}", "refuted"),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(verdict(opening, line), expected, "{line}");
+    }
+}
+
+#[test]
+fn units_are_converted_where_a_line_changes_them() {
+    let cases = [
+        (r"1200\ \text{rev/min} = 125.7\ \text{rad/s}", "proved"),
+        (r"1200\ \text{rpm} = 1257\ \text{rad/s}", "refuted"),
+        (r"250\ \text{mm} = 0.25\ \text{m}", "proved"),
+        (r"250\ \text{mm} = 2.5\ \text{m}", "refuted"),
+        (r"\SI{1.5}{kN} = \SI{1500}{N}", "proved"),
+        (r"\SI{90}{\degree} = \SI{1.571}{rad}", "proved"),
+        (
+            r"(20\ \text{N})(250\ \text{mm}) = 5.0\ \text{N m}",
+            "proved",
+        ),
+        (
+            r"(20\ \text{N})(250\ \text{mm}) = 5000\ \text{N m}",
+            "refuted",
+        ),
+        (
+            r"\frac{(\num{2.0e-3})(300)^2}{2(0.25)}\,\si{N} = \SI{360}{N}",
+            "proved",
+        ),
+        (
+            r"\frac{(\num{2.0e-3})(300)^2}{2(0.25)}\,\si{N} = \SI{36.0}{N}",
+            "refuted",
+        ),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(verdict("Some units.", line), expected, "{line}");
+    }
+}
+
+#[test]
+fn a_value_at_an_instant_says_nothing_of_its_rate() {
+    let text = "The axes are fixed in the body. Given are\n\n\
+        $$J = \\begin{bmatrix} 2 & 0 & 0 \\\\ 0 & 3 & 0 \\\\ 0 & 0 & 4 \\end{bmatrix}$$\n\n\
+        $$\\omega = \\begin{bmatrix} 1 \\\\ 2 \\\\ 3 \\end{bmatrix}$$\n\n\
+        There is no torque. Then\n\n\
+        $$\\dot\\omega = \\begin{bmatrix} -3 \\\\ 2 \\\\ -0.5 \\end{bmatrix}$$\n\n\
+        $$\\dot\\omega = \\begin{bmatrix} -3 \\\\ -2 \\\\ -0.5 \\end{bmatrix}$$\n\n\
+        $$\\frac{\\partial\\dot\\omega}{\\partial\\omega} = \\begin{bmatrix} 0 & -1.5 & -1 \\\\ 2 & 0 & 0.6667 \\\\ -0.5 & -0.25 & 0 \\end{bmatrix}$$\n\n\
+        $$\\frac{\\partial\\dot\\omega}{\\partial\\omega} = \\begin{bmatrix} 0 & -1.5 & -1 \\\\ 2 & 0 & 0.6667 \\\\ -0.5 & -0.52 & 0 \\end{bmatrix}$$\n";
+    assert_eq!(
+        verdicts(text),
+        [
+            "accepted", "accepted", "proved", "refuted", "proved", "refuted"
+        ]
+    );
+}
+
+#[test]
+fn every_proof_in_numbers_names_its_bounds() {
+    let found = findings("We find\n\n$$\n\\sqrt{2} = 1.414\n$$\n");
+    let polhode::verify::Verdict::Proved(proof) = &found[0].verdict else {
+        panic!("not proved: {:?}", found[0].reason);
+    };
+    let bounds: Vec<_> = proof.arguments().iter().flat_map(|a| &a.bounds).collect();
+    assert_eq!(bounds.len(), 1);
+    assert!(found[0].remarks.iter().any(|r| r.contains("digits shown")));
+}
+
+#[test]
+fn a_false_bound_is_not_believed() {
+    let found = findings("We find\n\n$$\n\\sqrt{2} = 1.414\n$$\n");
+    let polhode::verify::Verdict::Proved(proof) = &found[0].verdict else {
+        panic!("not proved");
+    };
+    let mut argument = proof.arguments()[0].clone();
+    let tenth = polhode::algebra::Rational::from((1, 100_000));
+    argument.bounds[0].upper = tenth.clone();
+    argument.bounds[0].lower = -tenth;
+    assert!(argument.checked().is_err());
+}
+
+#[test]
+fn numbers_that_nothing_gives_decide_nothing() {
+    // Nothing says how large T is.
+    let text = "We find\n\n$$\nI_{xz}\\,\\omega_x^2 = 189.6\n$$\n";
+    assert_eq!(verdicts(text), ["undecided"]);
+}
