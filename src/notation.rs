@@ -15,6 +15,7 @@ mod markdown;
 mod notebook;
 mod parse;
 mod plain;
+pub mod print;
 mod token;
 mod unicode;
 
@@ -78,12 +79,26 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
             document.items = plain::read(&text[body..], body);
         }
     }
+    troubles.extend(deceptive(&document.source.text));
     for item in &document.items {
         if let Item::Formula(formula) = item {
             troubles.extend(formula.rows.iter().filter_map(trouble));
         }
     }
     (document, troubles)
+}
+
+/// Says where a text holds characters that hide what it says; formulas with one are not read.
+fn deceptive(text: &str) -> Option<Diagnostic> {
+    let (at, c) = text.char_indices().find(|(_, c)| unicode::deceptive(*c))?;
+    let what = match c {
+        '\0' => "a NUL byte stands here",
+        _ => {
+            "a mark that turns the direction of writing stands here: what is shown is not what is read"
+        }
+    };
+    let span = Span::new(at, at + c.len_utf8());
+    Some(Diagnostic::warning("hidden", span, what))
 }
 
 fn trouble(row: &Row) -> Option<Diagnostic> {
@@ -100,7 +115,7 @@ pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
 fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
     if text.len() > LONGEST_FORMULA {
         let span = Span::new(offset, offset + text.len());
-        return unreadable("a formula that is too long to be read", None, span);
+        return too_long(span);
     }
     if macros.is_empty() {
         return parse::rows::rows(&lexer::tokens(text, offset, Letters::Single));
@@ -130,6 +145,11 @@ pub fn reread(format: Format, text: &str) -> Vec<Row> {
         Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)).rows,
         _ => read_formula(text, 0, &Macros::default()),
     }
+}
+
+fn too_long(span: Span) -> Reading {
+    let help = "write it in several lines";
+    unreadable("a formula that is too long to be read", Some(help), span)
 }
 
 fn unreadable(message: &str, help: Option<&str>, span: Span) -> Reading {

@@ -5,6 +5,7 @@
 
 mod code;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// A formula in a text, as ranges of bytes.
@@ -45,6 +46,9 @@ const DISPLAYS: &[&str] = &[
     "subequations",
 ];
 
+/// Code in a line is not longer than this.
+const LONGEST_CODE: usize = 4096;
+
 /// What authors call the two ends of a display in their own files.
 const ABBREVIATED: &[(&str, &str)] = &[
     ("be", "ee"),
@@ -66,6 +70,8 @@ pub(crate) fn regions(text: &str, dialect: Dialect) -> Vec<Region> {
         at: 0,
         dialect,
         found: vec![],
+        missing: BTreeSet::new(),
+        fruitless: 0,
     };
     while scan.at < scan.bytes.len() {
         scan.step();
@@ -79,6 +85,10 @@ struct Scan<'a> {
     at: usize,
     dialect: Dialect,
     found: Vec<Region>,
+    /// Closing marks that do not come again: each is looked for to the end of the text once.
+    missing: BTreeSet<String>,
+    /// Up to here no escaped closing mark was found.
+    fruitless: usize,
 }
 
 impl Scan<'_> {
@@ -108,7 +118,8 @@ impl Scan<'_> {
         if let Some(inner) = rest.strip_prefix("\\verb")
             && let Some(mark) = inner.bytes().next().filter(u8::is_ascii_punctuation)
         {
-            let length = find(&inner.as_bytes()[1..], &[mark]).unwrap_or(0);
+            let near = &inner.as_bytes()[1..inner.len().min(LONGEST_CODE)];
+            let length = find(near, &[mark]).unwrap_or(0);
             self.at += "\\verb".len() + 1 + length + 1;
             return true;
         }
@@ -129,7 +140,7 @@ impl Scan<'_> {
         }
         let close = format!("\\{close}");
         let inner = self.at + 1 + open.len();
-        let Some(length) = find_command(&self.bytes[inner..], close.as_bytes()) else {
+        let Some(length) = self.search(inner, &close, find_command) else {
             return false;
         };
         let end = inner + length + close.len();
@@ -149,9 +160,14 @@ impl Scan<'_> {
         let display = self.bytes[start + 2] == b'[';
         let close: &[u8] = if display { b"\\\\]" } else { b"\\\\)" };
         let inner = start + 3;
-        let limit = paragraph_end(self.bytes, inner);
         self.at = inner;
+        if inner < self.fruitless {
+            return;
+        }
+        let limit = paragraph_end(self.bytes, inner);
+        self.fruitless = limit;
         if let Some(length) = find(&self.bytes[inner..limit], close) {
+            self.fruitless = 0;
             self.at = inner + length + close.len();
             self.found.push(Region {
                 outer: start..self.at,
@@ -171,7 +187,7 @@ impl Scan<'_> {
     fn delimited(&mut self, open: &str, close: &str, display: bool) {
         let start = self.at;
         let inner = start + open.len();
-        match find_unescaped(&self.bytes[inner..], close.as_bytes()) {
+        match self.search(inner, close, find_unescaped) {
             Some(i) => {
                 let end = inner + i + close.len();
                 self.found.push(Region {
@@ -195,13 +211,43 @@ impl Scan<'_> {
         }
     }
 
+    /// The next closing mark from an offset, as its distance.
+    fn search(
+        &mut self,
+        from: usize,
+        close: &str,
+        find: impl Fn(&[u8], &[u8]) -> Option<usize>,
+    ) -> Option<usize> {
+        if self.missing.contains(close) {
+            return None;
+        }
+        let found = find(&self.bytes[from..], close.as_bytes());
+        if found.is_none() {
+            self.missing.insert(close.to_owned());
+        }
+        found
+    }
+
+    /// The distance of the next dollar in the paragraph.
+    fn dollar(&self, from: usize) -> Option<usize> {
+        let mut at = from;
+        while let Some(byte) = self.bytes.get(at) {
+            match byte {
+                b'$' => return Some(at - from),
+                b'\\' => at += 1,
+                b'\n' if blank_line(&self.bytes[at + 1..]) => return None,
+                _ => {}
+            }
+            at += 1;
+        }
+        None
+    }
+
     /// `$…$` within one paragraph; a dollar before a digit and after a space is money.
     fn inline(&mut self) {
         let start = self.at;
         let inner = start + 1;
-        let limit = paragraph_end(self.bytes, inner);
-        let close = find_unescaped(&self.bytes[inner..limit], b"$");
-        let Some(length) = close.filter(|n| *n > 0) else {
+        let Some(length) = self.dollar(inner).filter(|n| *n > 0) else {
             self.at += 1;
             return;
         };
@@ -246,7 +292,7 @@ impl Scan<'_> {
             return;
         }
         let body = name_start + length + 1;
-        match find(&self.bytes[body..], end_mark.as_bytes()) {
+        match self.search(body, &end_mark, find) {
             Some(i) => {
                 let end = body + i + end_mark.len();
                 // The environment itself is read with what it holds: its name says how its columns are meant.
@@ -319,16 +365,20 @@ fn find_unescaped(bytes: &[u8], pattern: &[u8]) -> Option<usize> {
     None
 }
 
+/// Whether a line holds nothing but white space.
+fn blank_line(bytes: &[u8]) -> bool {
+    bytes
+        .iter()
+        .take_while(|b| **b != b'\n')
+        .all(u8::is_ascii_whitespace)
+}
+
 /// Where the paragraph ends: at a blank line, or at the end of the text.
 fn paragraph_end(bytes: &[u8], from: usize) -> usize {
     let mut at = from;
     while let Some(i) = find(&bytes[at..], b"\n") {
         let next = at + i + 1;
-        let blank = bytes[next..]
-            .iter()
-            .take_while(|b| **b != b'\n')
-            .all(|b| b.is_ascii_whitespace());
-        if blank {
+        if blank_line(&bytes[next..]) {
             return at + i;
         }
         at = next;

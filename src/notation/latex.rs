@@ -4,7 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::notation::delimiters::{Dialect, find, regions};
 use crate::notation::document::{FrontMatter, Item};
 use crate::notation::macros::Macros;
-use crate::notation::token::matching_brace;
+use crate::notation::token::{beginning, matching_brace};
 use crate::notation::{formula, front_matter};
 use crate::source::Span;
 
@@ -52,8 +52,8 @@ const SECTIONS: &[(&str, u8)] = &[
     ("title", 1),
 ];
 
-/// No heading is longer than this.
-const LONGEST_HEADING: usize = 1000;
+/// No heading and no argument that is passed over is longer than this.
+const LONGEST_ARGUMENT: usize = 1000;
 
 /// The items of a file.
 pub(crate) fn items(
@@ -231,9 +231,7 @@ impl Reader<'_> {
 
     fn heading(&mut self, from: usize, level: u8, at: usize) -> usize {
         // Formulas may stand in it, so it ends where the file says and not at the next of them.
-        let rest = self.text[from..]
-            .get(..LONGEST_HEADING)
-            .unwrap_or(&self.text[from..]);
+        let rest = beginning(&self.text[from..], LONGEST_ARGUMENT);
         let Some(inner) = rest.strip_prefix('{') else {
             return 0;
         };
@@ -248,7 +246,7 @@ impl Reader<'_> {
 fn skip_arguments(text: &str) -> usize {
     let mut used = 0;
     loop {
-        let rest = &text[used..];
+        let rest = beginning(&text[used..], LONGEST_ARGUMENT);
         if let Some(inner) = rest.strip_prefix('{')
             && let Some(length) = matching_brace(inner)
         {

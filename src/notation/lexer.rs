@@ -245,7 +245,18 @@ impl<'a> Lexer<'a> {
             };
             let start = self.at;
             self.at += next.len_utf8();
-            self.push(script.lexeme, start);
+            match (self.out.last_mut().map(|t| &mut t.kind), script.lexeme) {
+                // `x¹²` is the twelfth power and no product.
+                (Some(last), Lexeme::Number(digit)) if first.raised => {
+                    if let Lexeme::Number(tens) = *last {
+                        *last = unicode::two_digits(tens, digit)
+                            .map_or(Lexeme::Char('?'), Lexeme::Number);
+                    } else {
+                        self.push(script.lexeme, start);
+                    }
+                }
+                _ => self.push(script.lexeme, start),
+            }
         }
         self.push(Lexeme::Close, start);
     }

@@ -1,12 +1,15 @@
 //! Macros that a document defines for itself: `\newcommand`, `\def`, `\DeclareMathOperator`.
 
-use crate::notation::token::matching_brace;
+use crate::notation::token::{beginning, matching_brace};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 /// The macros in force.
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
     defined: BTreeMap<String, Macro>,
+    /// How many bytes all expansions of the document together may still have.
+    left: Cell<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -16,17 +19,28 @@ struct Macro {
     body: String,
 }
 
+/// No definition is longer, and no document has more of them.
+const LONGEST_DEFINITION: usize = 4096;
+const MOST_DEFINITIONS: usize = 1000;
+
+/// What the expansions of a document may have together, however short it is.
+const SHORTEST_DOCUMENT: usize = 500_000;
+
 /// Expansion stops at this length: a macro that doubles itself must not fill the memory.
 const LONGEST: usize = 100_000;
 
 impl Macros {
     /// Collects the definitions that stand in a text.
     pub fn collect(text: &str) -> Self {
-        let mut macros = Self::default();
+        let mut macros = Self {
+            defined: BTreeMap::new(),
+            left: Cell::new(SHORTEST_DOCUMENT + 8 * text.len()),
+        };
         let mut at = 0;
+        let mut tried = 0;
         while let Some(i) = text[at..].find('\\') {
             at += i + 1;
-            let rest = &text[at..];
+            let rest = beginning(&text[at..], LONGEST_DEFINITION);
             let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
             let (name, rest) = rest.split_at(length);
             let defined = match name {
@@ -38,6 +52,10 @@ impl Macros {
                 "let" => alias(rest),
                 _ => None,
             };
+            tried += usize::from(name.contains("command") || matches!(name, "def" | "gdef"));
+            if tried > MOST_DEFINITIONS {
+                break;
+            }
             if let Some((name, found)) = defined {
                 macros.defined.insert(name, found);
             }
@@ -61,9 +79,11 @@ impl Macros {
     pub(crate) fn expand(&self, text: &str) -> Option<(String, Vec<u32>)> {
         let mut out = String::with_capacity(text.len());
         let mut origin = Vec::with_capacity(text.len());
-        let mut budget = LONGEST;
-        self.expand_into(text, None, 0, &mut out, &mut origin, &mut budget)?;
-        Some((out, origin))
+        let allowed = LONGEST.min(self.left.get());
+        let mut budget = allowed;
+        let done = self.expand_into(text, None, 0, &mut out, &mut origin, &mut budget);
+        self.left.set(self.left.get() - (allowed - budget));
+        done.map(|()| (out, origin))
     }
 
     fn expand_into(
@@ -78,14 +98,15 @@ impl Macros {
         if depth > 20 {
             return None;
         }
+        let braces = braces(text);
         let mut at = 0;
         while at < text.len() {
             let rest = &text[at..];
             let here = place.unwrap_or(u32::try_from(at).unwrap_or(u32::MAX));
-            if let Some((used, expansion)) = self.call(rest) {
+            if let Some((after, expansion)) = self.call(text, at, &braces) {
                 *budget = budget.checked_sub(expansion.len() + 1)?;
                 self.expand_into(&expansion, Some(here), depth + 1, out, origin, budget)?;
-                at += used;
+                at = after;
                 continue;
             }
             let command = rest.strip_prefix('\\').map_or(0, |r| {
@@ -106,33 +127,37 @@ impl Macros {
         Some(())
     }
 
-    /// A macro called at the start of a text: how many bytes the call takes, and what it stands for.
-    fn call(&self, text: &str) -> Option<(usize, String)> {
-        let rest = text.strip_prefix('\\')?;
+    /// A macro called at an offset: where the call ends, and what it stands for.
+    fn call(&self, text: &str, at: usize, braces: &[usize]) -> Option<(usize, String)> {
+        let rest = text[at..].strip_prefix('\\')?;
         let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
         let found = self.defined.get(rest.get(..length)?)?;
-        let mut rest = &rest[length..];
-        let mut arguments: Vec<String> = vec![];
+        let mut at = at + 1 + length;
+        let mut arguments: Vec<&str> = vec![];
         if let Some(default) = &found.default {
-            arguments.push(match optional(rest) {
-                Some((given, after)) => {
-                    rest = after;
-                    given.to_owned()
+            arguments.push(match optional(beginning(&text[at..], LONGEST_DEFINITION)) {
+                Some((given, _)) => {
+                    at += text[at..].find(']').map_or(0, |i| i + 1);
+                    given
                 }
-                None => default.clone(),
+                None => default,
             });
         }
         while arguments.len() < found.arguments {
-            let (argument, after) = argument(rest)?;
-            arguments.push(argument.to_owned());
-            rest = after;
+            at += text[at..].len() - text[at..].trim_start().len();
+            let argument = match braces.get(at) {
+                Some(&close) if text[at..].starts_with('{') => {
+                    let closed = (close < text.len()).then_some(close)?;
+                    text.get(at + 1..closed)?
+                }
+                _ => argument(beginning(&text[at..], LONGEST_DEFINITION))?.0,
+            };
+            at += argument.len() + if text[at..].starts_with('{') { 2 } else { 0 };
+            arguments.push(argument);
         }
-        let mut body = found.body.clone();
-        for (i, argument) in arguments.iter().enumerate() {
-            body = body.replace(&format!("#{}", i + 1), argument);
-            if body.len() > LONGEST {
-                return Some((text.len() - rest.len(), "\\undefined".into()));
-            }
+        let body = found.filled(&arguments);
+        if body.len() > LONGEST {
+            return Some((at, "\\undefined".into()));
         }
         // A name must not run into the letter that follows it.
         let closed = if arguments.is_empty() {
@@ -140,8 +165,55 @@ impl Macros {
         } else {
             body
         };
-        Some((text.len() - rest.len(), closed))
+        Some((at, closed))
     }
+}
+
+impl Macro {
+    /// The body with the arguments in their places.
+    fn filled(&self, arguments: &[&str]) -> String {
+        let mut out = String::with_capacity(self.body.len());
+        let mut rest = self.body.as_str();
+        while let Some(i) = rest.find('#') {
+            out.push_str(&rest[..i]);
+            rest = &rest[i + 1..];
+            let digit = rest.chars().next().and_then(|c| c.to_digit(10));
+            let argument = digit.and_then(|n| arguments.get((n as usize).wrapping_sub(1)));
+            match argument {
+                Some(argument) => {
+                    out.push_str(argument);
+                    rest = &rest[1..];
+                }
+                None => out.push('#'),
+            }
+            if out.len() > LONGEST {
+                break;
+            }
+        }
+        out.push_str(rest);
+        out
+    }
+}
+
+/// For each opening brace of a text the offset of the one that closes it; the length of the text elsewhere.
+fn braces(text: &str) -> Vec<usize> {
+    let mut closing = vec![text.len(); text.len()];
+    let mut open = vec![];
+    let mut escaped = false;
+    for (i, b) in text.bytes().enumerate() {
+        match b {
+            _ if escaped => escaped = false,
+            b'\\' => escaped = true,
+            b'{' => open.push(i),
+            b'}' => {
+                if let Some(start) = open.pop() {
+                    closing[start] = i;
+                }
+            }
+            _ => {}
+        }
+    }
+    closing
 }
 
 fn argument(text: &str) -> Option<(&str, &str)> {

@@ -50,9 +50,12 @@ fn masked(text: &str, regions: &[Region]) -> String {
 /// The inside of a formula; the marks of a quotation at the start of its lines give way to spaces.
 fn unquoted<'a>(text: &'a str, region: &Region) -> Cow<'a, str> {
     let inner = text.get(region.inner.clone()).unwrap_or("");
-    let line = text[..region.outer.start].rfind('\n').map_or(0, |i| i + 1);
     let mark = |c: char| matches!(c, '>' | ' ' | '\t');
-    if !text[line..].trim_start().starts_with('>') || !inner.contains('\n') {
+    let quoted = |start: usize| {
+        let line = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        text[line..start].trim_start().starts_with('>')
+    };
+    if !inner.contains('\n') || !quoted(region.outer.start) {
         return Cow::Borrowed(inner);
     }
     let mut lines = inner.split_inclusive('\n');

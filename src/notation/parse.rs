@@ -28,7 +28,7 @@ use crate::source::Span;
 pub(crate) use text::is_unit;
 
 /// Groups inside groups beyond this are refused: nobody writes them, and each costs a stack frame.
-const DEEPEST: u32 = 48;
+const DEEPEST: u32 = 40;
 
 /// Reads one expression from a slice of tokens.
 #[derive(Clone)]
@@ -85,6 +85,12 @@ impl<'t, 'a> Parser<'t, 'a> {
             .all(|t| matches!(t.kind, Lexeme::Char('.' | ',' | ';') | Lexeme::Space(_)))
         {
             return node;
+        }
+        if let Some((message, span)) = rows::error_in(&node) {
+            return Node {
+                kind: Kind::Error(message),
+                span,
+            };
         }
         let message = self.unexpected();
         let span = self.here();
@@ -174,8 +180,19 @@ impl<'t, 'a> Parser<'t, 'a> {
             }
             // An accent or alphabet command takes its own argument with it: `\frac\pi2`, `\dot\vec L`.
             Some(Lexeme::Command(name)) if letter::takes_argument(name) => {
-                self.at += 1;
-                let _ = self.argument();
+                while matches!(self.peek(), Some(Lexeme::Command(name)) if letter::takes_argument(name))
+                {
+                    self.at += 1;
+                    self.skip_spaces();
+                }
+                let last = self.at;
+                let open = self.peek() == Some(Lexeme::Open);
+                let end = if open {
+                    closing(self.tokens, last)
+                } else {
+                    last
+                };
+                self.at = (end + 1).min(self.tokens.len());
                 &self.tokens[start..self.at]
             }
             Some(_) => {

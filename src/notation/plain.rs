@@ -3,10 +3,10 @@
 mod look;
 
 use crate::notation::document::{Item, Row};
-use crate::notation::items;
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
+use crate::notation::{LONGEST_FORMULA, items, too_long};
 use crate::source::Span;
 use look::{is_formula, is_mathematical, labelled, marker, runs};
 
@@ -141,6 +141,10 @@ impl<'a> Reader<'a> {
     /// A formula on a line of its own.
     fn display(&mut self, text: &'a str, at: usize) {
         let (body, label) = labelled(text);
+        if body.len() > LONGEST_FORMULA {
+            let span = self.span(at, text.len());
+            return self.items.extend(items(too_long(span), true, span));
+        }
         let mut tokens = tokens(body, self.offset + at, Letters::Words);
         tokens.extend(label.map(|label| Token {
             kind: Lexeme::Tag(label),
@@ -164,6 +168,9 @@ impl<'a> Reader<'a> {
     }
 
     fn inline(&mut self, text: &str, at: usize) {
+        if text.len() > LONGEST_FORMULA {
+            return self.prose(text, at);
+        }
         let reading = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
         let broken = |row: &Row| matches!(row, Row::Unreadable { .. });
         if reading.rows.iter().any(broken) {

@@ -59,6 +59,15 @@ pub(crate) enum Letters {
     Words,
 }
 
+/// The first bytes of a text, at most so many and no part of a character.
+pub(crate) fn beginning(text: &str, most: usize) -> &str {
+    let mut end = most.min(text.len());
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    &text[..end]
+}
+
 /// The offset of the brace that closes a group whose inside starts the text.
 pub(crate) fn matching_brace(inner: &str) -> Option<usize> {
     let mut depth = 0usize;

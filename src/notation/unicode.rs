@@ -59,6 +59,21 @@ pub(crate) fn script(c: char) -> Option<Script> {
     }
 }
 
+/// Two digits as one number.
+pub(crate) fn two_digits(tens: &str, ones: &str) -> Option<&'static str> {
+    const NUMBERS: &str = "10111213141516171819202122232425262728293031323334353637383940\
+                           41424344454647484950515253545556575859606162636465666768697071\
+                           727374757677787980818283848586878889909192939495969798990001020304050607080\
+                           9";
+    let number: usize = format!("{tens}{ones}").parse().ok()?;
+    let at = match (tens.len(), number) {
+        (1, 10..) => number - 10,
+        (1, _) => number + 90,
+        _ => return None,
+    };
+    NUMBERS.get(2 * at..2 * at + 2)
+}
+
 /// `½` as numerator and denominator.
 pub(crate) fn vulgar_fraction(c: char) -> Option<(&'static str, &'static str)> {
     Some(match c {
@@ -101,9 +116,14 @@ pub(crate) fn decomposed(c: char) -> (char, Vec<&'static str>) {
     if foreign { (c, vec![]) } else { (base, marks) }
 }
 
-/// Characters that nobody sees.
+/// Characters that nobody sees and that change nothing.
 pub(crate) fn invisible(c: char) -> bool {
-    matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}' | '\u{ad}' | '\0')
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2060}'..='\u{2065}' | '\u{feff}' | '\u{ad}')
+}
+
+/// Characters that make a text look other than it is: they turn the direction of writing, or end it for some programs.
+pub(crate) fn deceptive(c: char) -> bool {
+    matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\0')
 }
 
 /// What a character outside ASCII is in LaTeX.

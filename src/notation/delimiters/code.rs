@@ -1,6 +1,6 @@
 //! Code in Markdown: nothing in it is a formula, but for a fence of the language `math`.
 
-use super::{Region, Scan, find, paragraph_end};
+use super::{LONGEST_CODE, Region, Scan, blank_line, find};
 
 impl Scan<'_> {
     /// Code between backticks, or a fence at the start of a line; a fence of the language `math` is a display.
@@ -10,13 +10,11 @@ impl Scan<'_> {
             .iter()
             .take_while(|b| **b == mark)
             .count();
-        let line_start = self.bytes[..self.at]
-            .iter()
-            .rposition(|b| *b == b'\n')
-            .map_or(0, |i| i + 1);
-        let starts_line = self.bytes[line_start..self.at]
-            .iter()
-            .all(|b| matches!(b, b' ' | b'\t' | b'>'));
+        // A fence stands at the start of a line, behind a few marks of a list or a quotation.
+        let near = &self.bytes[self.at.saturating_sub(100)..self.at];
+        let lead = near.iter().rev().take_while(|b| **b != b'\n');
+        let starts_line = lead.clone().all(|b| matches!(b, b' ' | b'\t' | b'>'))
+            && (lead.count() < near.len() || self.at <= 100);
         if run >= 3 && starts_line {
             return self.fence(run, mark);
         }
@@ -24,20 +22,16 @@ impl Scan<'_> {
             self.at += run;
             return;
         }
-        let ticks = vec![b'`'; run];
         let start = self.at + run;
-        let limit = paragraph_end(self.bytes, start);
-        let mut from = start;
-        while let Some(i) = find(&self.bytes[from..limit], &ticks) {
-            let close = self.bytes[from + i..limit]
-                .iter()
-                .take_while(|b| **b == b'`')
-                .count();
+        let limit = self.bytes.len().min(start + LONGEST_CODE);
+        let mut at = start;
+        while at < limit && !(self.bytes[at] == b'\n' && blank_line(&self.bytes[at + 1..])) {
+            let close = self.bytes[at..].iter().take_while(|b| **b == b'`').count();
+            at += close.max(1);
             if close == run {
-                self.at = from + i + run;
+                self.at = at;
                 return;
             }
-            from += i + close;
         }
         self.at = start;
     }

@@ -1,7 +1,7 @@
 //! Commands: which of them are tokens, which say nothing, which take a text.
 
 use super::Lexer;
-use crate::notation::token::{Lexeme, matching_brace};
+use crate::notation::token::{Lexeme, beginning, matching_brace};
 
 /// Commands that only change the look.
 const SILENT: &[&str] = &[
@@ -172,7 +172,7 @@ impl<'a> Lexer<'a> {
     /// A definition states nothing; what it defines is known already.
     fn definition(&mut self, name: &str) {
         self.starred();
-        let rest = self.rest();
+        let rest = beginning(self.rest(), 80);
         let brace = rest.find('{').unwrap_or(rest.len());
         if name == "let" {
             let names = rest.trim_start_matches(['\\', ' ', '=']);
@@ -187,7 +187,7 @@ impl<'a> Lexer<'a> {
         } else {
             let _ = self.braced();
         }
-        let rest = self.rest();
+        let rest = beginning(self.rest(), 80);
         let brace = rest.find('{').unwrap_or(rest.len());
         let options = rest[..brace].trim();
         if options.is_empty() || options.starts_with('[') {
@@ -223,7 +223,7 @@ impl<'a> Lexer<'a> {
         let Some(inner) = rest.strip_prefix('(') else {
             return;
         };
-        let length = inner.find(')').filter(|n| *n < 40).unwrap_or(0);
+        let length = beginning(inner, 40).find(')').unwrap_or(0);
         self.at = self.text.len() - inner.len() + (length + 1).min(inner.len());
         self.push(Lexeme::Tag(&inner[..length]), start);
     }
@@ -233,7 +233,7 @@ impl<'a> Lexer<'a> {
         self.starred();
         let rest = self.rest().trim_start_matches([' ', '\t']);
         if let Some(inner) = rest.strip_prefix('[')
-            && let Some(length) = inner.find(']')
+            && let Some(length) = beginning(inner, 20).find(']')
             && inner[..length]
                 .trim_start_matches(['-', ' '])
                 .starts_with(|c: char| c.is_ascii_digit() || c == '.')
@@ -298,12 +298,20 @@ impl<'a> Lexer<'a> {
         if begin
             && matches!(
                 name,
-                "array" | "alignat" | "alignedat" | "tabular" | "subarray"
+                "array"
+                    | "alignat"
+                    | "alignedat"
+                    | "xalignat"
+                    | "IEEEeqnarray"
+                    | "tabular"
+                    | "subarray"
+                    | "numcases"
+                    | "subnumcases"
             )
         {
             let rest = self.rest().trim_start();
             if rest.starts_with('[')
-                && let Some(close) = rest.find(']')
+                && let Some(close) = beginning(rest, 40).find(']')
             {
                 self.at = self.text.len() - rest.len() + close + 1;
             }

@@ -2,8 +2,11 @@
 
 use super::Lexer;
 use crate::notation::parse::is_unit;
-use crate::notation::token::{Letters, Lexeme};
+use crate::notation::token::{Letters, Lexeme, beginning};
 use crate::notation::unicode;
+
+/// No word of a formula is longer, so no more of the text is looked at for each.
+const LONGEST_WORD: usize = 64;
 
 /// Functions that may run into their argument: `sinx`.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "sqrt"];
@@ -118,7 +121,7 @@ impl<'a> Lexer<'a> {
         if word != "x" || !self.spaced || !behind.starts_with([' ', '\t']) {
             return false;
         }
-        let next = behind.trim_start();
+        let next = beginning(behind, LONGEST_WORD).trim_start();
         let operand = next.starts_with(|c: char| c.is_alphanumeric() || matches!(c, '(' | '['));
         let following = run(next, |b| b.is_ascii_alphanumeric());
         let coordinate = matches!(following, "x" | "y" | "z" | "dm" | "dt" | "d");
@@ -206,7 +209,7 @@ impl<'a> Lexer<'a> {
         if self.letters == Letters::Single {
             return;
         }
-        let rest = self.rest();
+        let rest = beginning(self.rest(), LONGEST_WORD);
         let lead = rest.len() - rest.trim_start_matches(' ').len();
         let inner = &rest[lead..];
         let end = inner
@@ -228,5 +231,6 @@ impl<'a> Lexer<'a> {
 
 /// The bytes at the start of a text that are of a kind.
 fn run(text: &str, kind: impl Fn(u8) -> bool) -> &str {
-    &text[..text.bytes().take_while(|b| kind(*b)).count()]
+    let bytes = text.bytes().take(LONGEST_WORD);
+    &text[..bytes.take_while(|b| kind(*b)).count()]
 }

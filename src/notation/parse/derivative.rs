@@ -168,6 +168,10 @@ impl<'t, 'a> Parser<'t, 'a> {
             let end = (1..=rest.len()).find(|&i| {
                 i == rest.len() || rest[i].kind == Lexeme::Superscript || mark(&rest[i..]).is_some()
             })?;
+            // What is differentiated in is short, and it is read a second time where this fails.
+            if end > 24 {
+                return None;
+            }
             let variable = self.inside(&rest[..end]).whole();
             let (more, times) = order(&rest[end..])?;
             rest = trim(&rest[end + more..]);
@@ -252,10 +256,11 @@ impl<'t, 'a> Parser<'t, 'a> {
     pub(super) fn slashed_derivative(&mut self) -> Option<Node> {
         let start = self.at;
         let (length, partial) = mark(&self.tokens[start..])?;
-        let slash = (start + length..self.tokens.len().min(start + 40))
-            .find(|&i| self.tokens[i].kind == Lexeme::Char('/'))?;
+        let slash = self.slash_ahead(start + length)?;
         mark(&self.tokens[slash + 1..])?;
+        // What is differentiated ends at the slash; nothing behind it is looked at twice.
         let mut probe = self.clone();
+        probe.tokens = &self.tokens[..slash];
         probe.at += length;
         let (more, order) = order(&probe.tokens[probe.at..])?;
         probe.at += more;
@@ -291,6 +296,21 @@ impl<'t, 'a> Parser<'t, 'a> {
             variables,
             start,
         ))
+    }
+
+    /// The next slash outside brackets, if it is near.
+    fn slash_ahead(&self, from: usize) -> Option<usize> {
+        let mut depth = 0;
+        for (i, token) in self.tokens.iter().enumerate().skip(from).take(40) {
+            if depth == 0 && token.kind == Lexeme::Char('/') {
+                return Some(i);
+            }
+            depth += super::nesting(token);
+            if depth < 0 {
+                return None;
+            }
+        }
+        None
     }
 
     /// `\dv{L}{t}`, `\dv{t}(…)`, `\pdv{F}{x}`, `\dv[2]{r}{t}`.

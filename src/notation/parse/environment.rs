@@ -29,12 +29,21 @@ impl<'t, 'a> Parser<'t, 'a> {
         self.scripts(node, start)
     }
 
+    fn zero(&self) -> Node {
+        Node {
+            kind: Kind::Number(super::product::read_number("0")),
+            span: self.here(),
+        }
+    }
+
     fn spanning(&self, message: &str, start: usize) -> Node {
         self.node(Kind::Error(message.to_owned()), start)
     }
 
     /// The cells of a matrix; all rows are of one length.
     fn cells(&self, inside: &'t [Token<'a>]) -> Result<Vec<Vec<Node>>, Node> {
+        // What is left blank in a matrix of several columns is zero.
+        let blank = |cell: &[Token<'_>]| cell.iter().all(|t| matches!(t.kind, Lexeme::Space(_)));
         let mut rows: Vec<&'t [Token<'a>]> = split_outside(inside, |t| t.kind == Lexeme::Row);
         if rows.last().is_some_and(|row| row.is_empty()) {
             rows.pop();
@@ -43,10 +52,15 @@ impl<'t, 'a> Parser<'t, 'a> {
             .into_iter()
             .map(|row| {
                 let cells = split_outside(row, |t| t.kind == Lexeme::Ampersand);
-                cells
-                    .into_iter()
-                    .map(|cell| self.inside(cell).whole())
-                    .collect()
+                let several = cells.len() > 1;
+                let read = |cell: &'t [Token<'a>]| {
+                    let inside = self.inside(cell);
+                    match several && blank(cell) {
+                        true => inside.zero(),
+                        false => inside.whole(),
+                    }
+                };
+                cells.into_iter().map(read).collect()
             })
             .collect();
         let width = cells.first().map_or(0, Vec::len);

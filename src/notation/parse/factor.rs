@@ -72,8 +72,18 @@ impl<'a> Parser<'_, 'a> {
     pub(super) fn factor(&mut self) -> Node {
         self.skip_spaces();
         if self.depth > DEEPEST {
-            return self.error("brackets nested too deeply");
+            // Nothing behind it is tried again at every level above.
+            let node = self.error("brackets nested too deeply");
+            self.at = self.tokens.len();
+            return node;
         }
+        self.depth += 1;
+        let node = self.bare_factor();
+        self.depth -= 1;
+        node
+    }
+
+    fn bare_factor(&mut self) -> Node {
         if let Some(node) = self.slashed_derivative() {
             return node;
         }
@@ -97,6 +107,10 @@ impl<'a> Parser<'_, 'a> {
             }
             Some(Lexeme::Char('|' | '‖') | Lexeme::LeftBar) => self.norm(start),
             Some(Lexeme::Begin(name)) => self.environment(name, start),
+            Some(Lexeme::Text(text)) if super::function::named(text.trim()).is_some() => {
+                self.at += 1;
+                self.function(text.trim(), start)
+            }
             Some(Lexeme::Text(text)) => {
                 self.at += 1;
                 let constant = super::text::is_constant(text);
@@ -152,7 +166,9 @@ impl<'a> Parser<'_, 'a> {
     /// `^{N}\omega`: what is written before a letter belongs to it.
     fn prescripted(&mut self, start: usize) -> Node {
         let mut labels = vec![];
-        while matches!(self.peek(), Some(Lexeme::Superscript | Lexeme::Subscript)) {
+        while matches!(self.peek(), Some(Lexeme::Superscript | Lexeme::Subscript))
+            && labels.len() < 8
+        {
             self.at += 1;
             labels.push(self.frame_label());
         }
@@ -266,8 +282,8 @@ impl<'a> Parser<'_, 'a> {
     /// `\Delta t`: a change of what follows.
     fn variation(&mut self, start: usize) -> Node {
         let mut node = self.factor();
-        if let Some(symbol) = super::script::symbol_of(&mut node) {
-            symbol.variation = true;
+        if !super::integral::mark_letter(&mut node, |symbol| symbol.variation = true) {
+            return self.error("a change of this is not read");
         }
         node.span = self.since(start);
         node

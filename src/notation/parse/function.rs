@@ -1,8 +1,8 @@
 //! Functions with names of their own, roots, and how far an argument without brackets reaches.
 
 use super::Parser;
-use crate::notation::ast::{Factor, Function, Kind, Node, Operator};
-use crate::notation::token::Lexeme;
+use crate::notation::ast::{Factor, Function, Kind, Node, Operator, Symbol};
+use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 use num_traits::One;
 
@@ -80,7 +80,10 @@ impl Parser<'_, '_> {
     /// `\sqrt{x}`.
     pub(super) fn root(&mut self, start: usize) -> Node {
         if self.peek() == Some(Lexeme::Char('[')) {
-            return self.error("only square roots are read");
+            let node = self.error("only square roots are read");
+            self.at = self.bracket_inside().map_or(self.at + 1, |(_, to)| to + 1);
+            let _ = self.argument();
+            return node;
         }
         let argument = match self.peek() {
             Some(Lexeme::Char('(')) => ungrouped(self.factor()),
@@ -161,27 +164,33 @@ impl Parser<'_, '_> {
 
     /// A letter before a bracket is called only with something in the time: `\cos\theta(a+b)` is a product.
     fn argument_factor(&mut self) -> Node {
-        let at = self.at;
-        let node = self.factor();
-        match node.kind {
-            Kind::Call(head, _) if is_angle(&head) && !self.ends_with_time(at) => {
-                self.at = at;
-                while self.peek() != Some(Lexeme::Char('(')) {
-                    self.at += 1;
-                }
-                *head
+        let start = self.at;
+        let angle = match self.peek() {
+            Some(Lexeme::Command(name)) => {
+                super::letter::greek(name).filter(|n| ANGLES.contains(n))
             }
-            kind => Node {
-                kind,
-                span: node.span,
-            },
+            _ => None,
+        };
+        let Some(angle) = angle else {
+            return self.factor();
+        };
+        self.at += 1;
+        let symbol = Symbol {
+            name: angle.to_owned(),
+            ..Symbol::default()
+        };
+        let node = self.node(Kind::Symbol(symbol), start);
+        let node = self.scripts(node, start);
+        let in_time = self.peek() == Some(Lexeme::Char('('))
+            && self.bracket_inside().is_some_and(|(from, to)| {
+                let time = |t: &Token<'_>| t.kind == Lexeme::Letter('t');
+                self.tokens[from..to].iter().any(time)
+            });
+        if in_time {
+            self.call(node, start)
+        } else {
+            node
         }
-    }
-
-    fn ends_with_time(&self, from: usize) -> bool {
-        self.tokens[from..self.at]
-            .iter()
-            .any(|t| t.kind == Lexeme::Letter('t'))
     }
 
     /// `\sin\theta/2` is the sine of a half, `\sin\theta/\cos\theta` and `\sin\theta/I` are quotients.
@@ -244,10 +253,7 @@ impl Parser<'_, '_> {
     }
 }
 
-fn is_angle(head: &Node) -> bool {
-    let angles = ["theta", "phi", "psi", "alpha", "beta", "gamma"];
-    matches!(&head.kind, Kind::Symbol(s) if angles.contains(&s.name.as_str()))
-}
+const ANGLES: &[&str] = &["theta", "phi", "psi", "alpha", "beta", "gamma"];
 
 fn ungrouped(node: Node) -> Node {
     match node.kind {

@@ -13,6 +13,7 @@ pub(super) fn ungrouped<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
     for i in 0..tokens.len() {
         scan.token(i);
     }
+    scan.join_rows();
     let mut out = Vec::with_capacity(tokens.len());
     let mut i = 0;
     while i < tokens.len() {
@@ -128,6 +129,29 @@ impl<'t, 'a> Scan<'t, 'a> {
         }
     }
 
+    /// `\left( a \right. \\ \left. + b \right)` is one bracket over two rows.
+    fn join_rows(&mut self) {
+        let idle = |t: &Token<'_>| {
+            matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand) || is_sign(t.kind)
+        };
+        let mut closed = None;
+        let mut row = false;
+        for (i, token) in self.tokens.iter().enumerate() {
+            match token.kind {
+                Lexeme::RightNull => (closed, row) = (Some(i), false),
+                Lexeme::Row if closed.is_some() => row = true,
+                Lexeme::LeftNull if row => {
+                    if let Some(closed) = closed.take() {
+                        self.dropped[closed] = true;
+                        self.dropped[i] = true;
+                    }
+                }
+                _ if idle(token) => {}
+                _ => closed = None,
+            }
+        }
+    }
+
     /// A sign of relation shows that the braces around it hold a line.
     fn relation(&mut self, kind: Lexeme<'_>) {
         let relates = match kind {
@@ -160,7 +184,7 @@ fn is_function(tokens: &[Token<'_>]) -> bool {
     }
 }
 
-fn is_sign(kind: Lexeme<'_>) -> bool {
+pub(super) fn is_sign(kind: Lexeme<'_>) -> bool {
     match kind {
         Lexeme::Char('+' | '-' | '=' | '<' | '>' | ':') => true,
         Lexeme::Command(name) => is_operator(name),

@@ -117,7 +117,7 @@ impl Parser<'_, '_> {
             return self.symbol("Sigma".into(), start);
         }
         let mut node = self.factor();
-        mark_resultant(&mut node);
+        mark_letter(&mut node, |symbol| symbol.resultant = true);
         node.span = self.since(start);
         node
     }
@@ -154,15 +154,21 @@ impl Parser<'_, '_> {
     }
 }
 
-fn mark_resultant(node: &mut Node) {
+/// Marks the letter that a sign before a factor belongs to: in `\delta\omega^2` and `\sum\dot L(t)` that is the first.
+/// Whether there is one.
+pub(super) fn mark_letter(node: &mut Node, mark: impl FnOnce(&mut Symbol)) -> bool {
     match &mut node.kind {
-        Kind::Symbol(symbol) => symbol.resultant = true,
+        Kind::Symbol(symbol) => {
+            mark(symbol);
+            true
+        }
         Kind::TimeDerivative { operand: a, .. }
         | Kind::Call(a, _)
         | Kind::InFrame(a, _)
         | Kind::Group(_, a)
         | Kind::Power(a, _)
-        | Kind::Transpose(a) => mark_resultant(a),
-        _ => {}
+        | Kind::Skew(a)
+        | Kind::Transpose(a) => mark_letter(a, mark),
+        _ => false,
     }
 }

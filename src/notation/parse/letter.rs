@@ -165,7 +165,7 @@ pub(super) fn dotted(operand: Node, more: u8) -> Node {
             order,
             style: DerivativeStyle::Dots,
             frame: None,
-        } => (operand, order + more),
+        } => (operand, order.saturating_add(more)),
         kind => (Box::new(Node { kind, span }), more),
     };
     Node {

@@ -95,7 +95,7 @@ fn is_operand(text: &str, before: Option<Lexeme<'_>>) -> bool {
         Some(Lexeme::Char('=' | '+' | '-' | '/' | '*')) => true,
         Some(Lexeme::Command(name)) if super::factor::is_operator(name) => true,
         Some(Lexeme::Number(_)) if is_unit(text) => true,
-        _ => super::text::is_symbol(text),
+        _ => super::text::is_symbol(text) || super::function::named(text.trim()).is_some(),
     }
 }
 
@@ -135,7 +135,7 @@ fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
     Some(format!("({label})"))
 }
 
-fn is_script(kind: Lexeme<'_>) -> bool {
+pub(super) fn is_script(kind: Lexeme<'_>) -> bool {
     matches!(kind, Lexeme::Subscript | Lexeme::Superscript)
 }
 
@@ -194,6 +194,8 @@ pub(super) fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
 
 /// `\stackrel{\text{def}}{=}` defines; any other word above an equals sign is a remark on it.
 fn stacked(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
+    // Both are short; no more is looked at for each of them.
+    let tokens = &tokens[..tokens.len().min(40)];
     let group = |from: usize| match tokens.get(from)?.kind {
         Lexeme::Open => Some((from + 1, super::closing(tokens, from))),
         _ => Some((from, from + 1)),
@@ -202,7 +204,16 @@ fn stacked(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
     let above = super::text::plain(tokens.get(from..to)?);
     let next = to + usize::from(tokens.get(to).is_some_and(|t| t.kind == Lexeme::Close));
     let (from, to) = group(next)?;
-    let (inner, _) = relation(tokens.get(from..to)?)?;
+    let base = tokens
+        .get(from..to)
+        .filter(|_| to < tokens.len() || to == from + 1)?;
+    if matches!(
+        base.first()?.kind,
+        Lexeme::Command("stackrel" | "overset" | "underset")
+    ) {
+        return None;
+    }
+    let (inner, _) = relation(base)?;
     let length = to + usize::from(tokens.get(to).is_some_and(|t| t.kind == Lexeme::Close));
     let defines = matches!(above.as_str(), "def" | "def." | "Delta" | "△" | "triangle");
     Some((if defines { Relation::Defined } else { inner }, length))

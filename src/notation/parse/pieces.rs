@@ -1,6 +1,7 @@
 //! A formula in pieces: environments of lines are gone into, and rows, gaps, commas and arrows part it.
 
-use super::line::{relations, trimmed};
+use super::group::is_sign;
+use super::line::{is_script, relation, relations, trimmed};
 use super::{closing, nesting};
 use crate::notation::token::{Lexeme, Token};
 
@@ -62,6 +63,7 @@ pub(super) fn pieces<'a>(tokens: &[Token<'a>]) -> Vec<Piece<'a>> {
     let mut splitter = Splitter {
         pieces: vec![],
         current: vec![],
+        related: false,
         before: Break::Row,
     };
     splitter.split(tokens, "", 0);
@@ -72,12 +74,15 @@ pub(super) fn pieces<'a>(tokens: &[Token<'a>]) -> Vec<Piece<'a>> {
 struct Splitter<'a> {
     pieces: Vec<Piece<'a>>,
     current: Vec<Token<'a>>,
+    /// Whether a sign of relation stands in `current`.
+    related: bool,
     before: Break,
 }
 
 impl<'a> Splitter<'a> {
     fn flush(&mut self, next: Break) {
         let tokens = std::mem::take(&mut self.current);
+        self.related = false;
         if !trimmed(&tokens).is_empty() {
             self.pieces.push(Piece {
                 before: self.before,
@@ -89,7 +94,29 @@ impl<'a> Splitter<'a> {
         }
     }
 
+    fn relates(&self, token: &Token<'a>) -> bool {
+        let script = self.current.last().is_some_and(|t| is_script(t.kind));
+        !script && relation(std::slice::from_ref(token)).is_some()
+    }
+
+    /// Whether a line is complete so far, so that a `&` behind it parts it from the next.
+    fn holds_line(&self) -> bool {
+        let spaces = |t: &&Token<'a>| matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand);
+        let last = self.current.iter().rev().find(|t| !spaces(t));
+        self.related && last.is_some_and(|t| !is_sign(t.kind))
+    }
+
+    /// Whether the cell behind a `&` begins with a sign of relation.
+    fn relation_follows(tokens: &[Token<'a>]) -> bool {
+        let next = tokens
+            .iter()
+            .find(|t| !matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand));
+        next.is_some_and(|t| relation(std::slice::from_ref(t)).is_some())
+    }
+
     fn split(&mut self, tokens: &[Token<'a>], environment: &str, level: u32) {
+        let balanced = tokens.iter().map(nesting).sum::<i32>() == 0;
+        let mut environments = 0;
         let mut depth = 0;
         let mut ampersands = 0;
         let mut i = 0;
@@ -108,14 +135,27 @@ impl<'a> Splitter<'a> {
             depth = (depth + nesting(&token)).max(0);
             i += 1;
             match token.kind {
+                Lexeme::Begin(_) => environments += 1,
+                Lexeme::End(_) => environments -= 1,
+                _ => {}
+            }
+            match token.kind {
+                // A bracket may reach over the end of a row, but one that is never closed must not.
+                Lexeme::Row if !outside && environments == 0 && !balanced => {
+                    (depth, ampersands) = (0, 0);
+                    self.flush(Break::Row);
+                }
+                Lexeme::Row | Lexeme::Ampersand if !outside && environments == 0 => {}
                 Lexeme::Row if outside => {
                     ampersands = 0;
                     self.flush(Break::Row);
                 }
                 Lexeme::Ampersand if outside => {
                     ampersands += 1;
-                    if ampersands % 2 == 0 && COLUMNS.contains(&environment)
+                    let column = ampersands % 2 == 0 && COLUMNS.contains(&environment);
+                    if (column && !Self::relation_follows(&tokens[i..]))
                         || (ampersands == 1 && environment == "cases")
+                        || self.holds_line()
                     {
                         self.flush(Break::Gap);
                     }
@@ -133,7 +173,10 @@ impl<'a> Splitter<'a> {
                     self.flush(Break::Gap);
                     self.current.push(token);
                 }
-                _ => self.current.push(token),
+                _ => {
+                    self.related |= outside && self.relates(&token);
+                    self.current.push(token);
+                }
             }
         }
     }
@@ -176,7 +219,8 @@ impl<'a> Splitter<'a> {
         };
         let end = closing(tokens, begin);
         let inside = tokens.get(begin + 1..end)?;
-        let listed = LISTS.contains(&name) || (name == "array" && holds_relation(inside));
+        let listed =
+            LISTS.contains(&name) || (matches!(name, "array" | "matrix") && holds_relation(inside));
         let valued = matches!(name, "cases" | "dcases" | "rcases" | "array") && is_valued(inside);
         if !listed || valued {
             return None;

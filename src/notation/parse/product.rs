@@ -23,8 +23,10 @@ impl Parser<'_, '_> {
         };
         loop {
             self.skip_spaces();
+            let before = self.at;
             let node = self.signed_factor(operator, &factors);
-            let broken = matches!(node.kind, Kind::Error(_));
+            // Where something was read, the rest can be too.
+            let broken = matches!(node.kind, Kind::Error(_)) && self.at == before;
             factors.push(Factor {
                 operator,
                 sign,
@@ -94,7 +96,9 @@ impl Parser<'_, '_> {
                 | Lexeme::LeftNull
                 | Lexeme::Begin(_),
             ) => true,
-            Some(Lexeme::Text(text)) => super::text::is_symbol(text),
+            Some(Lexeme::Text(text)) => {
+                super::text::is_symbol(text) || super::function::named(text.trim()).is_some()
+            }
             _ => false,
         }
     }
@@ -109,7 +113,11 @@ impl Parser<'_, '_> {
 
     /// `a/b`: the factor before the slash over what is written close behind it.
     fn slashes(&mut self, factors: &mut Vec<Factor>) {
-        while self.take(Lexeme::Char('/')) {
+        // Each slash is a level of the tree.
+        for _ in 0..16 {
+            if !self.take(Lexeme::Char('/')) {
+                return;
+            }
             let Some(last) = factors.pop() else { return };
             self.skip_spaces();
             let below = self.denominator(matches!(last.node.kind, Kind::Number(_)));

@@ -166,7 +166,7 @@ pub(crate) fn first_error(row: &Row) -> Option<(String, Span)> {
     }
 }
 
-fn error_in(node: &crate::notation::ast::Node) -> Option<(String, Span)> {
+pub(super) fn error_in(node: &crate::notation::ast::Node) -> Option<(String, Span)> {
     match &node.kind {
         Kind::Error(message) => Some((message.clone(), node.span)),
         _ => node.children().into_iter().find_map(error_in),

@@ -10,6 +10,10 @@ impl<'t, 'a> Parser<'t, 'a> {
         // A bound keeps a chain of scripts from nesting the tree without end.
         for _ in 0..16 {
             match self.peek() {
+                Some(Lexeme::Subscript | Lexeme::Superscript) if self.script_is_empty() => {
+                    self.at += 1;
+                    return self.error("an index or a power without anything in it");
+                }
                 Some(Lexeme::Subscript) => {
                     self.at += 1;
                     let tokens = self.argument();
@@ -31,6 +35,14 @@ impl<'t, 'a> Parser<'t, 'a> {
             node.span = self.since(start);
         }
         node
+    }
+
+    fn script_is_empty(&self) -> bool {
+        match self.peek_at(1) {
+            None | Some(Lexeme::Subscript | Lexeme::Superscript | Lexeme::Close) => true,
+            Some(Lexeme::Char(c)) => matches!(c, '=' | '<' | '>' | ')' | ']' | '}' | ','),
+            _ => false,
+        }
     }
 
     /// The argument of a script as a label of a frame.

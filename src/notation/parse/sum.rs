@@ -23,6 +23,7 @@ impl Parser<'_, '_> {
             if sign.is_none() && !terms.is_empty() {
                 break;
             }
+            let before = self.at;
             let mut node = self.product();
             if sign == Some(Sign::Either) {
                 node = Node {
@@ -30,7 +31,7 @@ impl Parser<'_, '_> {
                     kind: Kind::PlusMinus(Box::new(node)),
                 };
             }
-            let broken = matches!(node.kind, Kind::Error(_));
+            let broken = matches!(node.kind, Kind::Error(_)) && self.at == before;
             terms.push(Term {
                 negative: sign == Some(Sign::Minus),
                 sign: span,
