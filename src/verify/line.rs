@@ -110,7 +110,7 @@ impl Checker<'_> {
         self.note_scalars(&sides);
         let settled = self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)
-            || self.works_out(&sides, role, finding);
+            || role != Role::Assume && self.works_out(&sides, role, finding);
         if !settled {
             match role {
                 Role::Claim => self.claim(&sides, finding),
