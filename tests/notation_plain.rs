@@ -31,49 +31,49 @@ fn names_of_programs_are_symbols_with_indices_and_dots() {
     each_reads(&[
         (
             "M_x = I_xx*wdot_x - (I_yy - I_zz)*w_y*w_z",
-            "M_x = (+ (* I_xx (dot omega_x)) (- (* (group (+ I_yy (- I_zz))) omega_y omega_z)))",
+            "M_x = (+ (* I_xx (dot w_x)) (- (* (group (+ I_yy (- I_zz))) w_y w_z)))",
         ),
         (
             "Mz = Izz wzdot - (Ixx - Iyy) wx wy",
-            "M_z = (+ (* I_zz (dot omega_z)) (- (* (group (+ I_xx (- I_yy))) omega_x omega_y)))",
+            "M_z = (+ (* I_zz (dot w_z)) (- (* (group (+ I_xx (- I_yy))) w_x w_y)))",
         ),
         (
             "hxdot = Ixx*pdot - Ixz*rdot",
             "(dot h_x) = (+ (* I_xx (dot p)) (- (* I_xz (dot r))))",
         ),
-        ("I1*w1dot = 0", "(* I_1 (dot omega_1)) = 0"),
-        ("w_x_dot = 0", "(dot omega_x) = 0"),
-        ("wx_dot = 0", "(dot omega_x) = 0"),
+        ("I1*w1dot = 0", "(* I_1 (dot w_1)) = 0"),
+        ("w_x_dot = 0", "(dot w_x) = 0"),
+        ("wx_dot = 0", "(dot w_x) = 0"),
         ("omega_dot_x = 0", "(dot omega_x) = 0"),
         ("omega_x_ddot = 0", "(ddot omega_x) = 0"),
         ("thetaddot = 0", "(ddot theta) = 0"),
         ("L_G = I_G omega", "L_G = (* I_G omega)"),
         ("pq = qr", "(* p q) = (* q r)"),
         ("torque = I alpha", "up:torque = (* I alpha)"),
-        ("M_x = 0 => w_x = const", "M_x = 0\nomega_x = up:const"),
+        ("M_x = 0 => w_x = const", "M_x = 0\nw_x = up:const"),
     ]);
 }
 
 #[test]
 fn signs_of_programs_and_of_unicode_are_operators() {
     each_reads(&[
-        ("T = 0.5*I*w**2", "T = (* 1/2:1 I (^ omega 2))"),
+        ("T = 0.5*I*w**2", "T = (* 1/2:1 I (^ w 2))"),
         ("f = a^(2n)", "f = (^ a (* 2 n))"),
         ("f = e^(-k t)", "f = (exp (- (* k t)))"),
         (
             "dL/dt = (dL/dt)_body + w x L",
-            "(d/dt L) = (+ (d/dt@body L) (* omega × L))",
+            "(d/dt L) = (+ (d/dt@body L) (* w × L))",
         ),
         (
             "M = I*alpha + w x (I*w)",
-            "M = (+ (* I alpha) (* omega × (group (* I omega))))",
+            "M = (+ (* I alpha) (* w × (group (* I w))))",
         ),
         (
             "M = cross(w, I w)",
-            "M = (group (* (group omega) × (group (* I omega))))",
+            "M = (group (* (group w) × (group (* I w))))",
         ),
-        ("T = 1/2 w.L", "T = (* (/ 1 2) omega · L)"),
-        ("L = I @ w", "L = (* I omega)"),
+        ("T = 1/2 w.L", "T = (* (/ 1 2) w · L)"),
+        ("L = I @ w", "L = (* I w)"),
         ("I_xy = ∫ x y dm", "I_xy = (int (* x y) m)"),
         ("m x y = 0", "(* m x y) = 0"),
         ("I_xx = 2.5e-3 kg m^2", "I_xx = (unit 1/400:1 \"kg m^2\")"),
@@ -150,7 +150,7 @@ fn a_formula_may_run_over_lines_and_carry_a_label() {
         [
             (
                 1,
-                "M_x = (+ (* I_xx (dot omega_x)) (- (* (group (+ I_yy (- I_zz))) omega_y omega_z))) \
+                "M_x = (+ (* I_xx (dot w_x)) (- (* (group (+ I_yy (- I_zz))) w_y w_z))) \
                  #(4a)"
                     .to_owned()
             ),
@@ -158,7 +158,7 @@ fn a_formula_may_run_over_lines_and_carry_a_label() {
             (5, "= c #(5)".to_owned()),
             (6, "T = 0".to_owned()),
             (7, "H = 0".to_owned()),
-            (8, "omega_x = 0".to_owned()),
+            (8, "w_x = 0".to_owned()),
         ]
     );
 }

@@ -5,7 +5,7 @@ use crate::scene::{Course, Member, Way, plan};
 use nalgebra::Vector3;
 
 /// Rounding errors of a state that is computed once, in units of the last place.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Bound of a step of the companion run, against which the run itself counts as exact.
 const LOOSE: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
