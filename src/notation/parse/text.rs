@@ -186,7 +186,7 @@ impl Parser<'_, '_> {
                 }
                 text
             }
-            Some(Lexeme::Command("mathrm" | "rm" | "si" | "unit" | "mathsf")) => {
+            Some(Lexeme::Command("mathrm" | "rm" | "si" | "unit")) => {
                 self.at += 1;
                 let mut text = unit_text(self.argument());
                 if !is_unit(&text) {
@@ -218,7 +218,7 @@ impl Parser<'_, '_> {
         probe.skip_spaces();
         let slash = probe.take(Lexeme::Char('/')) || probe.take(Lexeme::Command("cdot"));
         let text = match probe.peek()? {
-            Lexeme::Command("mathrm" | "rm" | "mathsf") => {
+            Lexeme::Command("mathrm" | "rm") => {
                 probe.at += 1;
                 unit_text(probe.argument())
             }
