@@ -49,6 +49,7 @@ mod prose;
 mod quantity;
 mod rate;
 mod reading;
+mod reason;
 mod repair;
 mod role;
 mod shown;

@@ -257,13 +257,11 @@ impl<'a> Checker<'a> {
 
     fn formula(&mut self, formula: &Formula) {
         self.displayed = formula.display;
+        self.asserted = asserts(&self.sentence);
+        let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {
             match row {
-                Row::Line(line) => {
-                    let role = self.mark.unwrap_or_else(|| self.role(formula.display));
-                    self.asserted = asserts(&self.sentence);
-                    self.line(line, role);
-                }
+                Row::Line(line) => self.line(line, role),
                 Row::Expression(node) => self.expression(node),
                 Row::Unreadable {
                     message,

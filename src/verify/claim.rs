@@ -128,12 +128,7 @@ impl Checker<'_> {
 
     /// The first component that is not zero, in the author's symbols.
     pub(super) fn residual(&mut self, read: &Read) -> Option<String> {
-        let entries = read
-            .equations
-            .iter()
-            .flat_map(|e| e.residual.entries.clone())
-            .collect::<Vec<_>>();
-        entries.iter().find_map(|entry| {
+        read.residuals().find_map(|entry| {
             let reduced = self.theory.normal(entry);
             let entry = &self.theory.kernels_reduced(entry.clone());
             let shown = if entry.numerator().len() <= reduced.numerator().len() {

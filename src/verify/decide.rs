@@ -9,6 +9,7 @@ use crate::verify::certify::certify;
 use crate::verify::figures::is_pi;
 use crate::verify::law::inertia;
 use crate::verify::names::latex;
+use crate::verify::reason;
 use crate::verify::theory::{Name, Theory};
 use crate::verify::value::Value;
 use crate::verify::verdict::Counterexample;
@@ -78,8 +79,8 @@ pub(super) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
         Some(proof) => Decision::True(proof),
         None => Decision::Open(
             match std::mem::take(&mut theory.exhausted) {
-                true => "budget: equal in every trial, and the proof grew beyond the terms allowed",
-                false => "equal in every trial, and no proof was found",
+                true => reason::BUDGET,
+                false => reason::NO_PROOF,
             }
             .to_owned(),
         ),

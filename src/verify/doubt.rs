@@ -7,6 +7,7 @@ use crate::verify::check::Checker;
 use crate::verify::line::Read;
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::reason::leaves_no_doubt;
 use crate::verify::symbol::Meaning;
 use crate::verify::usage::{Letter, inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -34,17 +35,7 @@ impl Checker<'_> {
     /// Notes what a line that was left open leaves in doubt.
     pub(super) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
         let open = match finding.verdict {
-            Verdict::Undecided => finding.reason.as_deref().is_none_or(|reason| {
-                ![
-                    "taken as given",
-                    "this relation",
-                    "an integral",
-                    "budget",
-                    "equal in every trial",
-                ]
-                .iter()
-                .any(|known| reason.starts_with(known))
-            }),
+            Verdict::Undecided => !finding.reason.as_deref().is_some_and(leaves_no_doubt),
             Verdict::Unreadable => true,
             _ => false,
         };
@@ -80,12 +71,8 @@ impl Checker<'_> {
         if let Some(name) = self.untied(read) {
             return Some(format!("nothing before ties `{name}` to the motion"));
         }
-        let entries = read
-            .equations
-            .iter()
-            .flat_map(|e| e.residual.entries.clone());
-        for entry in entries.collect::<Vec<_>>() {
-            for variable in self.theory.normal(&entry).variables() {
+        for entry in read.residuals() {
+            for variable in self.theory.normal(entry).variables() {
                 for entity in self
                     .with_arguments(variable)
                     .iter()
@@ -111,12 +98,7 @@ impl Checker<'_> {
         let mut loose = None;
         let mut mechanical = false;
         let tied = self.tied();
-        let entries: Vec<Fraction> = read
-            .equations
-            .iter()
-            .flat_map(|e| e.residual.entries.clone())
-            .collect();
-        for entry in &entries {
+        for entry in read.residuals() {
             for variable in self.theory.normal(entry).variables() {
                 for variable in self.with_arguments(variable) {
                     let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
@@ -146,10 +128,15 @@ impl Checker<'_> {
             }
         }
         // The law of a force speaks of a particle; how it makes a moment is not known here.
-        let of = |q: Quantity| {
-            entries.iter().any(|entry| entry.variables().into_iter().any(|v| {
-            self.entity_of(v).is_some_and(|e| matches!(&self.theory.atoms.info(Entity(e)).owner, Owner::Quantity(x, _) if *x == q))
-        }))
+        let owned = |v: u32, quantity: Quantity| {
+            self.entity_of(v).is_some_and(|entity| {
+                let owner = &self.theory.atoms.info(Entity(entity)).owner;
+                matches!(owner, Owner::Quantity(found, _) if *found == quantity)
+            })
+        };
+        let of = |quantity: Quantity| {
+            let mut variables = read.residuals().flat_map(Fraction::variables);
+            variables.any(|v| owned(v, quantity))
         };
         if of(Quantity::Force) && of(Quantity::Moment) {
             return Some("the force".to_owned());

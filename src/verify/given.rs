@@ -6,6 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
+use crate::verify::reason;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -78,11 +79,7 @@ impl Checker<'_> {
             ),
             _ => false,
         };
-        let residuals = read
-            .equations
-            .iter()
-            .flat_map(|e| e.residual.entries.clone());
-        residuals.collect::<Vec<_>>().iter().all(|entry| {
+        read.residuals().all(|entry| {
             let variables = self.theory.normal(entry).variables();
             variables.len() <= 2 && variables.into_iter().all(|v| wheels(self, v))
         })
@@ -134,7 +131,7 @@ impl Checker<'_> {
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
         if self.asserted && !sides.iter().all(lone) {
             finding.verdict = Verdict::Undecided;
-            finding.reason = Some("taken as given below: nothing here determines it".to_owned());
+            finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
         } else {
             finding.role = Role::Given;
             finding.remarks.push("taken as given".to_owned());

@@ -5,6 +5,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::atoms::variable_fraction;
 use crate::verify::law::inertia;
 use crate::verify::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
+use crate::verify::reason;
 use crate::verify::value::Value;
 use num_traits::Zero;
 
@@ -14,10 +15,10 @@ impl Lowering<'_> {
         let unsupported = |message: &str| trouble(TroubleKind::Unsupported, node.span, message);
         let over = match &variable.kind {
             Kind::Symbol(symbol) => symbol.name.clone(),
-            _ => return Err(unsupported("an integral is not evaluated")),
+            _ => return Err(unsupported(reason::INTEGRAL)),
         };
         if !matches!(over.as_str(), "m" | "V") {
-            return Err(unsupported("an integral is not evaluated"));
+            return Err(unsupported(reason::INTEGRAL));
         }
         let mut coordinates = vec![];
         for name in ["x", "y", "z"] {
@@ -33,7 +34,7 @@ impl Lowering<'_> {
             .iter()
             .map(|entry| self.moment_of(entry, &coordinates));
         let entries: Option<Vec<Fraction>> = entries.collect();
-        let entries = entries.ok_or_else(|| unsupported("an integral is not evaluated"))?;
+        let entries = entries.ok_or_else(|| unsupported(reason::INTEGRAL))?;
         let columns = value.columns;
         Ok(Value::from_fn(value.rows, columns, |r, c| {
             entries[r * columns + c].clone()

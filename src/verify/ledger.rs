@@ -12,13 +12,10 @@ use crate::verify::attitude_law::UNIT;
 use crate::verify::certify::Elimination;
 use crate::verify::figures::is_pi;
 use crate::verify::law::has_own_rate;
-use crate::verify::theory::{MOMENTARY, Theory};
+use crate::verify::theory::{HIGHEST_ORDER, MOMENTARY, Theory};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
-
-/// The highest order of a rate that a fact is differentiated for.
-const HIGHEST_ORDER: u8 = 6;
 
 /// d·v − n, as a fact.
 #[derive(Clone, Debug)]

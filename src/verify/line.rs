@@ -1,5 +1,6 @@
 //! One line: its equations, and its verdict by its role.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Relation, Symbol};
 use crate::source::Span;
 use crate::verify::atoms::Owner;
@@ -7,18 +8,27 @@ use crate::verify::check::Checker;
 use crate::verify::decide::Equation;
 use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
-use crate::verify::quantity::Quantity;
+use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::reason;
 use crate::verify::spatial::all_in_space;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{Letter, axes, axis, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
 
 /// The equations of a line, read with one meaning of the dots that carry no frame.
 pub(super) struct Read {
     pub(super) equations: Vec<Equation>,
     pub(super) unlabelled: Frame,
     pub(super) ambiguous: bool,
+}
+
+impl Read {
+    /// What must vanish, entry by entry.
+    pub(super) fn residuals(&self) -> impl Iterator<Item = &Fraction> {
+        self.equations.iter().flat_map(|e| &e.residual.entries)
+    }
 }
 
 impl Checker<'_> {
@@ -84,7 +94,7 @@ impl Checker<'_> {
                 Relation::Equal | Relation::Defined | Relation::Approximate
             )
         }) {
-            finding.reason = Some("this relation is not decided".to_owned());
+            finding.reason = Some(reason::RELATION.to_owned());
             finding.place = *place;
             return;
         }
@@ -128,18 +138,26 @@ impl Checker<'_> {
         // A symbol that is defined here takes any shape.
         let new = sides.first().and_then(|side| self.new_symbol(side));
         let sides = if new.is_some() { &sides[1..] } else { sides };
-        let tried = self.read(sides, Frame::Moving);
-        if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
-            return;
-        }
         let index = |s: &String| axis(s).is_some() || axes(s).is_some();
         let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
-        self.reading.scalars = sides
+        let bare: BTreeSet<Letter> = sides
             .iter()
             .flat_map(symbols)
             .filter(bare)
             .map(Letter::of)
             .collect();
+        let several = |letter: &Letter| {
+            let quantity = self.reading.quantities.get(letter);
+            quantity.is_some_and(|q| q.shape() != Shape::Scalar)
+        };
+        if !bare.iter().any(several) {
+            return;
+        }
+        let tried = self.read(sides, Frame::Moving);
+        if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
+            return;
+        }
+        self.reading.scalars = bare;
         if self.read(sides, Frame::Moving).is_err() {
             self.reading.scalars.clear();
         }

@@ -9,6 +9,7 @@ use crate::verify::frame::Frame;
 use crate::verify::law::inertia;
 use crate::verify::quantity::Shape;
 use crate::verify::reading::Reading;
+use crate::verify::reason;
 use crate::verify::spatial::in_space;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
@@ -175,7 +176,7 @@ impl Lowering<'_> {
             Kind::Integral { .. } => Err(trouble(
                 TroubleKind::Unsupported,
                 node.span,
-                "an integral is not evaluated",
+                reason::INTEGRAL,
             )),
             Kind::IndexedSum { .. } => Err(trouble(
                 TroubleKind::Unsupported,

@@ -1,88 +1,82 @@
 //! What words call a quantity, and where they stand beside a letter.
 
 use crate::verify::quantity::Quantity;
+use std::sync::LazyLock;
 
-/// Phrases and what they name; the longer stand before the shorter.
-const PHRASES: &[(&str, Option<Quantity>)] = &[
-    ("moment of momentum", Some(Quantity::Momentum)),
+/// What the phrases for a quantity name; `None` keeps a phrase from being read as a shorter one in it.
+const NAMES: &[(Option<Quantity>, &[&str])] = &[
     (
-        "relative angular momentum",
         Some(Quantity::RelativeMomentum),
-    ),
-    ("relative momentum", Some(Quantity::RelativeMomentum)),
-    ("wheel momentum", Some(Quantity::RelativeMomentum)),
-    ("rotor momentum", Some(Quantity::RelativeMomentum)),
-    ("wheel angular momentum", Some(Quantity::RelativeMomentum)),
-    ("momentum of the wheel", Some(Quantity::RelativeMomentum)),
-    ("momentum of the rotor", Some(Quantity::RelativeMomentum)),
-    ("momentum of the flywheel", Some(Quantity::RelativeMomentum)),
-    ("angular momentum", Some(Quantity::Momentum)),
-    ("momentum", Some(Quantity::Momentum)),
-    ("linear momentum", Some(Quantity::LinearMomentum)),
-    ("extra momentum", Some(Quantity::RelativeMomentum)),
-    ("kinetic energy", Some(Quantity::Energy)),
-    ("rotational energy", Some(Quantity::Energy)),
-    ("energy", Some(Quantity::Energy)),
-    ("products of inertia", Some(Quantity::Inertia)),
-    ("product of inertia", Some(Quantity::Inertia)),
-    ("moments of inertia", Some(Quantity::Inertia)),
-    ("moment of inertia", Some(Quantity::Inertia)),
-    ("principal moments", Some(Quantity::Inertia)),
-    ("inertia matrix", Some(Quantity::Inertia)),
-    ("inertia tensor", Some(Quantity::Inertia)),
-    ("angular acceleration", Some(Quantity::AngularAcceleration)),
-    ("precession rate", None),
-    ("body rates", Some(Quantity::AngularVelocity)),
-    ("angular velocity of the axes", Some(Quantity::FrameRate)),
-    ("angular velocity of the frame", Some(Quantity::FrameRate)),
-    ("turns with angular velocity", Some(Quantity::FrameRate)),
-    ("turns with the angular velocity", Some(Quantity::FrameRate)),
-    ("turns with an angular velocity", Some(Quantity::FrameRate)),
-    ("turn with angular velocity", Some(Quantity::FrameRate)),
-    ("turn with the angular velocity", Some(Quantity::FrameRate)),
-    ("turn with an angular velocity", Some(Quantity::FrameRate)),
-    ("rotates with angular velocity", Some(Quantity::FrameRate)),
-    (
-        "rotates with the angular velocity",
-        Some(Quantity::FrameRate),
+        &[
+            "relative angular momentum",
+            "relative momentum",
+            "wheel momentum",
+            "rotor momentum",
+            "wheel angular momentum",
+            "momentum of the wheel",
+            "momentum of the rotor",
+            "momentum of the flywheel",
+            "extra momentum",
+        ],
     ),
     (
-        "rotates with an angular velocity",
-        Some(Quantity::FrameRate),
+        Some(Quantity::Momentum),
+        &["moment of momentum", "angular momentum", "momentum"],
     ),
-    ("rotate with angular velocity", Some(Quantity::FrameRate)),
+    (Some(Quantity::LinearMomentum), &["linear momentum"]),
     (
-        "rotate with the angular velocity",
-        Some(Quantity::FrameRate),
-    ),
-    ("rotate with an angular velocity", Some(Quantity::FrameRate)),
-    ("rotating with angular velocity", Some(Quantity::FrameRate)),
-    (
-        "rotating with the angular velocity",
-        Some(Quantity::FrameRate),
+        Some(Quantity::Energy),
+        &["kinetic energy", "rotational energy", "energy"],
     ),
     (
-        "rotating with an angular velocity",
-        Some(Quantity::FrameRate),
+        Some(Quantity::Inertia),
+        &[
+            "products of inertia",
+            "product of inertia",
+            "moments of inertia",
+            "moment of inertia",
+            "principal moments",
+            "inertia matrix",
+            "inertia tensor",
+        ],
     ),
-    ("turning with angular velocity", Some(Quantity::FrameRate)),
     (
-        "turning with the angular velocity",
-        Some(Quantity::FrameRate),
+        Some(Quantity::AngularAcceleration),
+        &["angular acceleration"],
     ),
     (
-        "turning with an angular velocity",
         Some(Quantity::FrameRate),
+        &[
+            "angular velocity of the axes",
+            "angular velocity of the frame",
+        ],
     ),
-    ("angular velocity", Some(Quantity::AngularVelocity)),
-    ("torque", Some(Quantity::Moment)),
-    ("moment", Some(Quantity::Moment)),
-    ("couple", Some(Quantity::Moment)),
-    ("force", Some(Quantity::Force)),
-    ("mass centre", None),
-    ("mass center", None),
-    ("power", Some(Quantity::Power)),
+    (
+        Some(Quantity::AngularVelocity),
+        &["body rates", "angular velocity"],
+    ),
+    (Some(Quantity::Moment), &["torque", "moment", "couple"]),
+    (Some(Quantity::Force), &["force"]),
+    (Some(Quantity::Power), &["power"]),
+    (None, &["precession rate", "mass centre", "mass center"]),
 ];
+
+/// How something is said to turn: "rotates with the angular velocity".
+const TURNING: &[&str] = &["turn", "turns", "turning", "rotate", "rotates", "rotating"];
+
+/// Phrases and what they name.
+static PHRASES: LazyLock<Vec<(String, Option<Quantity>)>> = LazyLock::new(|| {
+    let named = NAMES
+        .iter()
+        .flat_map(|(quantity, phrases)| phrases.iter().map(|p| (p.to_string(), *quantity)));
+    let turning = TURNING.iter().flat_map(|verb| {
+        ["", "the ", "an "].map(|article| {
+            let phrase = format!("{verb} with {article}angular velocity");
+            (phrase, Some(Quantity::FrameRate))
+        })
+    });
+    named.chain(turning).collect()
+});
 
 /// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
 fn is_word(text: &str, at: usize, phrase: &str) -> bool {
@@ -99,9 +93,9 @@ pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
     if lower.len() != text.len() {
         return named;
     }
-    for (phrase, quantity) in PHRASES {
+    for (phrase, quantity) in PHRASES.iter() {
         let Some(quantity) = quantity else { continue };
-        for (at, _) in lower.match_indices(phrase) {
+        for (at, _) in lower.match_indices(phrase.as_str()) {
             if !is_word(&lower, at, phrase) || !text.is_char_boundary(at + phrase.len()) {
                 continue;
             }
@@ -128,9 +122,9 @@ pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
 
 /// The quantity that the words before a formula name, where they come close to it.
 pub(super) fn said_before(text: &str) -> Option<Quantity> {
-    let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
+    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = text
-            .rmatch_indices(phrase)
+            .rmatch_indices(phrase.as_str())
             .find(|&(at, _)| is_word(text, at, phrase))?
             .0;
         Some((at + phrase.len(), phrase.len(), *quantity))
@@ -154,7 +148,7 @@ pub(super) fn apposition(text: &str, near: bool) -> Option<Quantity> {
         .unwrap_or(rest);
     let found = PHRASES
         .iter()
-        .filter(|(phrase, _)| rest.starts_with(phrase) && is_word(rest, 0, phrase));
+        .filter(|(phrase, _)| rest.starts_with(phrase.as_str()) && is_word(rest, 0, phrase));
     found.max_by_key(|(phrase, _)| phrase.len())?.1
 }
 
@@ -176,9 +170,9 @@ pub(super) fn said_after(text: &str) -> Option<Quantity> {
     ]
     .iter()
     .find_map(|lead| text.strip_prefix(lead))?;
-    let near = |(phrase, quantity): &(&str, Option<Quantity>)| {
+    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = rest
-            .match_indices(phrase)
+            .match_indices(phrase.as_str())
             .find(|&(at, _)| is_word(rest, at, phrase))?
             .0;
         (at < 30).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))

@@ -59,8 +59,8 @@ const MOST_TERMS: usize = 6_000;
 const MOST_TERMS_OF_A_RATE: usize = 400;
 /// Rules that may lead from one to the next.
 const DEEPEST: usize = 64;
-/// The highest order of a rate that a premise is differentiated for.
-const HIGHEST_ORDER: u8 = 6;
+/// The highest order of a rate that a premise or a fact is differentiated for.
+pub(super) const HIGHEST_ORDER: u8 = 6;
 
 /// Marks the component of a rule that holds at one instant, so that a rule for the rate can stand beside it.
 pub(super) const MOMENTARY: u8 = 0x80;

@@ -126,13 +126,7 @@ impl Checker<'_> {
         let text = self.document.source.slice(line.span);
         let text = edited(text, line.span.start, edits)?;
         let reads = self.reads(&text, search)?;
-        let equations = &reads.first()?.equations;
-        Some(
-            equations
-                .iter()
-                .flat_map(|e| e.residual.entries.clone())
-                .collect(),
-        )
+        Some(reads.first()?.residuals().cloned().collect())
     }
 
     fn probe<'n>(

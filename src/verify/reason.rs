@@ -1,0 +1,13 @@
+//! Why lines stay open, in words that more than one step has to know.
+
+pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here determines it";
+pub(super) const RELATION: &str = "this relation is not decided";
+pub(super) const INTEGRAL: &str = "an integral is not evaluated";
+pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
+pub(super) const BUDGET: &str =
+    "budget: equal in every trial, and the proof grew beyond the terms allowed";
+
+/// Whether a line that stays open for a reason leaves the lines after it as they are.
+pub(super) fn leaves_no_doubt(reason: &str) -> bool {
+    [TAKEN_AS_GIVEN, RELATION, INTEGRAL, NO_PROOF, BUDGET].contains(&reason)
+}
