@@ -28,6 +28,7 @@ fn every_example_runs_within_its_tolerance() {
         "heavy-top",
         "damped-satellite",
         "ensemble",
+        "robot-arm",
     ] {
         let path = format!("examples/scenes/{name}.toml");
         let output = polhode(Path::new("."), &["run", "--format", "json", &path]);

@@ -5,10 +5,11 @@ use crate::bench::{
     time_to,
 };
 use crate::cli::chart::{self, Curve, Scale};
+use crate::cli::input;
+use crate::cli::output::{self, TableForm, failed};
 use crate::cli::run::load;
-use crate::cli::{input, output};
 use anstream::ColorChoice;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use indicatif::ProgressBar;
 use serde_json::json;
 use std::fmt::Write;
@@ -33,21 +34,14 @@ pub(super) struct Options {
     #[arg(long, value_name = "SCENE")]
     scene: Option<PathBuf>,
     /// Text for people, JSON or CSV for programs
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
+    #[arg(long, value_enum, default_value_t = TableForm::Text)]
+    format: TableForm,
     /// Write to a file instead of the terminal
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
     /// Also draw a work-precision diagram (SVG) of each problem into this folder
     #[arg(long, value_name = "FOLDER")]
     diagrams: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    Text,
-    Json,
-    Csv,
 }
 
 /// Measures, and returns the exit code.
@@ -66,16 +60,11 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         return failed(&format!("{}: {error}", input::name(folder)));
     }
     let text = match options.format {
-        Form::Text => table(&problems, &points),
-        Form::Csv => csv(&points),
-        Form::Json => json(&problems, &points),
+        TableForm::Text => table(&problems, &points),
+        TableForm::Csv => csv(&points),
+        TableForm::Json => json(&problems, &points),
     };
     output::deliver(&text, options.out.as_deref(), color)
-}
-
-fn failed(error: &str) -> u8 {
-    eprintln!("error: {error}");
-    2
 }
 
 fn chosen(options: &Options, color: ColorChoice) -> Result<Vec<Problem>, u8> {

@@ -1,5 +1,6 @@
 //! `polhode check`.
 
+use crate::cli::output::Form;
 use crate::cli::{certificates, input, output};
 use crate::diagnostic::Severity;
 use crate::notation::{self, document::Format};
@@ -38,12 +39,6 @@ pub(super) struct Options {
     /// Also quote the lines that hold and list what was not taken as a line
     #[arg(long)]
     verbose: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    Text,
-    Json,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -1,11 +1,12 @@
 //! `polhode explain`.
 
+use crate::cli::input;
+use crate::cli::output::{self, Form, failed};
 use crate::cli::run::load;
-use crate::cli::{input, output};
 use crate::scene::{Explanation, Scene, explain};
 use annotate_snippets::normalize_untrusted_str;
 use anstream::ColorChoice;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::json;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -28,12 +29,6 @@ pub(super) struct Options {
     out: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    Text,
-    Json,
-}
-
 /// Explains the plan and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     let scene = match load(&options.scene, color) {
@@ -46,8 +41,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
             Ok(explanation) => explanations.push(explanation),
             Err(error) => {
                 let name = input::name(&options.scene);
-                eprintln!("error: {name}: body {:?}: {error}", group.name);
-                return 2;
+                return failed(&format!("{name}: body {:?}: {error}", group.name));
             }
         }
     }

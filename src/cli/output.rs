@@ -2,9 +2,31 @@
 
 use crate::cli::input;
 use anstream::{AutoStream, ColorChoice};
+use clap::ValueEnum;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+/// The forms of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Form {
+    Text,
+    Json,
+}
+
+/// The forms of a report that is a table of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum TableForm {
+    Text,
+    Json,
+    Csv,
+}
+
+/// Says what went wrong and returns the exit code for it.
+pub(super) fn failed(error: &str) -> u8 {
+    eprintln!("error: {error}");
+    2
+}
 
 /// Writes as [`write()`] does; says what went wrong and returns the exit code for it, or 0.
 pub(super) fn deliver(text: &str, out: Option<&Path>, color: ColorChoice) -> u8 {
@@ -12,8 +34,7 @@ pub(super) fn deliver(text: &str, out: Option<&Path>, color: ColorChoice) -> u8 
         Ok(()) => 0,
         Err(error) => {
             let target = out.map_or("standard output".to_owned(), input::name);
-            eprintln!("error: {target}: {error}");
-            2
+            failed(&format!("{target}: {error}"))
         }
     }
 }

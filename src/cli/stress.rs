@@ -1,9 +1,10 @@
 //! `polhode stress`.
 
 use crate::bench::{Axis, CONTENDERS, Cell, Contender, axes, cells, held};
-use crate::cli::{chart, input, output};
+use crate::cli::output::{self, TableForm, failed};
+use crate::cli::{chart, input};
 use anstream::ColorChoice;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use indicatif::ProgressBar;
 use serde_json::json;
 use std::fmt::Write;
@@ -21,21 +22,14 @@ pub(super) struct Options {
     #[arg(long)]
     quick: bool,
     /// Text for people, JSON or CSV for programs
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    format: Form,
+    #[arg(long, value_enum, default_value_t = TableForm::Text)]
+    format: TableForm,
     /// Write to a file instead of the terminal
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
     /// Also draw a heat map (SVG) of each axis into this folder
     #[arg(long, value_name = "FOLDER")]
     diagrams: Option<PathBuf>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
-    Text,
-    Json,
-    Csv,
 }
 
 /// The error up to which a method is said to hold.
@@ -54,16 +48,11 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         return failed(&format!("{}: {error}", input::name(folder)));
     }
     let text = match options.format {
-        Form::Text => text(&axes, &found),
-        Form::Csv => csv(&found),
-        Form::Json => json(&axes, &found),
+        TableForm::Text => text(&axes, &found),
+        TableForm::Csv => csv(&found),
+        TableForm::Json => json(&axes, &found),
     };
     output::deliver(&text, options.out.as_deref(), color)
-}
-
-fn failed(error: &str) -> u8 {
-    eprintln!("error: {error}");
-    2
 }
 
 /// The plan with its estimate steps as the plan without does.

@@ -38,6 +38,8 @@ pub enum InertiaForm {
         /// About the origin of the positions instead of the mass centre.
         about_origin: bool,
     },
+    /// The tensor of a robot's link, along its axes, whatever the convention of the group.
+    Link(Matrix3<f64>),
 }
 
 /// A point mass.
@@ -107,6 +109,7 @@ impl InertiaForm {
                     .collect();
                 of_points(points, *about_origin)
             }
+            Self::Link(tensor) => *tensor,
         }
     }
 
@@ -124,6 +127,7 @@ impl InertiaForm {
             Self::Points { points, .. } => points
                 .iter()
                 .all(|point| point.mass.is_fixed() && fixed(&point.position)),
+            Self::Link(_) => true,
         }
     }
 }

@@ -5,18 +5,21 @@ mod inertia;
 mod reader;
 mod run;
 mod torque;
+mod urdf;
 
 use crate::diagnostic::Diagnostic;
 use crate::scene::{Group, Scene};
 use crate::source::{Source, Span};
 use reader::{Reader, Table, span};
 use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 /// The most bodies of a scene.
 const MOST_BODIES: u64 = 10_000_000;
 
-/// Reads a scene (TOML) and checks every value in it.
+/// Reads a scene (TOML) and checks every value in it. A robot description that it names is looked for in the folder of
+/// the source.
 ///
 /// # Errors
 /// What is wrong, each with its place and where possible a remedy; at least one.
@@ -28,7 +31,11 @@ const MOST_BODIES: u64 = 10_000_000;
 /// assert_eq!(errors[0].helps, ["write `inertia`"]);
 /// ```
 pub fn read(source: &Source) -> Result<Scene, Vec<Diagnostic>> {
-    let mut reader = Reader::default();
+    let folder = Path::new(&source.name).parent();
+    let mut reader = Reader {
+        folder: folder.map_or_else(PathBuf::new, Path::to_owned),
+        ..Reader::default()
+    };
     let scene = match DeTable::parse(&source.text) {
         Ok(table) => scene(&mut reader, source, table.get_ref()),
         Err(error) => {

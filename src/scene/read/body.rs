@@ -6,12 +6,16 @@ use crate::motion::MotionError;
 use crate::scene::read::inertia::inertia;
 use crate::scene::read::reader::{Bound, Reader, Table, span};
 use crate::scene::read::torque::torque;
-use crate::scene::{Group, Quantity, TorqueForm};
+use crate::scene::read::urdf;
+use crate::scene::{Group, InertiaForm, Quantity, TorqueForm};
 use crate::source::Span;
 
 pub(super) const KEYS: &[&str] = &[
     "name",
     "inertia",
+    "urdf",
+    "link",
+    "about",
     "products",
     "attitude",
     "angular_velocity",
@@ -42,10 +46,10 @@ pub(super) fn group(reader: &mut Reader, table: &Table<'_>) -> Option<(Group, Sp
                 ("entries", Products::Entries),
             ],
         ),
+        None if table.get("urdf").is_some() => Some(Products::Entries),
         None => Some(Products::Integrals),
     };
-    let inertia_value = reader.required(table, "inertia");
-    let inertia = inertia_value.and_then(|value| inertia(reader, value));
+    let inertia = inertia_of(reader, table);
     let attitude = match table.get("attitude") {
         Some(value) => reader.quantities(value, "the attitude", Bound::Any),
         None => Some(UPRIGHT),
@@ -63,12 +67,13 @@ pub(super) fn group(reader: &mut Reader, table: &Table<'_>) -> Option<(Group, Sp
         None => Some(0),
     };
     let (name, name_place) = name?;
+    let (inertia, inertia_place) = inertia?;
     let group = Group {
         name,
-        inertia_place: span(inertia_value?.span()),
+        inertia_place,
         count: count?,
         seed: seed?,
-        inertia: inertia?,
+        inertia,
         products: products?,
         attitude: attitude?,
         angular_velocity: angular_velocity?,
@@ -76,6 +81,29 @@ pub(super) fn group(reader: &mut Reader, table: &Table<'_>) -> Option<(Group, Sp
     };
     possible(reader, table, &group)?;
     Some((group, name_place))
+}
+
+/// The inertia, of a table or of a robot's link, and its place.
+fn inertia_of(reader: &mut Reader, table: &Table<'_>) -> Option<(InertiaForm, Span)> {
+    let Some(file) = table.get("urdf") else {
+        for key in ["link", "about"] {
+            if let Some(value) = table.get(key) {
+                return reader.wrong(
+                    value,
+                    format!("`{key}` belongs to `urdf`, which is not there"),
+                );
+            }
+        }
+        let value = reader.required(table, "inertia")?;
+        return Some((inertia(reader, value)?, span(value.span())));
+    };
+    if let Some(value) = table.get("inertia") {
+        return reader.wrong(
+            value,
+            "the body has an inertia of its own and that of `urdf`",
+        );
+    }
+    Some((urdf::link(reader, table, file)?, span(file.span())))
 }
 
 fn name(reader: &mut Reader, table: &Table<'_>) -> Option<(String, Span)> {

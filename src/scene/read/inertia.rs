@@ -9,6 +9,9 @@ const ZERO: Quantity = Quantity::Fixed(0.0);
 /// The most point masses of a body.
 const MOST_POINTS: usize = 100_000;
 
+/// The points that a tensor can be about, and whether that is the origin of the positions.
+pub(super) const POINTS: &[(&str, bool)] = &[("centre", false), ("origin", true)];
+
 const FORMS: &str = "an inertia is { xx, yy, zz, xy, xz, yz }, { principal = […] }, { shape = \"…\", mass, … } or \
                      { points = […] }";
 
@@ -66,11 +69,7 @@ fn principal(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
 fn points(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
     let table = reader.table(value, "an inertia of points", &["points", "about"])?;
     let about_origin = match table.get("about") {
-        Some(value) => reader.word(
-            value,
-            "point of reference",
-            &[("centre", false), ("origin", true)],
-        ),
+        Some(value) => reader.word(value, "point of reference", POINTS),
         None => Some(false),
     };
     let value = reader.required(&table, "points")?;

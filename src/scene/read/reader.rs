@@ -4,6 +4,7 @@ use crate::diagnostic::Diagnostic;
 use crate::scene::Quantity;
 use crate::source::Span;
 use std::ops::Range;
+use std::path::PathBuf;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -17,6 +18,8 @@ const KEPT: usize = 100;
 #[derive(Default)]
 pub(super) struct Reader {
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// Where the scene lies, and the files that it names.
+    pub(super) folder: PathBuf,
 }
 
 /// A table of the file.
