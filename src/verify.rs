@@ -30,6 +30,7 @@ mod given;
 mod hamilton;
 mod hollow;
 mod index;
+mod inequality;
 mod integral;
 mod kernel;
 mod law;

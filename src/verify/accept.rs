@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Line, Node};
-use crate::verify::atoms::{Entity, Owner, variable_fraction};
+use crate::verify::atoms::{Atom, Entity, Owner, variable_fraction};
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::frame::Frame;
@@ -61,6 +61,13 @@ impl Checker<'_> {
             preferred,
             definition,
         }) {
+            // Numbers may be rounded: whether they fit is for a claim to say.
+            Taken::Contradiction
+                if finding.role != Role::Claim && self.is_in_numbers(&sides[1..]) =>
+            {
+                finding.role = Role::Claim;
+                self.claim(sides, finding);
+            }
             Taken::Contradiction => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =
@@ -109,6 +116,15 @@ impl Checker<'_> {
         if line.continues {
             return false;
         }
+        // What is said of a symbol that earlier lines have already may follow from them, or not.
+        if role == Role::Claim && self.is_tied(entity) && !self.is_new_fact(sides) {
+            let mut tried = finding.clone();
+            self.claim(sides, &mut tried);
+            if matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+                *finding = tried;
+                return true;
+            }
+        }
         let value = match self.lowering(Frame::Moving).value(right) {
             Ok(value) => value,
             Err(trouble) => {
@@ -147,6 +163,13 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    /// Whether some accepted line has a symbol in it.
+    fn is_tied(&self, entity: Entity) -> bool {
+        let of = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, .. } if *e == entity);
+        let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
+        residuals.any(|r| r.variables().into_iter().any(of))
     }
 
     /// A matrix of new symbols on the left, with signs or zeros among them: each gets its value.

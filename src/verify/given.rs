@@ -1,9 +1,11 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::atoms::{Atom, Owner};
+use crate::verify::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
+use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
 use crate::verify::reason;
@@ -18,6 +20,7 @@ const INPUTS: &[Quantity] = &[
     Quantity::AngularVelocity,
     Quantity::FrameRate,
     Quantity::RelativeMomentum,
+    Quantity::OriginVelocity,
     Quantity::Position,
     Quantity::Mass,
 ];
@@ -29,7 +32,7 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
-        if self.theory.setting.gyrostat && self.only_wheels(read) {
+        if self.theory.setting.gyrostat && self.only_wheels(read) || self.is_news(first, read) {
             return true;
         }
         let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
@@ -48,6 +51,66 @@ impl Checker<'_> {
                     && (left, right) != (Some(false), Some(false)))
                 || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
         })
+    }
+
+    pub(super) fn is_new_fact(&mut self, sides: &[Node]) -> bool {
+        let read = self.read(sides, Frame::Moving);
+        read.is_ok_and(|read| self.is_news(&sides[0], &read))
+    }
+
+    /// Whether a line says something of a symbol of the document that nothing before determines: a force and what it
+    /// does, or how such symbols balance. It may be true or not, and no line so far can tell.
+    fn is_news(&mut self, first: &Node, read: &Read) -> bool {
+        let [equation, ..] = read.equations.as_slice() else {
+            return false;
+        };
+        let alone = matches!(lone(first).kind, Kind::Symbol(_));
+        let new = equation
+            .residual
+            .entries
+            .iter()
+            .enumerate()
+            .all(|(i, entry)| {
+                let rest = self.theory.normal(entry);
+                if rest.is_zero() {
+                    return true;
+                }
+                let named = equation.left.entries.get(i).and_then(Fraction::as_variable);
+                match named.filter(|_| alone) {
+                    Some(v) => self.is_own(v) && is_solved_by(&rest, v),
+                    None => {
+                        let variables = rest.variables();
+                        let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
+                        variables.iter().all(untouched)
+                            && variables.iter().all(|&v| is_solved_by(&rest, v))
+                    }
+                }
+            });
+        new && read.equations.len() == 1
+    }
+
+    /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
+    fn is_own(&mut self, variable: u32) -> bool {
+        let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
+            return false;
+        };
+        let own = match &self.theory.atoms.info(entity).owner {
+            Owner::Symbol(_) => true,
+            Owner::Quantity(quantity, variant) => {
+                matches!(quantity, Quantity::Force | Quantity::OriginVelocity)
+                    || *quantity == Quantity::Velocity && !variant.is_empty()
+            }
+        };
+        own && self
+            .theory
+            .normal(&variable_fraction(variable))
+            .as_variable()
+            == Some(variable)
+    }
+
+    fn is_mentioned(&self, variable: u32) -> bool {
+        let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
+        residuals.any(|r| r.variables().contains(&variable))
     }
 
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
@@ -129,7 +192,12 @@ impl Checker<'_> {
             return;
         }
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if self.asserted && !sides.iter().all(lone) {
+        let zero = |side: &Node| matches!(&side.kind, Kind::Number(n) if n.value.is_zero());
+        if sides.last().is_some_and(zero) {
+            // It narrows the case down, for reasons that are not in symbols.
+            finding.role = Role::Assume;
+            finding.remarks.push("taken as an assumption".to_owned());
+        } else if self.asserted && !sides.iter().all(lone) {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
         } else {
@@ -141,4 +209,20 @@ impl Checker<'_> {
     pub(super) fn meaning_of(&mut self, symbol: &Symbol) -> Meaning {
         meaning(symbol, &self.reading, &mut self.theory.atoms)
     }
+}
+
+/// A side without its brackets and dots.
+fn lone(side: &Node) -> &Node {
+    match &inner(side).kind {
+        Kind::TimeDerivative { operand, .. } => lone(operand),
+        _ => inner(side),
+    }
+}
+
+/// Whether a difference is a number times a variable, and more without it.
+fn is_solved_by(difference: &Fraction, variable: u32) -> bool {
+    let above = difference.numerator();
+    above.degree_in(variable) == 1
+        && above.coefficient_of(variable, 1).is_constant().is_some()
+        && !difference.denominator().variables().contains(&variable)
 }

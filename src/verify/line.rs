@@ -1,7 +1,7 @@
 //! One line: its equations, and its verdict by its role.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Relation, Symbol};
+use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Symbol};
 use crate::source::Span;
 use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
@@ -9,7 +9,6 @@ use crate::verify::decide::Equation;
 use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::{Quantity, Shape};
-use crate::verify::reason;
 use crate::verify::spatial::all_in_space;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{Letter, axes, axis, symbols};
@@ -88,14 +87,7 @@ impl Checker<'_> {
     }
 
     pub(super) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
-        if let Some((_, place)) = line.relations.iter().find(|(r, _)| {
-            !matches!(
-                r,
-                Relation::Equal | Relation::Defined | Relation::Approximate
-            )
-        }) {
-            finding.reason = Some(reason::RELATION.to_owned());
-            finding.place = *place;
+        if self.no_equation(line, role, finding) {
             return;
         }
         let mut sides: Vec<Node> = line.sides.clone();

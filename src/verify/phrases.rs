@@ -129,11 +129,19 @@ pub(super) fn said_before(text: &str) -> Option<Quantity> {
             .0;
         Some((at + phrase.len(), phrase.len(), *quantity))
     };
-    let (end, _, quantity) = PHRASES
+    let (end, length, quantity) = PHRASES
         .iter()
         .filter_map(near)
         .max_by_key(|&(end, len, _)| (end, len))?;
-    (text.len() - end < 60).then_some(quantity)?
+    let clause = text[..end - length].rsplit([',', ';', '.']).next();
+    let of_axes = clause.is_some_and(|words| {
+        let subject = |name: &str| words.split_whitespace().any(|word| word == name);
+        (subject("frame") || subject("axes")) && !subject("body")
+    });
+    (text.len() - end < 60).then_some(match quantity {
+        Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
+        other => other,
+    })?
 }
 
 /// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".

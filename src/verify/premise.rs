@@ -98,7 +98,8 @@ impl Checker<'_> {
             let used = self.reading.usage.get(l);
             used.bare + used.tensor + used.vector > 0
         });
-        if !double && (single || (by_component && !whole)) {
+        let by_letters = by_component && !whole && !self.reading.speaks_of_products;
+        if !double && (single || by_letters) {
             self.take(Said::Principal, Span::default());
         }
     }

@@ -29,6 +29,8 @@ pub(super) struct Reading {
     pub plane: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
+    /// Whether the words name products of inertia.
+    pub speaks_of_products: bool,
     speaks_of_energy: bool,
     speaks_of_roll: bool,
 }
@@ -139,6 +141,8 @@ impl Reading {
                     }
                     let text = text.to_lowercase();
                     self.speaks_of_energy |= text.contains("energy");
+                    self.speaks_of_products |=
+                        text.contains("products of inertia") || text.contains("product of inertia");
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     if let Some(quantity) = said_after(&text).or_else(|| apposition(&text, near)) {
                         last.drain(..)
@@ -264,6 +268,10 @@ impl Reading {
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
             Quantity::Momentum if letter.name == "p" => false,
+            // "The moment of F": the force is meant, and its own letter stays its own.
+            Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
+                false
+            }
             Quantity::RelativeMomentum => used.vector + used.component + used.bare > 0,
             _ => {
                 used.vector + used.component > 0

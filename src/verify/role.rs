@@ -81,6 +81,11 @@ const CLAIM: &[&str] = &[
     "reduce to",
     "can be written",
     "in that case",
+    "term by term",
+    "component by component",
+    "for which",
+    "has the size",
+    "keeps the value",
 ];
 /// Openings that look like an assumption and introduce a claim.
 const NO_ROLE: &[&str] = &[
@@ -190,7 +195,8 @@ pub(super) fn role(sentence: &str) -> Role {
     let text = format!(" {} ", cleaned(&main_clauses(sentence)));
     let mut text = text
         .replace(" let us assume ", " assume ")
-        .replace(" let us suppose ", " suppose ");
+        .replace(" let us suppose ", " suppose ")
+        .replace(" so that ", " such that ");
     for (from, to) in [
         (" let us choose ", " choose "),
         (" let us set ", " set "),

@@ -101,7 +101,8 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
     }
     let sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
-    if let Some(meaning) = constant(symbol, &sorted, reading) {
+    let named = reading.usage.names_whole(symbol);
+    if let Some(meaning) = constant(symbol, &sorted, reading).filter(|_| !named) {
         return meaning;
     }
     let unmarked = sorted.single.is_none() && sorted.double.is_none() && !symbol.style.vector;
@@ -119,6 +120,10 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         return meaning;
     }
     match reading.quantities.get(&letter) {
+        // The law speaks of the force on the particle; others have letters of their own.
+        Some(Quantity::Force) if letter.name != "F" => {
+            of_symbol(symbol, &letter, &sorted, reading, atoms)
+        }
         Some(&quantity) if is_quantity(quantity, symbol, &sorted, reading) => {
             of_quantity(quantity, &letter, &sorted, atoms)
         }

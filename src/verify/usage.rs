@@ -1,6 +1,6 @@
 //! How the letters of a document are used: with marks of a vector, with indices, under a dot.
 
-use crate::notation::ast::{Kind, Line, Node, Operator, Symbol};
+use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -205,6 +205,15 @@ impl Usage {
             self.named_wholes
                 .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
+        if let [left, right, ..] = line.sides.as_slice()
+            && let Kind::Symbol(symbol) = &inner(left).kind
+            && symbol.style.vector
+            && symbol.subscripts.iter().any(|s| axis(s).is_some())
+            && is_directed(right, symbol)
+        {
+            self.named_wholes
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
+        }
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
             self.named_component(&pair[1], &pair[0]);
@@ -307,6 +316,24 @@ impl Usage {
             .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
+    }
+}
+
+/// Whether an expression is a vector by its unit vectors: `3\,\mathbf i + \mathbf j`, other than those of the letter itself.
+fn is_directed(node: &Node, of: &Symbol) -> bool {
+    match &node.kind {
+        Kind::Symbol(symbol) => {
+            let unit = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
+            unit && (symbol.style.vector || symbol.style.hat) && symbol.name != of.name
+        }
+        Kind::Group(_, inside) | Kind::Negate(inside) => is_directed(inside, of),
+        Kind::Quotient(above, _) => is_directed(above, of),
+        Kind::Sum(terms) => terms.iter().any(|term| is_directed(&term.node, of)),
+        Kind::Product(factors) => {
+            let scaled = |f: &Factor| f.operator == Operator::Juxtaposed;
+            factors.iter().all(scaled) && factors.iter().any(|f| is_directed(&f.node, of))
+        }
+        _ => false,
     }
 }
 
