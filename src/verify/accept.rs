@@ -61,13 +61,7 @@ impl Checker<'_> {
             preferred,
             definition,
         }) {
-            // Numbers may be rounded: whether they fit is for a claim to say.
-            Taken::Contradiction
-                if finding.role != Role::Claim && self.is_in_numbers(&sides[1..]) =>
-            {
-                finding.role = Role::Claim;
-                self.claim(sides, finding);
-            }
+            Taken::Contradiction if self.fits_rounded(sides, finding) => {}
             Taken::Contradiction => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =
@@ -81,6 +75,21 @@ impl Checker<'_> {
             }
         }
         self.now_known(sides);
+    }
+
+    /// Whether numbers that contradict what stands before are those that it gives, rounded.
+    fn fits_rounded(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        if finding.role == Role::Claim || !self.is_in_numbers(&sides[1..]) {
+            return false;
+        }
+        let mut claim = finding.clone();
+        claim.role = Role::Claim;
+        self.claim(sides, &mut claim);
+        let fits = matches!(claim.verdict, Verdict::Proved(_));
+        if fits {
+            *finding = claim;
+        }
+        fits
     }
 
     pub(super) fn now_known(&mut self, sides: &[Node]) {
