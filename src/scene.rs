@@ -43,7 +43,7 @@ pub use plan::{PlanError, Way, is_free, way};
 pub use quantity::{Draw, Quantity};
 pub use read::read;
 pub use sensitivity::{Sensitivity, sensitivity};
-pub use simulate::{Outcome, Row, RunError, Sink, simulate};
+pub use simulate::{Outcome, Row, RunError, Seam, Sink, simulate, simulate_from};
 pub use spin::Spin;
 
 use crate::mechanics::Products;

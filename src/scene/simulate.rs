@@ -105,16 +105,45 @@ impl<E: error::Error> error::Error for RunError<E> {}
 /// # Errors
 /// A body that cannot be or whose motion is not finite; what the sink has to say.
 pub fn simulate<S: Sink>(scene: &Scene, sink: &mut S) -> Result<bool, RunError<S::Error>> {
+    simulate_from(scene, Seam::default(), sink)
+}
+
+/// Where a run goes on that was begun before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Seam {
+    /// The body, counted through the scene from 0; those before it are left out.
+    pub body: u64,
+    /// The row of its trajectory, from 0; those before it are left out, and of no account for what drifts.
+    pub row: u64,
+}
+
+/// Runs a scene as [`simulate()`] does from a body and a row on; both come out as if all had been run.
+///
+/// # Errors
+/// As of [`simulate()`].
+pub fn simulate_from<S: Sink>(
+    scene: &Scene,
+    from: Seam,
+    sink: &mut S,
+) -> Result<bool, RunError<S::Error>> {
+    let mut before = 0;
     for group in &scene.groups {
+        let skipped = from.body.saturating_sub(before).min(group.count);
+        before += group.count;
+        if skipped == group.count {
+            continue;
+        }
         let shared = group.shared_body().map_err(|reason| RunError::Motion {
             body: group.name.clone(),
             reason,
         })?;
-        for index in 0..group.count {
+        for index in skipped..group.count {
             if sink.stopped() {
                 return Ok(false);
             }
-            if !one(group, index, shared.as_ref(), &scene.run, sink)? {
+            let number = before - group.count + index;
+            let row = if number == from.body { from.row } else { 0 };
+            if !one(group, index, shared.as_ref(), (&scene.run, row), sink)? {
                 return Ok(false);
             }
         }
@@ -127,7 +156,7 @@ fn one<S: Sink>(
     group: &Group,
     index: u64,
     shared: Option<&Body>,
-    run: &Run,
+    (run, row): (&Run, u64),
     sink: &mut S,
 ) -> Result<bool, RunError<S::Error>> {
     let failed = |reason| RunError::Motion {
@@ -140,7 +169,7 @@ fn one<S: Sink>(
         reason,
     })?;
     sink.begin(group, index).map_err(RunError::Sink)?;
-    let mut outcome = match body(&member, way, run, sink) {
+    let mut outcome = match body(&member, way, (run, row), sink) {
         Ok(outcome) => outcome,
         Err(Broken::Motion(reason)) => return Err(failed(reason)),
         Err(Broken::Sink(error)) => return Err(RunError::Sink(error)),
@@ -189,7 +218,7 @@ impl<E> From<Unsettled> for Broken<E> {
 fn body<S: Sink>(
     member: &Member,
     way: Way,
-    run: &Run,
+    (run, row): (&Run, u64),
     sink: &mut S,
 ) -> Result<Outcome, Broken<S::Error>> {
     let balance = Balance::new(member);
@@ -205,7 +234,7 @@ fn body<S: Sink>(
             let (way, error) = foresee(member, way, duration, tolerance, &stop)?;
             (outcome.way, outcome.error) = (way, Some(error));
         }
-        along(member, &balance, run, &mut outcome, sink)?;
+        along(member, &balance, (run, row), &mut outcome, sink)?;
         return Ok(outcome);
     }
     if run.estimate_error {
@@ -223,7 +252,7 @@ fn body<S: Sink>(
 fn along<S: Sink>(
     member: &Member,
     balance: &Balance,
-    run: &Run,
+    (run, first): (&Run, u64),
     outcome: &mut Outcome,
     sink: &mut S,
 ) -> Result<(), Broken<S::Error>> {
@@ -235,7 +264,14 @@ fn along<S: Sink>(
             n if n == count => run.duration,
             n => n as f64 * run.output_interval,
         };
+        // Steps of fixed length end at each output time, and others go past it.
+        if n < first && !matches!(course, Course::Rk4(_)) {
+            continue;
+        }
         let state = course.at(time)?;
+        if n < first {
+            continue;
+        }
         outcome.note_drift(balance, time, &state);
         if run.outputs.trajectory {
             let energy = balance.energy(&state);

@@ -14,12 +14,7 @@ pub(super) struct Csv {
 impl Form for Csv {
     fn open(&mut self, out: &mut dyn Write, run: &Run) -> io::Result<()> {
         self.trajectory = run.outputs.trajectory;
-        let last = if self.trajectory {
-            "energy"
-        } else {
-            "energy_drift,momentum_drift,error_estimate"
-        };
-        writeln!(out, "body,time,qw,qx,qy,qz,wx,wy,wz,{last}")
+        writeln!(out, "{}", head(self.trajectory))
     }
 
     fn begin(&mut self, _: &mut dyn Write, name: &str) -> io::Result<()> {
@@ -64,8 +59,18 @@ impl Csv {
     }
 }
 
+/// The names of the columns.
+pub(super) fn head(trajectory: bool) -> String {
+    let last = if trajectory {
+        "energy"
+    } else {
+        "energy_drift,momentum_drift,error_estimate"
+    };
+    format!("body,time,qw,qx,qy,qz,wx,wy,wz,{last}")
+}
+
 /// A name as a field; one that a spreadsheet would take for a formula gets a quote in front (as OWASP advises).
-fn quoted(name: &str) -> String {
+pub(super) fn quoted(name: &str) -> String {
     let guarded = match name.chars().next() {
         Some('=' | '+' | '-' | '@') => format!("'{name}"),
         _ => name.to_owned(),
