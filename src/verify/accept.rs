@@ -54,7 +54,15 @@ impl Checker<'_> {
         });
         let name = self.line_name(finding);
         let definition = role == Role::Define;
-        self.mark_instant(&name, &read);
+        if let Some(first) = read.equations.first() {
+            let left: Option<Vec<Variable>> = first
+                .left
+                .entries
+                .iter()
+                .map(Fraction::as_variable)
+                .collect();
+            self.mark_instant(&name, &left.unwrap_or_default(), &first.right.entries);
+        }
         match self.theory.assume(Premise {
             name: name.clone(),
             residuals,
@@ -152,6 +160,7 @@ impl Checker<'_> {
         let preferred: Vec<Variable> = residuals.iter().map(|(v, _)| *v).collect();
         let residuals = residuals.into_iter().map(|(_, r)| r).collect();
         let name = self.line_name(finding);
+        self.mark_instant(&name, &preferred, &value.entries);
         if self.theory.assume(Premise {
             name: name.clone(),
             residuals,
@@ -169,13 +178,14 @@ impl Checker<'_> {
         }
         if !rest.is_empty() {
             finding.role = role;
+            finding.verdict = Verdict::Undecided;
             self.claim(&sides[1..], finding);
         }
         true
     }
 
     /// Whether some accepted line has a symbol in it.
-    fn is_tied(&self, entity: Entity) -> bool {
+    pub(super) fn is_tied(&self, entity: Entity) -> bool {
         let of = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, .. } if *e == entity);
         let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
         residuals.any(|r| r.variables().into_iter().any(of))

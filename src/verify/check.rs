@@ -16,7 +16,7 @@ use crate::verify::premise::inertia_changes;
 use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::role::{asserts, role};
+use crate::verify::role::{asserts, firm, role};
 use crate::verify::spelling::spell;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
@@ -74,6 +74,8 @@ pub(super) struct Checker<'a> {
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
     pub(super) asserted: bool,
+    /// Whether the role of the line is in so many words: a mark, "assume", "given".
+    pub(super) firm: bool,
     /// Whether the words speak of vectors that may be any.
     pub(super) any_vector: bool,
     /// Whether the line at hand stands apart from the text.
@@ -117,6 +119,7 @@ impl<'a> Checker<'a> {
             products,
             dynamics: Dynamics::Inverse,
             origin_moves: false,
+            newton: !reading.usage.speaks_of_a_centre(),
             rigid: !inertia_changes(&reading),
             gyrostat: reading
                 .quantities
@@ -132,6 +135,7 @@ impl<'a> Checker<'a> {
             dots_on_body: false,
             last_side: None,
             asserted: false,
+            firm: false,
             displayed: false,
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
@@ -258,6 +262,7 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.displayed = formula.display;
         self.asserted = asserts(&self.sentence);
+        self.firm = self.mark.is_some() || firm(&self.sentence);
         let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {
             match row {

@@ -158,7 +158,7 @@ impl Checker<'_> {
     pub(super) fn all_marked(&mut self, sides: &[Node]) -> bool {
         sides.iter().flat_map(symbols).all(|symbol| {
             let index = symbol.subscripts.iter().any(|s| axis(s).is_some() || axes(s).is_some());
-            let marked = symbol.style.vector || symbol.style.hat || index;
+            let marked = symbol.style.vector || index;
             marked || !matches!(
                 meaning(symbol, &self.reading, &mut self.theory.atoms),
                 Meaning::Whole(entity) if !matches!(self.theory.atoms.info(entity).shape, Shape::Scalar)

@@ -8,7 +8,6 @@ use crate::verify::decide::{Decision, decide};
 use crate::verify::decimals::holds_decimals;
 use crate::verify::figures::{Alternative, is_number};
 use crate::verify::frame::Frame;
-use crate::verify::line::Read;
 use crate::verify::numbers::Numerical;
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::{MOMENTARY, Name, Rule, Taken, Theory};
@@ -61,9 +60,11 @@ impl Checker<'_> {
 
     /// Whether a side is a lone symbol of which nothing says the value.
     fn is_free_symbol(&mut self, side: &Node) -> bool {
-        let Kind::Symbol(_) = &inner(side).kind else {
-            return false;
-        };
+        matches!(inner(side).kind, Kind::Symbol(_)) && self.is_free_value(side)
+    }
+
+    /// Whether a side stands for variables of which nothing says the value.
+    pub(super) fn is_free_value(&mut self, side: &Node) -> bool {
         let Ok(value) = self.lowering(Frame::Moving).value(side) else {
             return false;
         };
@@ -115,40 +116,27 @@ impl Checker<'_> {
     }
 
     /// A vector that moves, given in numbers, is so at one instant: its rate is not zero for that.
-    pub(super) fn mark_instant(&mut self, name: &str, read: &Read) {
-        let Some(first) = read.equations.first() else {
-            return;
-        };
-        let left: Option<Vec<Variable>> = first
-            .left
-            .entries
-            .iter()
-            .map(Fraction::as_variable)
-            .collect();
+    pub(super) fn mark_instant(&mut self, name: &str, left: &[Variable], right: &[Fraction]) {
         let moves = |checker: &Self, variable: Variable| match *checker.theory.atoms.atom(variable)
         {
             Atom::Part {
                 entity, order: 0, ..
-            } => matches!(
-                checker.theory.atoms.info(entity).owner,
-                Owner::Quantity(
+            } => match checker.theory.atoms.info(entity).owner {
+                Owner::Quantity(quantity, _) => matches!(
+                    quantity,
                     Quantity::AngularVelocity
                         | Quantity::FrameRate
                         | Quantity::Momentum
                         | Quantity::Position
-                        | Quantity::Velocity,
-                    _
-                )
-            ),
+                        | Quantity::Velocity
+                ),
+                Owner::Symbol(_) => !checker.theory.atoms.info(entity).constant,
+            },
             _ => false,
         };
-        let moving = left.is_some_and(|all| all.into_iter().all(|v| moves(self, v)));
-        let values: Vec<Fraction> = first
-            .right
-            .entries
-            .iter()
-            .map(|entry| self.theory.normal(entry))
-            .collect();
+        let moving = !left.is_empty() && left.iter().all(|&v| moves(self, v));
+        let values = right.iter().map(|entry| self.theory.normal(entry));
+        let values: Vec<Fraction> = values.collect();
         let numbers = values.iter().all(|v| is_number(&self.theory.atoms, v));
         if moving && numbers && values.iter().any(|v| !v.is_zero()) {
             self.theory.instants.insert(name.to_owned());

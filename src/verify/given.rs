@@ -32,7 +32,8 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
-        if self.theory.setting.gyrostat && self.only_wheels(read) || self.is_news(first, read) {
+        let wheels = self.theory.setting.gyrostat && self.only_wheels(read);
+        if wheels || self.is_news(first, read) || self.is_load(sides, read) {
             return true;
         }
         let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
@@ -51,6 +52,41 @@ impl Checker<'_> {
                     && (left, right) != (Some(false), Some(false)))
                 || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
         })
+    }
+
+    /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
+    /// stands in is a claim, whatever "with" or "where" is before it.
+    pub(super) fn role_by_content(&mut self, role: Role, sides: &[Node]) -> Role {
+        let [left, rest @ ..] = sides else {
+            return role;
+        };
+        if role == Role::Claim || self.firm {
+            return role;
+        }
+        let zero = |side: &Node| {
+            matches!(&side.kind, Kind::Number(n) if n.value.is_zero())
+                || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
+        };
+        let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        if sides.iter().any(zero) || sides.iter().all(alone) {
+            return role;
+        }
+        let alone_left = matches!(lone(left).kind, Kind::Symbol(_));
+        let number = |side: &Node| symbols(side).is_empty();
+        if alone_left && (rest.iter().any(number) || self.is_free_value(left))
+            || self.new_symbol(left).is_some()
+        {
+            return role;
+        }
+        let new = rest.iter().chain([left]).flat_map(symbols).any(|symbol| {
+            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
+            else {
+                return false;
+            };
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            own && self.is_free(entity) && !self.is_tied(entity)
+        });
+        if new { role } else { Role::Claim }
     }
 
     pub(super) fn is_new_fact(&mut self, sides: &[Node]) -> bool {
@@ -77,7 +113,7 @@ impl Checker<'_> {
                 }
                 let named = equation.left.entries.get(i).and_then(Fraction::as_variable);
                 match named.filter(|_| alone) {
-                    Some(v) => self.is_own(v) && is_solved_by(&rest, v),
+                    Some(v) => self.is_own(v) && self.is_solved_by_own(&rest, v),
                     None => {
                         let variables = rest.variables();
                         let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
@@ -86,6 +122,38 @@ impl Checker<'_> {
                     }
                 }
             });
+        new && read.equations.len() == 1
+    }
+
+    /// A moment or a force by symbols of the document, one of them new: what acts on the body.
+    fn is_load(&mut self, sides: &[Node], read: &Read) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
+        else {
+            return false;
+        };
+        let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
+        let owner = &self.theory.atoms.info(entity).owner;
+        if !matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty())
+        {
+            return false;
+        }
+        let mut new = false;
+        for symbol in symbols(right) {
+            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
+            else {
+                continue;
+            };
+            let owner = &self.theory.atoms.info(entity).owner;
+            match owner {
+                Owner::Symbol(_) => new |= self.is_free(entity) && !self.is_tied(entity),
+                Owner::Quantity(Quantity::Mass | Quantity::Force, _) => {}
+                Owner::Quantity(..) => return false,
+            }
+        }
         new && read.equations.len() == 1
     }
 
@@ -106,6 +174,24 @@ impl Checker<'_> {
             .normal(&variable_fraction(variable))
             .as_variable()
             == Some(variable)
+    }
+
+    /// Whether a difference says what a variable is, or what the acceleration is that a force gives.
+    fn is_solved_by_own(&mut self, difference: &Fraction, variable: u32) -> bool {
+        let value = self.theory.normal(&variable_fraction(variable));
+        let Some(own) = value.variables().into_iter().find(|&v| {
+            let Atom::Part { entity, .. } = *self.theory.atoms.atom(v) else {
+                return false;
+            };
+            let owner = &self.theory.atoms.info(entity).owner;
+            v == variable || matches!(owner, Owner::Quantity(Quantity::Acceleration, _))
+        }) else {
+            return false;
+        };
+        let above = difference.numerator();
+        let factor = above.coefficient_of(own, 1);
+        above.degree_in(own) == 1
+            && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
     }
 
     fn is_mentioned(&self, variable: u32) -> bool {

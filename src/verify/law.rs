@@ -41,6 +41,8 @@ pub(super) struct Setting {
     pub rigid: bool,
     /// Whether the body carries wheels with an angular momentum of their own.
     pub gyrostat: bool,
+    /// Whether the only force spoken of is the one on the particle; else what it moves is for the document to say.
+    pub newton: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
     pub origin_moves: bool,
     /// What the attitude matrix and the quaternion take to what.
@@ -196,7 +198,7 @@ fn determined(
             ))
         }
         Acceleration => Some(("kinematics", space_rate(atoms, Velocity, component))),
-        Force => {
+        Force if setting.newton => {
             let mass = atoms.quantity(Mass);
             let mass = atoms.value(mass, 0, 0);
             Some((

@@ -108,6 +108,7 @@ impl Checker<'_> {
             finding.place = span.1;
             return;
         }
+        let role = self.role_by_content(role, &sides);
         self.note_origin(&sides);
         self.note_scalars(&sides);
         let settled = self.defines(&sides, line, role, finding)

@@ -58,7 +58,21 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
     (Some(Quantity::Moment), &["torque", "moment", "couple"]),
     (Some(Quantity::Force), &["force"]),
     (Some(Quantity::Power), &["power"]),
-    (None, &["precession rate", "mass centre", "mass center"]),
+    (Some(Quantity::Acceleration), &["acceleration"]),
+    (
+        None,
+        &[
+            "precession rate",
+            "mass centre",
+            "mass center",
+            "potential energy",
+            "total energy",
+            "lagrangian",
+            "gravitational acceleration",
+            "acceleration of gravity",
+            "acceleration due to gravity",
+        ],
+    ),
 ];
 
 /// How something is said to turn: "rotates with the angular velocity".

@@ -7,6 +7,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
+use crate::verify::prose::{Said, said};
 use crate::verify::quantity::Quantity;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
@@ -32,6 +33,8 @@ pub(super) struct Reading {
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
     speaks_of_energy: bool,
+    speaks_of_no_torque: bool,
+    speaks_of_force: bool,
     speaks_of_roll: bool,
 }
 
@@ -141,6 +144,8 @@ impl Reading {
                     }
                     let text = text.to_lowercase();
                     self.speaks_of_energy |= text.contains("energy");
+                    self.speaks_of_force |= text.contains("force");
+                    self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
                     self.speaks_of_products |=
                         text.contains("products of inertia") || text.contains("product of inertia");
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
@@ -216,6 +221,10 @@ impl Reading {
                 self.take_components(trio, Quantity::Moment);
             }
         }
+        let forces = ["X", "Y", "Z"].map(Letter::plain);
+        if self.speaks_of_force && forces.iter().all(|l| self.usage.get(l).bare > 0) {
+            self.take_components(forces, Quantity::Force);
+        }
         let moments = ["A", "B", "C"].map(Letter::plain);
         let voted = moments
             .iter()
@@ -272,6 +281,7 @@ impl Reading {
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false
             }
+            Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
             Quantity::RelativeMomentum => used.vector + used.component + used.bare > 0,
             _ => {
                 used.vector + used.component > 0
@@ -311,6 +321,12 @@ impl Reading {
         used.vector + used.component + used.bare > 0
     }
 
+    /// Whether a letter is used as a vector or with an index.
+    fn is_directed(&self, name: &str) -> bool {
+        let used = self.usage.get(&Letter::plain(name));
+        used.vector + used.component > 0
+    }
+
     /// Whether a letter stands for a mass: the document has a `g` and no vector or component of the letter.
     fn weighs(&self, letter: &Letter) -> bool {
         let used = self.usage.get(letter);
@@ -326,10 +342,16 @@ impl Reading {
             "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
             "Omega" if directed => Some(Quantity::FrameRate),
             "alpha" if directed => Some(Quantity::AngularAcceleration),
+            // Lagrange's function.
+            "L" if letter.calligraphic && !directed => None,
+            // Beside a momentum L, an H without index or arrow is Hamilton's function.
+            "H" if !directed && self.is_directed("L") => Some(Quantity::Energy),
             "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
             "h" | "ell" if directed && !taken(Quantity::Momentum) => Some(Quantity::Momentum),
             "M" if directed || used.resultant > 0 => Some(Quantity::Moment),
-            "M" if used.bare > 0 && !self.weighs(letter) => Some(Quantity::Moment),
+            "M" if used.bare > 0 && !self.weighs(letter) && !self.speaks_of_no_torque => {
+                Some(Quantity::Moment)
+            }
             "tau" => Some(Quantity::Moment),
             "N" | "Gamma" | "T" if directed => Some(Quantity::Moment),
             "I" | "J" => Some(Quantity::Inertia),
@@ -341,7 +363,8 @@ impl Reading {
             "F" if !used.moving => Some(Quantity::Force),
             "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
             "r" if used.vector > 0 => Some(Quantity::Position),
-            "v" | "V" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
+            "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
+            "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "m" => Some(Quantity::Mass),
             "t" => Some(Quantity::Time),
             _ => None,

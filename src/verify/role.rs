@@ -252,6 +252,21 @@ pub(super) fn role(sentence: &str) -> Role {
     }
 }
 
+/// Whether a sentence assumes what follows it in so many words.
+pub(super) fn firm(sentence: &str) -> bool {
+    let text = format!(" {} ", cleaned(sentence));
+    let words = [
+        "assume",
+        "assuming",
+        "assumed",
+        "suppose",
+        "supposing",
+        "impose",
+        "given",
+    ];
+    last_of(&text, &words).is_some_and(|at| !text[at..].contains('⟩'))
+}
+
 /// Whether a sentence derives what follows it: "hence", "gives".
 pub(super) fn asserts(sentence: &str) -> bool {
     last_of(&format!(" {} ", cleaned(sentence)), CLAIM).is_some()

@@ -48,9 +48,15 @@ fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         sorted.variant = symbol.subscripts.join(",");
         return sorted;
     }
+    // Beside I_xx, an I_1 is a moment with a name of its own.
+    let letter = Letter::of(symbol);
+    let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
+        && reading.usage.has_lettered_entries(&letter);
     for text in &symbol.subscripts {
         let text = text.trim();
-        if let Some(index) = axis(text) {
+        if named_apart && matches!(text, "1" | "2" | "3") {
+            sorted.variant.push_str(text);
+        } else if let Some(index) = axis(text) {
             sorted.single = Some(index);
         } else if let Some(pair) = axes(text) {
             sorted.double = Some(pair);
@@ -322,7 +328,9 @@ fn of_symbol(
     let used = reading.usage.get(letter);
     // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
     let named = !sorted.variant.is_empty() && reading.quantities.contains_key(letter);
+    let always_hatted = symbol.style.hat && used.bare == 0 && letter.name.chars().count() == 1;
     let marks = symbol.style.vector
+        || always_hatted
         || (symbol.style.bar && sorted.single.is_some())
         || (reading.usage.is_vector(letter) && !named)
         || used.component > 1 && sorted.single.is_some();

@@ -166,6 +166,24 @@ impl Usage {
             .is_some_and(|met| met.contains(index))
     }
 
+    /// Whether velocities or accelerations of a mass centre are met: `\mathbf a_G`.
+    pub(super) fn speaks_of_a_centre(&self) -> bool {
+        let centre = |index| {
+            ["a", "v"]
+                .iter()
+                .any(|name| self.has_index(&Letter::plain(name), index))
+        };
+        ["G", "c", "C", "cm", "CM"].into_iter().any(centre)
+    }
+
+    /// Whether a letter is met with a double index of letters: `I_{xx}`.
+    pub(super) fn has_lettered_entries(&self, letter: &Letter) -> bool {
+        let lettered = |s: &String| axes(s).is_some() && s.starts_with(['x', 'y', 'z']);
+        self.subscripts
+            .get(letter)
+            .is_some_and(|met| met.iter().any(lettered))
+    }
+
     /// Whether the index of a symbol is a part of its name.
     pub(super) fn names_whole(&self, symbol: &Symbol) -> bool {
         self.named_wholes
