@@ -1,6 +1,6 @@
 //! The command line: arguments, files in, text out, exit codes.
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 
 mod bench;
@@ -9,6 +9,7 @@ mod chart;
 mod check;
 mod derive;
 mod explain;
+mod help;
 mod input;
 mod output;
 mod plot;
@@ -17,7 +18,12 @@ mod stress;
 
 /// Checks derivations in rigid-body rotation, and gives exact, fast Jacobians of the same equations.
 #[derive(Debug, Parser)]
-#[command(name = "polhode", version, arg_required_else_help = true)]
+#[command(
+    name = "polhode",
+    version,
+    arg_required_else_help = true,
+    disable_help_subcommand = true
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -35,6 +41,7 @@ enum Command {
     Plot(plot::Options),
     Bench(bench::Options),
     Stress(stress::Options),
+    Help(help::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -50,6 +57,7 @@ pub fn run() -> ExitCode {
         Command::Check(options) => check::run(options, color),
         Command::Derive(options) => derive::run(options, color),
         Command::Explain(options) => explain::run(options, color),
+        Command::Help(options) => help::run(options, Arguments::command(), color),
         Command::Run(options) => run::run(options, color),
         Command::Plot(options) => plot::run(options, color),
         Command::Stress(options) => stress::run(options, color),

@@ -3,6 +3,8 @@
 //!
 //! Reading never fails. What is not understood stands in the tree as an error at its place, and everything
 //! around it is read all the same.
+//!
+#![doc = include_str!("notation/manual.md")]
 
 pub mod ast;
 mod delimiters;
@@ -29,8 +31,11 @@ use parse::rows::Reading;
 use std::path::Path;
 use token::Letters;
 
+/// What is read, and as what, in Markdown: the manual that `polhode help notation` shows.
+pub const MANUAL: &str = include_str!("notation/manual.md");
+
 /// A formula longer than this is not read: nobody writes one, and a proof of it would not end.
-const LONGEST_FORMULA: usize = 200_000;
+const LONGEST_FORMULA: usize = 50_000;
 
 impl Format {
     /// The format that the name of a file promises; Markdown where it promises none.

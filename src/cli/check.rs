@@ -19,7 +19,9 @@ Example:
   pbpaste | polhode check --as tex --format json -
 
 Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input can't be read,
-3 nothing is refuted but a line is undecided or unreadable.")]
+3 nothing is refuted but a line is undecided or unreadable.
+
+What can be written, and what it is read as: polhode help notation")]
 pub(super) struct Options {
     /// Documents (.md, .tex, .ipynb, .txt), or - for standard input
     #[arg(required = true, value_name = "FILE")]

@@ -239,13 +239,21 @@ impl Reader<'_> {
         }
     }
 
+    /// The comments of a piece of HTML; a formula may stand between two of them.
     fn html(&mut self, html: &str, range: Range<usize>) {
-        self.formulas_before(range.start);
-        let Some(comment) = html.trim().strip_prefix("<!--") else {
-            return;
-        };
-        let text = comment.trim_end_matches("-->").trim().to_owned();
-        let span = self.span(&range);
-        self.items.push(Item::Comment { text, span });
+        let mut at = 0;
+        while let Some(open) = html[at..].find("<!--") {
+            let start = at + open;
+            let inner = &html[start + 4..];
+            let length = inner.find("-->").unwrap_or(inner.len());
+            self.formulas_before(range.start + start);
+            let text = inner[..length].trim().to_owned();
+            let span = self.span(&(range.start + start..range.end));
+            self.items.push(Item::Comment { text, span });
+            at = (start + 4 + length + 3).min(html.len());
+        }
+        if at == 0 {
+            self.formulas_before(range.start);
+        }
     }
 }

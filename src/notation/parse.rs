@@ -28,7 +28,10 @@ use crate::source::Span;
 pub(crate) use text::is_unit;
 
 /// Groups inside groups beyond this are refused: nobody writes them, and each costs a stack frame.
-const DEEPEST: u32 = 40;
+const DEEPEST: u32 = 100;
+
+/// No tree has more levels: whatever walks one later may do so by recursion.
+const TALLEST: usize = 120;
 
 /// Reads one expression from a slice of tokens.
 #[derive(Clone)]
@@ -63,6 +66,22 @@ impl<'t, 'a> Parser<'t, 'a> {
             depth: self.depth + 1,
             end,
         }
+    }
+
+    /// A side of a relation, or all of a formula without one.
+    pub(crate) fn side(self) -> Node {
+        if let Some(span) = too_deep(self.tokens) {
+            let kind = Kind::Error("brackets nested too deeply".into());
+            return Node { kind, span };
+        }
+        // Each level takes a token at least.
+        let may_be_tall = self.tokens.len() > TALLEST;
+        let node = self.whole();
+        if may_be_tall && is_tall(&node) {
+            let kind = Kind::Error("brackets nested too deeply".into());
+            return Node { kind, ..node };
+        }
+        node
     }
 
     /// The whole slice as one expression; what is left over is an error.
@@ -208,6 +227,28 @@ impl<'t, 'a> Parser<'t, 'a> {
         let tokens = self.argument();
         self.inside(tokens).whole()
     }
+}
+
+/// The first bracket that is nested too deeply to be read: each of them is a group and a factor. Without this look ahead
+/// every level would walk through all that it holds before the innermost is refused.
+fn too_deep(tokens: &[Token<'_>]) -> Option<Span> {
+    let mut depth = 0;
+    let deep = tokens.iter().find(|token| {
+        depth = (depth + nesting(token)).max(0);
+        depth > DEEPEST.cast_signed() / 2
+    });
+    deep.map(|token| token.span)
+}
+
+fn is_tall(root: &Node) -> bool {
+    let mut open = vec![(root, 1)];
+    while let Some((node, level)) = open.pop() {
+        if level > TALLEST {
+            return true;
+        }
+        open.extend(node.children().into_iter().map(|child| (child, level + 1)));
+    }
+    false
 }
 
 /// The index of the token that closes the group, bracket or environment opened at `open`; the length where

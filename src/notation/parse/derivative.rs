@@ -21,11 +21,7 @@ pub(super) fn mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
             Some((1, false))
         }
         Lexeme::Command("partial") => Some((1, true)),
-        // What an author's own `\dd` leaves: a group with nothing else in it.
-        Lexeme::Open => {
-            let (length, partial) = mark(&tokens[1..])?;
-            (kind(1 + length) == Some(Lexeme::Close)).then_some((length + 2, partial))
-        }
+        Lexeme::Open => grouped_mark(tokens),
         Lexeme::Command("mathrm" | "rm" | "mathit" | "operatorname") => match kind(1)? {
             Lexeme::Letter('d') => Some((2, false)),
             // Scanned formulas have spaces inside: `\mathrm{~d} t`.
@@ -40,6 +36,20 @@ pub(super) fn mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
         },
         _ => None,
     }
+}
+
+/// What an author's own `\dd` leaves: a group, or a few in each other, with nothing else in it.
+fn grouped_mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
+    let near = &tokens[..tokens.len().min(4)];
+    let opened = near.iter().take_while(|t| t.kind == Lexeme::Open).count();
+    let inside = tokens.get(opened..)?;
+    if inside.first()?.kind == Lexeme::Open {
+        return None;
+    }
+    let (length, partial) = mark(inside)?;
+    let closing = inside.get(length..length + opened)?;
+    let closed = closing.iter().all(|t| t.kind == Lexeme::Close);
+    closed.then_some((length + 2 * opened, partial))
 }
 
 fn order(tokens: &[Token<'_>]) -> Option<(usize, u8)> {

@@ -77,9 +77,14 @@ impl<'a> Parser<'_, 'a> {
             self.at = self.tokens.len();
             return node;
         }
-        self.depth += 1;
+        // A command reads what follows it on more frames of the stack than a bracket does.
+        let cost = match self.peek() {
+            Some(Lexeme::Command(_)) => 2,
+            _ => 1,
+        };
+        self.depth += cost;
         let node = self.bare_factor();
-        self.depth -= 1;
+        self.depth -= cost;
         node
     }
 
@@ -173,6 +178,9 @@ impl<'a> Parser<'_, 'a> {
             labels.push(self.frame_label());
         }
         let mut node = self.factor();
+        if matches!(node.kind, Kind::Error(_)) {
+            return node;
+        }
         for label in labels {
             node = super::script::marked(node, label);
         }

@@ -227,22 +227,40 @@ fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
     Some((Token { span, ..*operator }, at + 1 + usize::from(grouped)))
 }
 
-/// `{\begin{aligned} … \end{aligned}}`, in more braces or not.
+/// `{\begin{aligned} … \end{aligned}}`, in a few more braces or not.
 fn is_environment(inside: &[Token<'_>]) -> bool {
-    let kinds: Vec<_> = inside
-        .iter()
-        .map(|t| t.kind)
-        .filter(|k| !matches!(k, Lexeme::Space(_)))
-        .collect();
-    let mut kinds = kinds.as_slice();
-    while let [Lexeme::Open, rest @ .., Lexeme::Close] = kinds {
-        kinds = rest;
+    let mut rest = without_spaces(inside);
+    for _ in 0..4 {
+        match rest {
+            [open, inner @ .., close]
+                if open.kind == Lexeme::Open && close.kind == Lexeme::Close =>
+            {
+                rest = without_spaces(inner);
+            }
+            _ => break,
+        }
     }
-    matches!(kinds, [Lexeme::Begin(_), .., Lexeme::End(_)])
+    match rest {
+        [first, .., last] => {
+            matches!(first.kind, Lexeme::Begin(_)) && matches!(last.kind, Lexeme::End(_))
+        }
+        _ => false,
+    }
+}
+
+/// The tokens without the spaces at the two ends.
+fn without_spaces<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
+    let space = |t: &&Token<'_>| matches!(t.kind, Lexeme::Space(_));
+    let from = tokens.iter().take_while(space).count();
+    let to = tokens[from..].iter().rev().take_while(space).count();
+    &tokens[from..tokens.len() - to]
 }
 
 /// `{\frac {d}{dt}}`: the rate of what follows.
 fn is_rate(inside: &[Token<'_>]) -> bool {
+    if inside.len() > 24 {
+        return false;
+    }
     let kinds: Vec<_> = inside
         .iter()
         .map(|t| t.kind)

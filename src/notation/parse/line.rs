@@ -263,7 +263,7 @@ pub(super) fn read(tokens: &[Token<'_>], marks: Marks) -> Row {
 }
 
 fn expression(tokens: &[Token<'_>], span: Span) -> Row {
-    let node = Parser::new(tokens, span).whole();
+    let node = Parser::new(tokens, span).side();
     match node.kind {
         Kind::Error(message) => Row::Unreadable {
             message,
@@ -275,7 +275,7 @@ fn expression(tokens: &[Token<'_>], span: Span) -> Row {
 }
 
 fn side(tokens: &[Token<'_>], end: Span) -> Node {
-    Parser::new(trimmed(tokens), end).whole()
+    Parser::new(trimmed(tokens), end).side()
 }
 
 fn is_blank(token: &Token<'_>) -> bool {

@@ -106,18 +106,18 @@ impl<'a> Parser<'_, 'a> {
                 self.at += 1;
                 self.unit_argument()
             }
-            _ if factors.iter().all(|f| in_numbers(&f.node)) => {
+            _ => {
                 let mut probe = self.clone();
                 let nothing = probe.node(Kind::Ellipsis, probe.at);
+                // The factors are looked at only where a unit was met: there may be many.
                 match probe.unit(nothing, before).kind {
-                    Kind::WithUnit(_, text) => {
+                    Kind::WithUnit(_, text) if factors.iter().all(|f| in_numbers(&f.node)) => {
                         self.at = probe.at;
                         text
                     }
                     _ => String::new(),
                 }
             }
-            _ => String::new(),
         };
         let Some(last) = factors.last_mut().filter(|_| !text.is_empty()) else {
             self.at = before;
