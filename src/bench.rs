@@ -1,5 +1,6 @@
 //! Run time against error: references that are right to rounding, problems, and the methods held against them.
 
+mod calibrate;
 mod contender;
 mod double;
 mod measure;
@@ -8,6 +9,7 @@ mod reference;
 mod rival;
 mod stability;
 
+pub use calibrate::calibrate;
 pub use contender::{CONTENDERS, Contender};
 pub use double::Double;
 pub use measure::{Point, floor, measure, time_to};

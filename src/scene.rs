@@ -20,6 +20,7 @@
 
 mod accuracy;
 mod balance;
+mod conditioning;
 mod costs;
 mod course;
 mod explain;
@@ -34,7 +35,7 @@ mod spin;
 
 pub use accuracy::{Estimated, Unsettled, distance, foresee, settle, size};
 pub use balance::Balance;
-pub use costs::{BOUNDS, Costs};
+pub use costs::{BOUNDS, Costs, angle};
 pub use course::Course;
 pub use explain::{ExplainError, Explanation, Skip, explain};
 pub use inertia::{InertiaForm, Point, Shape};
@@ -107,6 +108,8 @@ pub struct Run {
     pub output_interval: f64,
     /// Whether the error of a motion without closed form is estimated by a second, looser run.
     pub estimate_error: bool,
+    /// What methods cost, by which the plan chooses.
+    pub costs: Costs,
 }
 
 /// How a motion is computed.

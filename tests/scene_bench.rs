@@ -1,7 +1,9 @@
 //! References and comparisons: what is right to thirty digits, and what is measured against it.
 #![cfg(feature = "bench")]
 
-use polhode::bench::{Contender, Problem, axes, cells, floor, held, measure, problems, reference};
+use polhode::bench::{
+    Contender, Problem, axes, calibrate, cells, floor, held, measure, problems, reference,
+};
 use polhode::motion::FreeBody;
 use polhode::scene::{distance, size};
 use std::time::Duration;
@@ -63,6 +65,19 @@ fn every_method_comes_near_the_truth_and_finer_is_nearer() {
     assert!(!Contender::Exact.takes(&p.member));
     let points = vec![measure(&p, Contender::Plan, 1e-9, &truth, Duration::ZERO)];
     assert!(floor(&points, "top", Contender::Plan).is_some_and(|least| least < 1e-9));
+}
+
+#[test]
+fn what_methods_cost_is_measured() {
+    let costs = calibrate(Duration::ZERO).expect("bodies");
+    for five in [costs.taylor, costs.taylor_space, costs.dop853] {
+        assert!(
+            five.iter().all(|cost| *cost > 1.0 && cost.is_finite()),
+            "{five:?}"
+        );
+    }
+    // Whatever the machine: more digits cost a method of fixed order more.
+    assert!(costs.dop853[4] > costs.dop853[1] && costs.spin > 0.0 && costs.rk4 > 0.0);
 }
 
 #[test]

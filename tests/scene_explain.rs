@@ -1,7 +1,7 @@
 //! The plan of a scene: what is chosen, what is skipped, and that it says so.
 #![cfg(feature = "scene")]
 
-use polhode::scene::{self, Explanation, explain};
+use polhode::scene::{self, Costs, Explanation, explain};
 use polhode::source::Source;
 
 /// The explanation of a scene of one body.
@@ -36,12 +36,12 @@ fn a_method_is_chosen_by_what_the_motion_is() {
         (
             UNEQUAL.to_owned() + damping,
             "",
-            "Taylor series, 5e-12 a step",
+            "Taylor series, 1e-11 a step",
         ),
         (
             UNEQUAL.to_owned() + gravity,
             "tolerance = 0.05",
-            "DOP853, 1e-3 a step",
+            "DOP853, 8e-4 a step",
         ),
         (
             "inertia = { xx = 2, yy = 3, zz = 4 }\nangular_velocity = [1e-20, 3e-20, 0]".to_owned()
@@ -52,7 +52,7 @@ fn a_method_is_chosen_by_what_the_motion_is() {
         (
             UNEQUAL.to_owned(),
             "method = 'taylor'",
-            "Taylor series, 5e-12 a step",
+            "Taylor series, 1e-11 a step",
         ),
         (
             UNEQUAL.to_owned(),
@@ -102,6 +102,54 @@ fn work_is_skipped_where_nothing_needs_it_and_only_there() {
         !skips(&top).contains(&"Jacobian in the attitude"),
         "gravity looks at the attitude"
     );
+}
+
+#[test]
+fn the_attitude_is_left_out_where_the_energy_alone_is_asked_for_and_the_torque_is_blind() {
+    let law = |torque: &str| format!("{UNEQUAL}\ntorque = {{ {torque} }}");
+    let blind = law("kind = 'constant', value = [0.1, 0.2, 0]");
+    let seeing = law("kind = 'constant', frame = 'space', value = [0.1, 0.2, 0]");
+    let energy = "outputs = ['energy']";
+    assert!(skips(&explained(&blind, energy)).contains(&"attitude"));
+    assert!(!skips(&explained(&seeing, energy)).contains(&"attitude"));
+    for outputs in [
+        "outputs = ['energy', 'final']",
+        "outputs = ['energy', 'momentum']",
+    ] {
+        assert!(!skips(&explained(&blind, outputs)).contains(&"attitude"));
+    }
+}
+
+#[test]
+fn the_costs_of_a_machine_decide_which_method_is_cheapest() {
+    let text = format!(
+        "[[body]]\nname = 'a'\n{UNEQUAL}\ntorque = {{ kind = 'damping', coefficient = 0.1 }}\n\
+         [run]\nduration = 10\n"
+    );
+    let mut scene = scene::read(&Source::new("scene.toml", text)).expect("a good scene");
+    let name = |scene: &scene::Scene| {
+        let found = explain(&scene.groups[0], &scene.run).expect("a plan");
+        found.way.to_string()
+    };
+    assert!(name(&scene).starts_with("Taylor"));
+    let slow = Costs::default()
+        .to_string()
+        .replace("taylor = [", "taylor = [9e9, 9e9, 9e9, 9e9, 9e9] # ");
+    scene.run.costs = Costs::read(&Source::new("costs.toml", slow)).expect("costs");
+    assert!(name(&scene).starts_with("DOP853"));
+    for (wrong, said) in [
+        ("", "needs the key `taylor`"),
+        ("taylor = [1, 2]", "there have to be 5"),
+        ("taylor = [1, 2, 3, 4, -5]", "has to be positive"),
+        ("tailor = [1]", "write `taylor`"),
+        ("taylor = [", ""),
+    ] {
+        let errors = Costs::read(&Source::new("costs.toml", wrong)).expect_err("no costs");
+        let found = errors
+            .iter()
+            .any(|e| format!("{} {:?}", e.message, e.helps).contains(said));
+        assert!(found, "{wrong}: {errors:?}");
+    }
 }
 
 #[test]

@@ -93,6 +93,28 @@ fn a_trajectory_is_a_row_for_each_output_time() {
 }
 
 #[test]
+fn an_attitude_that_nobody_asks_for_is_not_made_up() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = "[[body]]\nname = 'a'\ninertia = { xx = 2, yy = 3, zz = 4, xy = 0.1 }\n\
+                 angular_velocity = [1, 3, 0.2]\ntorque = { kind = 'damping', coefficient = 0.1 }\n\
+                 [run]\nduration = 10\noutputs = [";
+    let body = |outputs: &str| {
+        let text = format!("{scene}{outputs}]\n");
+        fs::write(folder.path().join("a.toml"), text).expect("written");
+        let output = polhode(folder.path(), &["run", "--format", "json", "a.toml"]);
+        assert_eq!(code(&output), Some(0));
+        let form: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        form["bodies"][0].clone()
+    };
+    let (energy, both) = (body("'energy'"), body("'energy', 'final'"));
+    assert!(energy["attitude"].is_null() && both["attitude"].is_array());
+    for k in 0..3 {
+        let of = |form: &Value| form["angular_velocity"][k].as_f64().expect("a number");
+        assert!((of(&energy) - of(&both)).abs() < 1e-10);
+    }
+}
+
+#[test]
 fn a_bad_scene_ends_with_2_and_writes_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(

@@ -1,12 +1,16 @@
 //! The methods that are compared, each with the one setting that trades time for error.
 
 use crate::bench::{Problem, rival};
+use crate::mechanics::Products;
 use crate::motion::{
     FixedStep, ImplicitMidpoint, MoserVeselov, Number, Quaternion, Rk4, Scheme, Splitting, State,
     Stepper, System, Taylor, Torque,
 };
-use crate::scene::{Course, Member, Method, Outputs, Run, Way, Wrt, is_free, settle, size, way};
+use crate::scene::{
+    Costs, Course, Member, Method, Outputs, Run, Way, Wrt, is_free, sensitivity, settle, size, way,
+};
 use nalgebra::Vector3;
+use std::hint::black_box;
 
 /// A method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +19,8 @@ pub enum Contender {
     Plan,
     /// The same with the estimate.
     PlanEstimated,
+    /// What the plan chooses with the Jacobian in state, torque and inertia, 15 columns.
+    PlanJacobian,
     /// The closed form of the free body.
     Exact,
     /// Taylor series, adaptive.
@@ -31,6 +37,8 @@ pub enum Contender {
     MoserVeselov,
     /// DOP853 of `ode_solvers`.
     RivalDop853,
+    /// The same for 15 forward differences besides: the Jacobian that it gives a user.
+    RivalDifferences,
     /// Dopri5 of `ode_solvers`.
     RivalDopri5,
     /// Classical Runge–Kutta in single precision.
@@ -40,9 +48,10 @@ pub enum Contender {
 }
 
 /// All of them, in the order of tables and diagrams.
-pub const CONTENDERS: [Contender; 13] = [
+pub const CONTENDERS: [Contender; 15] = [
     Contender::Plan,
     Contender::PlanEstimated,
+    Contender::PlanJacobian,
     Contender::Exact,
     Contender::Taylor,
     Contender::Dop853,
@@ -51,6 +60,7 @@ pub const CONTENDERS: [Contender; 13] = [
     Contender::Midpoint,
     Contender::MoserVeselov,
     Contender::RivalDop853,
+    Contender::RivalDifferences,
     Contender::RivalDopri5,
     Contender::Rk4Single,
     Contender::TaylorSingle,
@@ -62,6 +72,7 @@ impl Contender {
         match self {
             Self::Plan => "plan",
             Self::PlanEstimated => "plan with estimate",
+            Self::PlanJacobian => "plan and Jacobian",
             Self::Exact => "closed form",
             Self::Taylor => "Taylor",
             Self::Dop853 => "DOP853",
@@ -70,6 +81,7 @@ impl Contender {
             Self::Midpoint => "implicit midpoint",
             Self::MoserVeselov => "Moser–Veselov, order 4",
             Self::RivalDop853 => "ode_solvers DOP853",
+            Self::RivalDifferences => "ode_solvers, differences",
             Self::RivalDopri5 => "ode_solvers Dopri5",
             Self::Rk4Single => "RK4, f32",
             Self::TaylorSingle => "Taylor, f32",
@@ -89,6 +101,16 @@ impl Contender {
         )
     }
 
+    /// Whether the plan chooses the method.
+    pub fn is_planned(self) -> bool {
+        matches!(self, Self::Plan | Self::PlanEstimated | Self::PlanJacobian)
+    }
+
+    /// Whether it also gives the Jacobian of the end.
+    pub fn has_jacobian(self) -> bool {
+        matches!(self, Self::PlanJacobian | Self::RivalDifferences)
+    }
+
     /// Whether it can move the body of a problem.
     pub fn takes(self, member: &Member) -> bool {
         self != Self::Exact || is_free(&member.torque)
@@ -99,7 +121,11 @@ impl Contender {
         if self == Self::Exact {
             vec![1.0]
         } else if self.is_adaptive() {
-            (3..=15).map(|n| 10f64.powi(-n)).collect()
+            // The plan may err by its tolerance, and mostly errs by much less: it is asked for less to give as much.
+            let first = if self.is_planned() { 3 } else { 7 };
+            (first..=45)
+                .map(|n| 10f64.powf(-f64::from(n) / 3.0))
+                .collect()
         } else {
             (0..=8).map(|n| 0.8 * 0.5f64.powi(n)).collect()
         }
@@ -119,6 +145,14 @@ impl Contender {
                 let settled = settle(member, way, *duration, tolerance, &|| false);
                 settled.ok().map(|settled| settled.state)
             }
+            Self::PlanJacobian => {
+                let way = way(member, &asked(tolerance, *duration)).ok()?;
+                let last = by(way)?;
+                let bound = way.step_tolerance().unwrap_or(1e-16);
+                let found = sensitivity(member, &JACOBIAN, ENTRIES, *duration, &last, bound);
+                black_box(found.ok()?);
+                Some(last)
+            }
             Self::Exact => by(Way::Free),
             Self::Taylor => by(Way::Taylor { tolerance }),
             Self::Dop853 => by(Way::Dop853 { tolerance }),
@@ -127,12 +161,20 @@ impl Contender {
             Self::Midpoint => fixed(ImplicitMidpoint, member, *duration, setting),
             Self::MoserVeselov => fixed(MoserVeselov::FOURTH, member, *duration, setting),
             Self::RivalDop853 => rival::dop853(member, *duration, tolerance),
+            Self::RivalDifferences => rival::differences(member, *duration, tolerance),
             Self::RivalDopri5 => rival::dopri5(member, *duration, tolerance),
             Self::Rk4Single => single(Rk4, member, *duration, setting),
             Self::TaylorSingle => single(Taylor::of_order(6), member, *duration, setting),
         }
     }
 }
+
+/// All columns but that of the duration, which is the equation of motion.
+const JACOBIAN: Wrt = Wrt {
+    dt: false,
+    ..Wrt::ALL
+};
+const ENTRIES: Products = Products::Entries;
 
 /// A run that asks for the final state alone.
 fn asked(tolerance: f64, duration: f64) -> Run {
@@ -148,6 +190,7 @@ fn asked(tolerance: f64, duration: f64) -> Run {
         wrt: Wrt::NONE,
         output_interval: duration,
         estimate_error: false,
+        costs: Costs::default(),
     }
 }
 

@@ -1,8 +1,8 @@
 //! `polhode bench`.
 
 use crate::bench::{
-    CONTENDERS, Contender, Point, Problem, floor, measure, problems, problems_of, reference,
-    time_to,
+    CONTENDERS, Contender, Point, Problem, calibrate, floor, measure, problems, problems_of,
+    reference, time_to,
 };
 use crate::cli::chart::{self, Curve, Scale};
 use crate::cli::input;
@@ -22,11 +22,15 @@ use std::time::Duration;
 #[command(after_help = "\
 Example:
   polhode bench --quick
+  polhode bench --quick --costs costs.toml
   polhode bench --problem top --format csv --out top.csv --diagrams diagrams")]
 pub(super) struct Options {
     /// Spend a minute instead of ten
     #[arg(long)]
     quick: bool,
+    /// Also with the Jacobian of the end in state, torque and inertia
+    #[arg(long)]
+    jacobian: bool,
     /// Only this problem (again for more): free, separatrix, top, damped, needle, or a body of the scene
     #[arg(long, value_name = "NAME")]
     problem: Vec<String>,
@@ -42,6 +46,9 @@ pub(super) struct Options {
     /// Also draw a work-precision diagram (SVG) of each problem into this folder
     #[arg(long, value_name = "FOLDER")]
     diagrams: Option<PathBuf>,
+    /// Also write what methods cost on this machine into a file, for `run` and `explain --costs`
+    #[arg(long, value_name = "PATH")]
+    costs: Option<PathBuf>,
 }
 
 /// Measures, and returns the exit code.
@@ -50,7 +57,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         Ok(problems) => problems,
         Err(code) => return code,
     };
-    let points = match points(&problems, options.quick) {
+    let points = match points(&problems, &contenders(options.jacobian), options.quick) {
         Ok(points) => points,
         Err(error) => return failed(&error),
     };
@@ -58,6 +65,12 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         && let Err(error) = diagrams(folder, &problems, &points)
     {
         return failed(&format!("{}: {error}", input::name(folder)));
+    }
+    if let Some(path) = &options.costs {
+        let code = write_costs(path, options.quick, color);
+        if code != 0 {
+            return code;
+        }
     }
     let text = match options.format {
         TableForm::Text => table(&problems, &points),
@@ -70,7 +83,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
 fn chosen(options: &Options, color: ColorChoice) -> Result<Vec<Problem>, u8> {
     let mut all = problems().map_err(|error| failed(&error.to_string()))?;
     if let Some(path) = &options.scene {
-        let scene = load(path, color)?;
+        let scene = load(path, None, color)?;
         all.extend(problems_of(&scene).map_err(|error| failed(&error.to_string()))?);
     }
     for name in &options.problem {
@@ -88,16 +101,42 @@ fn chosen(options: &Options, color: ColorChoice) -> Result<Vec<Problem>, u8> {
     Ok(all)
 }
 
-fn points(problems: &[Problem], quick: bool) -> Result<Vec<Point>, String> {
-    let budget = Duration::from_millis(if quick { 20 } else { 400 });
+fn write_costs(path: &Path, quick: bool, color: ColorChoice) -> u8 {
+    match calibrate(budget(quick)) {
+        Ok(costs) => {
+            let text = format!("# {}, by polhode bench\n{costs}", machine());
+            output::deliver(&text, Some(path), color)
+        }
+        Err(error) => failed(&error.to_string()),
+    }
+}
+
+/// The time for each method at each setting.
+fn budget(quick: bool) -> Duration {
+    Duration::from_millis(if quick { 8 } else { 200 })
+}
+
+/// All methods, or those that give the end alone.
+fn contenders(jacobian: bool) -> Vec<Contender> {
+    let all = CONTENDERS.into_iter();
+    all.filter(|contender| jacobian || !contender.has_jacobian())
+        .collect()
+}
+
+fn points(
+    problems: &[Problem],
+    contenders: &[Contender],
+    quick: bool,
+) -> Result<Vec<Point>, String> {
+    let budget = budget(quick);
     let mut points = Vec::new();
-    let bar = ProgressBar::new((problems.len() * CONTENDERS.len()) as u64);
+    let bar = ProgressBar::new((problems.len() * contenders.len()) as u64);
     for problem in problems {
         let truth = reference(&problem.member, &[problem.duration])
             .ok()
             .and_then(|states| states.first().copied())
             .ok_or_else(|| format!("{}: no reference motion", problem.name))?;
-        for contender in CONTENDERS {
+        for &contender in contenders {
             bar.inc(1);
             if !contender.takes(&problem.member) {
                 continue;

@@ -21,6 +21,9 @@ pub(super) struct Options {
     /// A scene (.toml), or - for standard input
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
+    /// Plan by the costs of this machine, a file of `polhode bench --costs` [default: those of a common server]
+    #[arg(long, value_name = "FILE")]
+    costs: Option<PathBuf>,
     /// Text for people or JSON for programs
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
@@ -31,7 +34,7 @@ pub(super) struct Options {
 
 /// Explains the plan and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
-    let scene = match load(&options.scene, color) {
+    let scene = match load(&options.scene, options.costs.as_deref(), color) {
         Ok(scene) => scene,
         Err(code) => return code,
     };

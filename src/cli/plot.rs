@@ -32,7 +32,7 @@ pub(super) struct Options {
 
 /// Draws, and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
-    let scene = match load(&options.scene, color) {
+    let scene = match load(&options.scene, None, color) {
         Ok(scene) => scene,
         Err(code) => return code,
     };

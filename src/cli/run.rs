@@ -4,7 +4,7 @@ use crate::cli::input;
 use crate::cli::output::failed;
 use crate::diagnostic::Diagnostic;
 use crate::report::terminal;
-use crate::scene::{self, RunError, Scene, Seam, simulate_from};
+use crate::scene::{self, Costs, RunError, Scene, Seam, simulate_from};
 use crate::source::Source;
 use anstream::{AutoStream, ColorChoice};
 use clap::{Args, ValueEnum};
@@ -46,6 +46,9 @@ pub(super) struct Options {
     /// Write to a file instead of the terminal
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
+    /// Plan by the costs of this machine, a file of `polhode bench --costs` [default: those of a common server]
+    #[arg(long, value_name = "FILE")]
+    costs: Option<PathBuf>,
     /// Go on from an earlier result (CSV) of the same scene that was stopped; the result is that of a run in one piece
     #[arg(long, value_name = "RESULT")]
     resume: Option<PathBuf>,
@@ -72,12 +75,24 @@ impl Form {
     }
 }
 
-/// Reads a scene; says what is wrong with it, and returns the exit code for that.
-pub(super) fn load(path: &Path, color: ColorChoice) -> Result<Scene, u8> {
+/// Reads a scene, and the costs by which it is planned; says what is wrong with them, and returns the exit code for that.
+pub(super) fn load(path: &Path, costs: Option<&Path>, color: ColorChoice) -> Result<Scene, u8> {
+    let mut scene = parsed(path, scene::read, color)?;
+    if let Some(costs) = costs {
+        scene.run.costs = parsed(costs, Costs::read, color)?;
+    }
+    Ok(scene)
+}
+
+fn parsed<T>(
+    path: &Path,
+    read: impl Fn(&Source) -> Result<T, Vec<Diagnostic>>,
+    color: ColorChoice,
+) -> Result<T, u8> {
     let name = input::name(path);
     let text = input::read(path).map_err(|error| failed(&format!("{name}: {error}")))?;
     let source = Source::new(name, text);
-    scene::read(&source).map_err(|diagnostics| {
+    read(&source).map_err(|diagnostics| {
         complain(&source, &diagnostics, color);
         2
     })
@@ -95,7 +110,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     if let Some(reason) = options.misuse() {
         return failed(reason);
     }
-    let scene = match load(&options.scene, color) {
+    let scene = match load(&options.scene, options.costs.as_deref(), color) {
         Ok(scene) => scene,
         Err(code) => return code,
     };

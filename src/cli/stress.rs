@@ -55,10 +55,11 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     output::deliver(&text, options.out.as_deref(), color)
 }
 
-/// The plan with its estimate steps as the plan without does.
+/// The plan with its estimate steps as the plan without does, and so does what also gives a Jacobian.
 fn contenders() -> Vec<Contender> {
     let all = CONTENDERS.into_iter();
-    all.filter(|c| *c != Contender::PlanEstimated).collect()
+    all.filter(|c| *c != Contender::PlanEstimated && !c.has_jacobian())
+        .collect()
 }
 
 fn map(longest: f64) -> Result<(Vec<Axis>, Vec<Cell>), String> {

@@ -2,7 +2,10 @@
 
 mod series;
 
-use crate::motion::{Body, MotionError, Number, Scheme, State, Stepper, System, Torque, stepper};
+use crate::motion::{
+    Body, MotionError, Number, Scheme, State, Stepper, System, Torque, TorqueLaw, stepper,
+};
+use nalgebra::Vector3;
 use series::{MOST, Series};
 
 /// One step by the Taylor series of the motion, of order 2 to 30, for the laws of torque that have a recurrence
@@ -65,6 +68,7 @@ pub struct TaylorMotion {
     body: Body,
     order: usize,
     tolerance: f64,
+    with_attitude: bool,
     /// The series in use, its start and its end.
     series: Series<f64>,
     start: f64,
@@ -101,6 +105,7 @@ impl TaylorMotion {
             body: *body,
             order,
             tolerance,
+            with_attitude: true,
             end: 0.0,
             start: 0.0,
             series,
@@ -110,6 +115,41 @@ impl TaylorMotion {
         };
         motion.end = motion.end_of_series()?;
         Ok(motion)
+    }
+
+    /// The same motion without its attitude, which stays that of the start: most of the work, where the torque does not
+    /// look at it. A motion whose torque does stays as it is.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use polhode::motion::{Body, State, Stepper, TaylorMotion, Torque};
+    ///
+    /// let body = Body::new(&Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)))?;
+    /// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+    /// let drag = Torque::Damping { coefficient: 0.1 };
+    /// let mut whole = TaylorMotion::new(&body, drag, &start, 1e-12)?;
+    /// let mut spin = whole.clone().without_attitude();
+    /// whole.advance_to(10.0)?;
+    /// spin.advance_to(10.0)?;
+    /// assert!((spin.state().angular_velocity - whole.state().angular_velocity).norm() < 1e-11);
+    /// # Ok::<(), polhode::motion::MotionError>(())
+    /// ```
+    #[must_use]
+    pub fn without_attitude(mut self) -> Self {
+        let law: &dyn TorqueLaw<f64> = self.system.law();
+        if law.without_attitude(0.0, &Vector3::zeros()).is_some() {
+            self.with_attitude = false;
+            let inner = self.series.at(0.0);
+            self.series = self.series_from(self.start, &inner);
+            // What ends with its attitude ends without it, if later.
+            self.end = self.end_of_series().unwrap_or(self.end);
+        }
+        self
+    }
+
+    fn series_from(&self, time: f64, inner: &State<f64>) -> Series<f64> {
+        let (order, with_attitude) = (self.order, self.with_attitude);
+        Series::with_attitude_or_not(&self.system, time, inner, order, with_attitude)
     }
 
     /// How many steps were taken.
@@ -166,7 +206,7 @@ impl TaylorMotion {
         if !inner.is_finite() {
             return Err(MotionError::Diverged { time: self.start });
         }
-        self.series = Series::new(&self.system, time, inner, self.order);
+        self.series = self.series_from(time, inner);
         self.start = time;
         self.steps += 1;
         self.end = self.end_of_series()?;

@@ -1,16 +1,19 @@
 //! How far a computed state may be off the true one.
 
-use crate::motion::{FreeBody, MotionError, State};
+use crate::motion::{MotionError, State};
+use crate::scene::conditioning::free_error;
 use crate::scene::{Course, Member, Way, plan};
 use nalgebra::Vector3;
 
 /// Rounding errors of a state that is computed once, in units of the last place.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Bound of a step of the companion run, against which the run itself counts as exact.
 const LOOSE: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
+/// What a companion's bound is of the run's own where there is none to loosen.
+const TIGHTER: f64 = 0.01;
 /// Above this the companion has lost the motion, and says nothing of how errors grow.
-const LOST: f64 = 0.05;
+pub(crate) const LOST: f64 = 0.05;
 /// An estimate from one other run may be off by as much.
 const SAFETY: f64 = 8.0;
 
@@ -77,16 +80,24 @@ pub fn settle(
 ) -> Result<Estimated, Unsettled> {
     let mut settled = end(member, way, duration, stop)?;
     let Some(bound) = way.step_tolerance() else {
-        settled.error = Some(error_without_bound(member, &settled, duration, stop)?);
+        settled.error = Some(error_without_bound(
+            member,
+            &settled,
+            (duration, tolerance),
+            stop,
+        )?);
         return Ok(settled);
     };
     let scale = size(&member.start.angular_velocity);
     let mut growth = f64::INFINITY;
-    for loose in LOOSE.into_iter().filter(|loose| *loose > 4.0 * bound) {
-        let other = end(member, way.within(loose), duration, stop)?;
+    let looser = LOOSE.into_iter().filter(|loose| *loose > 4.0 * bound);
+    // Where nothing looser says anything, a tighter one shows the error of the run itself.
+    let tighter = Some(TIGHTER * bound).filter(|tight| *tight >= plan::LEAST);
+    for other_bound in looser.chain(tighter) {
+        let other = end(member, way.within(other_bound), duration, stop)?;
         let off = distance(&settled.state, &other.state, scale);
         // Two runs that agree by chance: a bound is not met better than by itself.
-        growth = (off / loose).max(1.0);
+        growth = (off / other_bound.max(bound)).max(1.0);
         if off < LOST {
             break;
         }
@@ -113,7 +124,10 @@ pub fn foresee(
 ) -> Result<(Way, f64), Unsettled> {
     let Some(bound) = way.step_tolerance() else {
         let settled = end(member, way, duration, stop)?;
-        return Ok((way, error_without_bound(member, &settled, duration, stop)?));
+        return Ok((
+            way,
+            error_without_bound(member, &settled, (duration, tolerance), stop)?,
+        ));
     };
     let scale = size(&member.start.angular_velocity);
     let mut growth = f64::INFINITY;
@@ -169,12 +183,12 @@ fn end(
 fn error_without_bound(
     member: &Member,
     found: &Estimated,
-    duration: f64,
+    (duration, tolerance): (f64, f64),
     stop: &dyn Fn() -> bool,
 ) -> Result<f64, Unsettled> {
     let speed = size(&member.start.angular_velocity);
     Ok(match found.way {
-        Way::Free => free_error(member, duration),
+        Way::Free => free_error(member, duration, tolerance),
         Way::Spin(_) => {
             let speed = speed.max(size(&found.state.angular_velocity));
             ROUNDING * (1.0 + speed * duration)
@@ -185,34 +199,4 @@ fn error_without_bound(
             distance(&found.state, &other.state, speed)
         }
     })
-}
-
-/// By moving the initial ω a little each way: the state after it moves by the conditioning of the problem.
-fn free_error(member: &Member, duration: f64) -> f64 {
-    let omega = member.start.angular_velocity;
-    let speed = size(&omega);
-    if speed == 0.0 {
-        return ROUNDING;
-    }
-    let end = |omega: Vector3<f64>| {
-        let start = member.start.turning(omega);
-        FreeBody::new(&member.body, &start).at(duration)
-    };
-    let Ok(here) = end(omega) else {
-        return f64::INFINITY;
-    };
-    let mut largest = 0.0_f64;
-    for shift in [1e-9, 1e-13] {
-        largest = 0.0;
-        for k in 0..3 {
-            let mut moved = omega;
-            moved[k] += shift * speed;
-            let off = end(moved).map_or(f64::INFINITY, |there| distance(&here, &there, speed));
-            largest = largest.max(off / shift);
-        }
-        if largest * shift < LOST {
-            break;
-        }
-    }
-    ROUNDING * largest.max(1.0 + speed * duration)
 }

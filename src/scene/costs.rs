@@ -1,19 +1,24 @@
 //! What a method costs on this machine.
 
-use crate::motion::{System, Torque};
-use crate::scene::{Member, Run, Way, plan, size};
+use crate::diagnostic::Diagnostic;
+use crate::motion::{Frame, System, Torque};
+use crate::scene::{Member, Run, Way, plan, read, size};
+use crate::source::Source;
 use nalgebra::Vector3;
+use std::fmt;
 
 /// Bounds of a step for which costs are known.
 pub const BOUNDS: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
 
 /// Nanoseconds for each radian that a body turns, by bound of a step; and of the closed forms for each evaluation.
 ///
-/// The defaults were measured by `polhode bench` on one core of an x86-64 server; what the plan uses are their ratios.
+/// Written as TOML by its `Display`, and read by [`Costs::read`]. The defaults were measured by `polhode bench` on one core of an x86-64 server; what the plan uses are their ratios.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Costs {
     /// Taylor series.
     pub taylor: [f64; 5],
+    /// Taylor series under a torque that is given in space, whose direction they carry along.
+    pub taylor_space: [f64; 5],
     /// DOP853.
     pub dop853: [f64; 5],
     /// To set a free body up, and to evaluate it once more.
@@ -27,8 +32,9 @@ pub struct Costs {
 impl Default for Costs {
     fn default() -> Self {
         Self {
-            taylor: [280.0, 400.0, 480.0, 650.0, 800.0],
-            dop853: [115.0, 225.0, 500.0, 1150.0, 2700.0],
+            taylor: [157.0, 226.0, 250.0, 370.0, 467.0],
+            taylor_space: [350.0, 510.0, 640.0, 850.0, 1050.0],
+            dop853: [112.0, 215.0, 460.0, 1080.0, 2580.0],
             free: [600.0, 100.0],
             spin: 40.0,
             rk4: 60.0,
@@ -37,14 +43,49 @@ impl Default for Costs {
 }
 
 impl Costs {
+    /// The costs that a file of `polhode bench --costs` holds.
+    ///
+    /// # Errors
+    /// What is wrong with it, each with its place; at least one.
+    ///
+    /// ```
+    /// use polhode::{scene::Costs, source::Source};
+    /// let written = Costs::default().to_string();
+    /// assert_eq!(Costs::read(&Source::new("costs.toml", written)), Ok(Costs::default()));
+    /// ```
+    pub fn read(source: &Source) -> Result<Self, Vec<Diagnostic>> {
+        read::costs(source)
+    }
+
     /// The ways of stepping that meet the tolerance of a run, with their costs in s: Taylor, DOP853.
     pub fn candidates(&self, member: &Member, run: &Run) -> [(Way, f64); 2] {
-        let [taylor, dop853] = plan::bounds(run);
-        let ways = [
-            Way::Taylor { tolerance: taylor },
-            Way::Dop853 { tolerance: dop853 },
-        ];
+        let ways = plan::ways(run);
         ways.map(|way| (way, self.seconds(member, run, &way)))
+    }
+
+    /// The costs of Taylor series under a law of torque.
+    fn taylor_under(&self, law: &Torque) -> &[f64; 5] {
+        match law {
+            Torque::Gravity { .. }
+            | Torque::Constant {
+                frame: Frame::Space,
+                ..
+            }
+            | Torque::Sinusoid {
+                frame: Frame::Space,
+                ..
+            } => &self.taylor_space,
+            _ => &self.taylor,
+        }
+    }
+
+    /// Nanoseconds for each radian by a way of stepping with error control; 0 for others.
+    pub(crate) fn per_radian(&self, law: &Torque, way: &Way) -> f64 {
+        match way {
+            Way::Taylor { tolerance } => between(self.taylor_under(law), *tolerance),
+            Way::Dop853 { tolerance } => between(&self.dop853, *tolerance),
+            _ => 0.0,
+        }
     }
 
     /// The time for one body, s.
@@ -59,15 +100,35 @@ impl Costs {
         1e-9 * match way {
             Way::Spin(_) => self.spin * rows,
             Way::Free => self.free[0] + self.free[1] * rows,
-            Way::Taylor { tolerance } => between(&self.taylor, *tolerance) * angle.max(1.0),
-            Way::Dop853 { tolerance } => between(&self.dop853, *tolerance) * angle.max(1.0),
+            Way::Taylor { .. } | Way::Dop853 { .. } => {
+                self.per_radian(&member.torque, way) * angle.max(1.0)
+            }
             Way::Rk4 { step } => self.rk4 * (run.duration / step).ceil(),
         }
     }
 }
 
-/// The angle that a body turns, or that its torque turns: what the number of steps follows.
-fn angle(member: &Member, duration: f64) -> f64 {
+impl fmt::Display for Costs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "# ns for each radian that a body turns, by the bound of a step: {BOUNDS:?}"
+        )?;
+        writeln!(f, "taylor = {:?}", self.taylor)?;
+        writeln!(f, "taylor_space = {:?}", self.taylor_space)?;
+        writeln!(f, "dop853 = {:?}", self.dop853)?;
+        writeln!(
+            f,
+            "# ns to set a free body up, and to evaluate it once more"
+        )?;
+        writeln!(f, "free = {:?}", self.free)?;
+        writeln!(f, "# ns to evaluate a spin, and for a step of RK4")?;
+        writeln!(f, "spin = {:?}\nrk4 = {:?}", self.spin, self.rk4)
+    }
+}
+
+/// The angle (rad) that a body turns, or that its torque turns: what the number of steps follows.
+pub fn angle(member: &Member, duration: f64) -> f64 {
     let system = System::over(*member.body.inertia(), member.torque, Vector3::zeros());
     let alpha = system.rates(0.0, &member.start).angular_acceleration.norm();
     let frequency = match member.torque {

@@ -51,6 +51,15 @@ impl Course {
         })
     }
 
+    /// The same motion without its attitude, where that saves work and the torque does not look at it.
+    #[must_use]
+    pub fn without_attitude(self) -> Self {
+        match self {
+            Self::Taylor(motion) => Self::Taylor(Box::new(motion.without_attitude())),
+            other => other,
+        }
+    }
+
     /// The state at `time`, which is not before the last one asked for.
     ///
     /// # Errors

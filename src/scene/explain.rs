@@ -3,7 +3,7 @@
 use crate::mechanics::Products;
 use crate::motion::{Frame, MotionError, Torque};
 use crate::scene::sensitivity::looks_away;
-use crate::scene::{Costs, Group, Member, Method, PlanError, Run, Way, is_free, way};
+use crate::scene::{Group, Member, Method, PlanError, Run, Way, is_free, plan, way};
 use nalgebra::Vector3;
 use std::{error, fmt};
 
@@ -72,6 +72,10 @@ pub fn explain(group: &Group, run: &Run) -> Result<Explanation, ExplainError> {
     let mut skipped = of_motion(&member, &way);
     skipped.extend(of_body(group, &member, shared.is_some(), &way));
     skipped.extend(of_outputs(&member, run));
+    if plan::spares_attitude(&member, run, &way) {
+        let why = "only the energy is asked for, and the torque does not look at it; exact";
+        skipped.push(skip("attitude", why));
+    }
     Ok(Explanation {
         name: group.name.clone(),
         count: group.count,
@@ -79,7 +83,7 @@ pub fn explain(group: &Group, run: &Run) -> Result<Explanation, ExplainError> {
         torque: torque(&member.torque).to_owned(),
         asks: asks(run),
         why: why(&member, run, &way),
-        seconds: Costs::default().seconds(&member, run, &way) * group.count as f64,
+        seconds: run.costs.seconds(&member, run, &way) * group.count as f64,
         way,
         skipped,
     })
@@ -163,8 +167,8 @@ fn why(member: &Member, run: &Run, way: &Way) -> String {
                 .to_owned()
         }
         Way::Taylor { .. } | Way::Dop853 { .. } | Way::Rk4 { .. } => {
-            let costs = Costs::default();
-            let [taylor, dop853] = costs
+            let [taylor, dop853] = run
+                .costs
                 .candidates(member, run)
                 .map(|(_, seconds)| seconds * 1e6);
             format!(

@@ -1,7 +1,8 @@
 //! The plan: how a body's motion is computed, and what of the work is skipped.
 
 use crate::motion::Torque;
-use crate::scene::{Costs, Member, Method, Run, Spin, size};
+use crate::scene::sensitivity::looks_away;
+use crate::scene::{Member, Method, Run, Spin, size};
 use std::{error, fmt};
 
 /// How the motion of one body is computed.
@@ -77,7 +78,7 @@ impl error::Error for PlanError {}
 
 /// How much smaller the bound of a step is than the error allowed at the end, for Taylor series and DOP853: what their
 /// steps add up to in an ordinary run.
-const PARTS: [f64; 2] = [0.05, 0.02];
+const PARTS: [f64; 2] = [0.1, 0.015];
 /// The least bound of a step: rounding makes more error than a smaller one would save.
 pub(crate) const LEAST: f64 = 1e-16;
 
@@ -88,39 +89,52 @@ pub(crate) const LEAST: f64 = 1e-16;
 pub fn way(member: &Member, run: &Run) -> Result<Way, PlanError> {
     let spin = || Spin::new(member).map(Way::Spin);
     let free = || is_free(&member.torque).then_some(Way::Free);
-    let [taylor, dop853] = bounds(run);
+    let [taylor, dop853] = ways(run);
     match run.method {
         Method::Auto => Ok(spin()
             .or_else(free)
             .unwrap_or_else(|| cheapest(member, run))),
         Method::Exact => free().or_else(spin).ok_or(PlanError::NoClosedForm),
-        Method::Taylor => Ok(Way::Taylor { tolerance: taylor }),
-        Method::Dop853 => Ok(Way::Dop853 { tolerance: dop853 }),
+        Method::Taylor => Ok(taylor),
+        Method::Dop853 => Ok(dop853),
         Method::Rk4 => Ok(Way::Rk4 {
             step: run.step.unwrap_or(run.duration),
         }),
     }
 }
 
-/// The bounds of a step to begin with: of Taylor series, of DOP853.
-pub(crate) fn bounds(run: &Run) -> [f64; 2] {
-    PARTS.map(|part| (run.tolerance * part).max(LEAST))
+/// The ways of stepping with the bounds of a step to begin with: Taylor series, DOP853.
+pub(crate) fn ways(run: &Run) -> [Way; 2] {
+    let [taylor, dop853] = PARTS.map(|part| (run.tolerance * part).max(LEAST));
+    [
+        Way::Taylor { tolerance: taylor },
+        Way::Dop853 { tolerance: dop853 },
+    ]
 }
 
 /// Speeds whose thirtieth power neither overflows nor vanishes, as the coefficients of a series need.
 const SPEEDS: std::ops::Range<f64> = 1e-9..1e9;
 
 fn cheapest(member: &Member, run: &Run) -> Way {
-    let [taylor, dop853] = Costs::default().candidates(member, run);
+    let [taylor, dop853] = ways(run);
     let speed = size(&member.start.angular_velocity);
     if speed > 0.0 && !SPEEDS.contains(&speed) {
-        return dop853.0;
+        return dop853;
     }
-    if dop853.1 < taylor.1 {
-        dop853.0
+    let cost = |way| run.costs.per_radian(&member.torque, way);
+    if cost(&dop853) < cost(&taylor) {
+        dop853
     } else {
-        taylor.0
+        taylor
     }
+}
+
+/// Whether the attitude is left out: where only the energy is asked for, which is of ω alone unless the torque looks at
+/// the attitude.
+pub(crate) fn spares_attitude(member: &Member, run: &Run, way: &Way) -> bool {
+    let o = &run.outputs;
+    let asked = o.last || o.trajectory || o.momentum || o.jacobian;
+    !asked && matches!(way, Way::Taylor { .. }) && looks_away(member)
 }
 
 /// Whether the torque is zero whatever the body does.

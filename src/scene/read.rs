@@ -1,11 +1,14 @@
 //! Reads a scene file, and says at its place what is wrong with it.
 
 mod body;
+mod costs;
 mod inertia;
 mod reader;
 mod run;
 mod torque;
 mod urdf;
+
+pub(super) use costs::costs;
 
 use crate::diagnostic::Diagnostic;
 use crate::scene::{Group, Scene};

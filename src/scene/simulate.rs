@@ -1,10 +1,12 @@
 //! Runs a scene, body after body, and hands the results on as they come.
 
-use crate::motion::{Body, MotionError, State};
-use crate::scene::{
-    Balance, Course, Group, Member, PlanError, Run, Scene, Sensitivity, Unsettled, Way, foresee,
-    plan, sensitivity, settle, way,
-};
+mod compute;
+mod several;
+
+use crate::motion::{MotionError, State};
+use crate::scene::{Group, PlanError, Scene, Sensitivity, Way};
+use compute::{Broken, Task};
+use std::convert::Infallible;
 use std::{error, fmt};
 
 /// What one body did.
@@ -12,6 +14,8 @@ use std::{error, fmt};
 pub struct Outcome {
     /// The state at the end.
     pub last: State<f64>,
+    /// Whether its attitude is known: it is not computed where nobody asks for it and the torque does not look at it.
+    pub has_attitude: bool,
     /// The time of that state, s: the duration, unless the run was stopped.
     pub time: f64,
     /// How it was computed.
@@ -60,9 +64,10 @@ pub trait Sink {
     /// As above.
     fn end(&mut self, outcome: &Outcome) -> Result<(), Self::Error>;
 
-    /// Whether to stop, asked between bodies and between rows: the body under way then ends with the last row.
-    fn stopped(&self) -> bool {
-        false
+    /// Says whether to stop, asked between bodies and between rows on every thread that computes: a body under way then
+    /// ends with the last row.
+    fn stop(&self) -> fn() -> bool {
+        || false
     }
 }
 
@@ -102,6 +107,9 @@ impl<E: error::Error> error::Error for RunError<E> {}
 /// Runs all bodies of a scene. Memory does not grow with their number nor with the duration. Returns whether the run
 /// came to its end, and was not stopped.
 ///
+/// With the feature `parallel` several bodies are computed at once, unless their trajectories are asked for; the results
+/// are the same, in the same order.
+///
 /// # Errors
 /// A body that cannot be or whose motion is not finite; what the sink has to say.
 pub fn simulate<S: Sink>(scene: &Scene, sink: &mut S) -> Result<bool, RunError<S::Error>> {
@@ -129,6 +137,11 @@ pub fn simulate_from<S: Sink>(
     let mut before = 0;
     for group in &scene.groups {
         let skipped = from.body.saturating_sub(before).min(group.count);
+        let row = if skipped > 0 || before == from.body {
+            from.row
+        } else {
+            0
+        };
         before += group.count;
         if skipped == group.count {
             continue;
@@ -137,13 +150,69 @@ pub fn simulate_from<S: Sink>(
             body: group.name.clone(),
             reason,
         })?;
-        for index in skipped..group.count {
-            if sink.stopped() {
-                return Ok(false);
-            }
-            let number = before - group.count + index;
-            let row = if number == from.body { from.row } else { 0 };
-            if !one(group, index, shared.as_ref(), (&scene.run, row), sink)? {
+        let task = Task {
+            group,
+            shared: shared.as_ref(),
+            run: &scene.run,
+        };
+        let complete = if scene.run.outputs.trajectory {
+            one_by_one(&task, skipped, row, sink)?
+        } else {
+            in_shares(&task, skipped, sink)?
+        };
+        if !complete {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Runs the members from the first on, and hands on their rows as they come; whether all came to their end.
+fn one_by_one<S: Sink>(
+    task: &Task<'_>,
+    first: u64,
+    row: u64,
+    sink: &mut S,
+) -> Result<bool, RunError<S::Error>> {
+    let stop = sink.stop();
+    for index in first..task.group.count {
+        if stop() {
+            return Ok(false);
+        }
+        sink.begin(task.group, index).map_err(RunError::Sink)?;
+        let from = if index == first { row } else { 0 };
+        let outcome = task
+            .compute(index, from, &mut |row| sink.row(row), &stop)
+            .map_err(|broken| broken.of(task.group.member_name(index), |error| error))?;
+        sink.end(&outcome).map_err(RunError::Sink)?;
+        if outcome.time < task.run.duration {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// Runs the members from the first on, several at once, and hands on their ends in order; whether all came to it.
+fn in_shares<S: Sink>(
+    task: &Task<'_>,
+    first: u64,
+    sink: &mut S,
+) -> Result<bool, RunError<S::Error>> {
+    let stop = sink.stop();
+    let mut shares = several::Shares::new(first..task.group.count);
+    while let Some(share) = shares.next() {
+        if stop() {
+            return Ok(false);
+        }
+        let all = several::map(share.clone(), |index| {
+            task.compute::<Infallible>(index, 0, &mut |_| Ok(()), &stop)
+        });
+        for (index, found) in share.zip(all) {
+            let name = || task.group.member_name(index);
+            let outcome = found.map_err(|broken| broken.of(name(), |never| match never {}))?;
+            sink.begin(task.group, index).map_err(RunError::Sink)?;
+            sink.end(&outcome).map_err(RunError::Sink)?;
+            if outcome.time < task.run.duration {
                 return Ok(false);
             }
         }
@@ -151,162 +220,12 @@ pub fn simulate_from<S: Sink>(
     Ok(true)
 }
 
-/// Runs one member; returns whether it came to its end.
-fn one<S: Sink>(
-    group: &Group,
-    index: u64,
-    shared: Option<&Body>,
-    (run, row): (&Run, u64),
-    sink: &mut S,
-) -> Result<bool, RunError<S::Error>> {
-    let failed = |reason| RunError::Motion {
-        body: group.member_name(index),
-        reason,
-    };
-    let member = group.member(index, shared).map_err(failed)?;
-    let way = way(&member, run).map_err(|reason| RunError::Plan {
-        body: group.member_name(index),
-        reason,
-    })?;
-    sink.begin(group, index).map_err(RunError::Sink)?;
-    let mut outcome = match body(&member, way, (run, row), sink) {
-        Ok(outcome) => outcome,
-        Err(Broken::Motion(reason)) => return Err(failed(reason)),
-        Err(Broken::Sink(error)) => return Err(RunError::Sink(error)),
-        // Before its first row: it ends where it began.
-        Err(Broken::Stopped) => Outcome::at_start(&member, way),
-    };
-    let complete = outcome.time >= run.duration;
-    if run.outputs.jacobian && complete {
-        let last = outcome.last;
-        let bound = outcome.way.step_tolerance().unwrap_or(plan::LEAST);
-        let found = sensitivity(
-            &member,
-            &run.wrt,
-            group.products,
-            run.duration,
-            &last,
-            bound,
-        );
-        outcome.jacobian = Some(found.map_err(failed)?);
-    }
-    sink.end(&outcome).map_err(RunError::Sink)?;
-    Ok(complete)
-}
-
-enum Broken<E> {
-    Motion(MotionError),
-    Sink(E),
-    Stopped,
-}
-
-impl<E> From<MotionError> for Broken<E> {
-    fn from(error: MotionError) -> Self {
-        Self::Motion(error)
-    }
-}
-
-impl<E> From<Unsettled> for Broken<E> {
-    fn from(error: Unsettled) -> Self {
-        match error {
-            Unsettled::Motion(error) => Self::Motion(error),
-            Unsettled::Stopped => Self::Stopped,
+impl<E> Broken<E> {
+    fn of<F>(self, body: String, of_sink: impl FnOnce(E) -> F) -> RunError<F> {
+        match self {
+            Self::Motion(reason) => RunError::Motion { body, reason },
+            Self::Plan(reason) => RunError::Plan { body, reason },
+            Self::Sink(error) => RunError::Sink(of_sink(error)),
         }
-    }
-}
-
-fn body<S: Sink>(
-    member: &Member,
-    way: Way,
-    (run, row): (&Run, u64),
-    sink: &mut S,
-) -> Result<Outcome, Broken<S::Error>> {
-    let balance = Balance::new(member);
-    let mut outcome = Outcome {
-        time: run.duration,
-        ..Outcome::at_start(member, way)
-    };
-    let outputs = &run.outputs;
-    let (duration, tolerance) = (run.duration, run.tolerance);
-    if outputs.trajectory || outputs.energy || outputs.momentum {
-        if run.estimate_error {
-            let stop = || sink.stopped();
-            let (way, error) = foresee(member, way, duration, tolerance, &stop)?;
-            (outcome.way, outcome.error) = (way, Some(error));
-        }
-        along(member, &balance, (run, row), &mut outcome, sink)?;
-        return Ok(outcome);
-    }
-    if run.estimate_error {
-        let settled = settle(member, way, duration, tolerance, &|| sink.stopped())?;
-        (outcome.last, outcome.error, outcome.way) = (settled.state, settled.error, settled.way);
-    } else {
-        outcome.last = Course::new(member, &way)?.at(duration)?;
-    }
-    let last = outcome.last;
-    outcome.note_drift(&balance, duration, &last);
-    Ok(outcome)
-}
-
-/// Goes through the output times, hands the rows on and keeps the largest drift.
-fn along<S: Sink>(
-    member: &Member,
-    balance: &Balance,
-    (run, first): (&Run, u64),
-    outcome: &mut Outcome,
-    sink: &mut S,
-) -> Result<(), Broken<S::Error>> {
-    let mut course = Course::new(member, &outcome.way)?;
-    // A duration of 10 in intervals of 0.1 has 100 of them, although 0.1 is no number of halves.
-    let count = (run.duration / run.output_interval * (1.0 - 4.0 * f64::EPSILON)).ceil() as u64;
-    for n in 0..=count {
-        let time = match n {
-            n if n == count => run.duration,
-            n => n as f64 * run.output_interval,
-        };
-        // Steps of fixed length end at each output time, and others go past it.
-        if n < first && !matches!(course, Course::Rk4(_)) {
-            continue;
-        }
-        let state = course.at(time)?;
-        if n < first {
-            continue;
-        }
-        outcome.note_drift(balance, time, &state);
-        if run.outputs.trajectory {
-            let energy = balance.energy(&state);
-            let row = Row {
-                time,
-                state,
-                energy,
-            };
-            sink.row(&row).map_err(Broken::Sink)?;
-        }
-        (outcome.last, outcome.time) = (state, time);
-        if n < count && sink.stopped() {
-            break;
-        }
-    }
-    Ok(())
-}
-
-impl Outcome {
-    fn at_start(member: &Member, way: Way) -> Self {
-        Self {
-            last: member.start,
-            time: 0.0,
-            way,
-            error: None,
-            energy_drift: None,
-            momentum_drift: None,
-            jacobian: None,
-        }
-    }
-
-    fn note_drift(&mut self, balance: &Balance, time: f64, state: &State<f64>) {
-        let larger =
-            |old: Option<f64>, new: Option<f64>| new.map(|new| old.unwrap_or(0.0).max(new));
-        self.energy_drift = larger(self.energy_drift, balance.energy_drift(state));
-        self.momentum_drift = larger(self.momentum_drift, balance.momentum_drift(time, state));
     }
 }

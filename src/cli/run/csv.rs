@@ -23,7 +23,7 @@ impl Form for Csv {
     }
 
     fn row(&mut self, out: &mut dyn Write, row: &Row) -> io::Result<()> {
-        self.state(out, row.time, &row.state)?;
+        self.state(out, row.time, &row.state, true)?;
         writeln!(out, ",{:e}", row.energy)
     }
 
@@ -31,7 +31,7 @@ impl Form for Csv {
         if self.trajectory {
             return Ok(());
         }
-        self.state(out, outcome.time, &outcome.last)?;
+        self.state(out, outcome.time, &outcome.last, outcome.has_attitude)?;
         for value in [outcome.energy_drift, outcome.momentum_drift, outcome.error] {
             match value {
                 Some(value) => write!(out, ",{value:e}")?,
@@ -47,15 +47,23 @@ impl Form for Csv {
 }
 
 impl Csv {
-    fn state(&self, out: &mut dyn Write, time: f64, state: &State<f64>) -> io::Result<()> {
+    /// The time and the state, fields of the attitude empty where it is not known.
+    fn state(
+        &self,
+        out: &mut dyn Write,
+        time: f64,
+        state: &State<f64>,
+        has_attitude: bool,
+    ) -> io::Result<()> {
         write!(out, "{},{time}", self.name)?;
-        let [w, x, y, z] = state.attitude.components();
+        if has_attitude {
+            let [w, x, y, z] = state.attitude.components();
+            write!(out, ",{w:e},{x:e},{y:e},{z:e}")?;
+        } else {
+            write!(out, ",,,,")?;
+        }
         let omega = state.angular_velocity;
-        write!(
-            out,
-            ",{w:e},{x:e},{y:e},{z:e},{:e},{:e},{:e}",
-            omega.x, omega.y, omega.z
-        )
+        write!(out, ",{:e},{:e},{:e}", omega.x, omega.y, omega.z)
     }
 }
 

@@ -50,7 +50,8 @@ impl Form for Json {
             write!(out, "]")?;
         }
         write!(out, ", \"attitude\": ")?;
-        serde_json::to_writer(&mut *out, &outcome.last.attitude.components())?;
+        let attitude = outcome.last.attitude.components();
+        serde_json::to_writer(&mut *out, &outcome.has_attitude.then_some(attitude))?;
         write!(out, ", \"angular_velocity\": ")?;
         serde_json::to_writer(&mut *out, outcome.last.angular_velocity.as_slice())?;
         write!(out, ", \"time\": {}", Value::from(outcome.time))?;

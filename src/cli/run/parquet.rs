@@ -69,7 +69,10 @@ fn io(error: ParquetError) -> io::Error {
 impl Form for Parquet {
     fn open(&mut self, _: &mut dyn Write, run: &Run) -> io::Result<()> {
         self.trajectory = run.outputs.trajectory;
-        self.columns = STATE.map(|name| Column::new(name, true)).into();
+        let whole = self.trajectory;
+        self.columns = STATE
+            .map(|name| Column::new(name, whole || !name.starts_with('q')))
+            .into();
         if self.trajectory {
             self.columns.push(Column::new("energy", true));
         } else {
@@ -86,7 +89,7 @@ impl Form for Parquet {
     }
 
     fn row(&mut self, out: &mut dyn Write, row: &Row) -> io::Result<()> {
-        self.push(row.time, &row.state, &[Some(row.energy)]);
+        self.push(row.time, &row.state, true, &[Some(row.energy)]);
         self.flush(out, GROUP)
     }
 
@@ -95,7 +98,7 @@ impl Form for Parquet {
             return Ok(());
         }
         let drifts = [outcome.energy_drift, outcome.momentum_drift, outcome.error];
-        self.push(outcome.time, &outcome.last, &drifts);
+        self.push(outcome.time, &outcome.last, outcome.has_attitude, &drifts);
         self.flush(out, GROUP)
     }
 
@@ -109,13 +112,16 @@ impl Form for Parquet {
 }
 
 impl Parquet {
-    fn push(&mut self, time: f64, state: &State<f64>, others: &[Option<f64>]) {
+    fn push(&mut self, time: f64, state: &State<f64>, has_attitude: bool, others: &[Option<f64>]) {
         self.bodies.push(self.name.clone());
-        let of_state = [time]
+        let attitude = state.attitude.components();
+        let attitude = attitude.map(|component| has_attitude.then_some(component));
+        let omega = state.angular_velocity.iter().copied().map(Some);
+        let values = [Some(time)]
             .into_iter()
-            .chain(state.attitude.components())
-            .chain(state.angular_velocity.iter().copied());
-        let values = of_state.map(Some).chain(others.iter().copied());
+            .chain(attitude)
+            .chain(omega)
+            .chain(others.iter().copied());
         for (column, value) in self.columns.iter_mut().zip(values) {
             column.push(value);
         }

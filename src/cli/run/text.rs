@@ -81,10 +81,12 @@ impl Form for Text {
         let [w, x, y, z] = outcome.last.attitude.components();
         let omega = outcome.last.angular_velocity;
         writeln!(out, "  at t = {} s, by {}", outcome.time, outcome.way)?;
-        writeln!(
-            out,
-            "    attitude          {w:>22.16} {x:>22.16} {y:>22.16} {z:>22.16}"
-        )?;
+        if outcome.has_attitude {
+            writeln!(
+                out,
+                "    attitude          {w:>22.16} {x:>22.16} {y:>22.16} {z:>22.16}"
+            )?;
+        }
         writeln!(
             out,
             "    angular velocity  {:>22.15e} {:>22.15e} {:>22.15e} rad/s",

@@ -118,7 +118,7 @@ impl Sink for Writer {
         self.form.end(&mut self.target, outcome)
     }
 
-    fn stopped(&self) -> bool {
-        progress::interrupted()
+    fn stop(&self) -> fn() -> bool {
+        progress::interrupted
     }
 }

@@ -20,6 +20,17 @@ pub(crate) struct Series<T> {
 impl<T: Number> Series<T> {
     /// The motion of `system` from `state` at `time`, to `order` (at most [`MOST`]).
     pub(crate) fn new(system: &System<T, Torque>, time: T, state: &State<T>, order: usize) -> Self {
+        Self::with_attitude_or_not(system, time, state, order, true)
+    }
+
+    /// The same, the attitude left as it is unless it is asked for: right where the torque does not look at it.
+    pub(crate) fn with_attitude_or_not(
+        system: &System<T, Torque>,
+        time: T,
+        state: &State<T>,
+        order: usize,
+        with_attitude: bool,
+    ) -> Self {
         let zero = [T::zero(); 4];
         let mut series = Self {
             order: order.min(MOST),
@@ -34,13 +45,15 @@ impl<T: Number> Series<T> {
         let mut units = [[zero; MOST + 1]; 3];
         for n in 0..series.order {
             let next = T::of(1.0 / (n + 1) as f64);
-            set_units(&mut units, n, &series.attitude[n]);
             let applied = torque.coefficient(n, &series.omega);
             let acceleration =
                 system.acceleration_of(&omega.products(n), || square(&series.omega, n), &applied);
-            let rate = quaternion_rate(&units, &series.omega, n);
-            let half = next * T::of(0.5);
-            series.attitude[n + 1] = rate.map(|r| r * half);
+            if with_attitude {
+                set_units(&mut units, n, &series.attitude[n]);
+                let rate = quaternion_rate(&units, &series.omega, n);
+                let half = next * T::of(0.5);
+                series.attitude[n + 1] = rate.map(|r| r * half);
+            }
             torque.carry(n, &omega, next);
             series.omega[n + 1] = omega.set(n + 1, &(acceleration * next));
         }

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::scene::read::reader::{Bound, Reader, Table, Value, span};
-use crate::scene::{Method, Outputs, Run, Wrt};
+use crate::scene::{Costs, Method, Outputs, Run, Wrt};
 
 pub(super) const KEYS: &[&str] = &[
     "duration",
@@ -55,6 +55,7 @@ pub(super) fn run(reader: &mut Reader, table: &Table<'_>) -> Option<Run> {
         wrt: wrt?,
         output_interval: output_interval?,
         estimate_error: estimate_error?,
+        costs: Costs::default(),
     })
 }
 
