@@ -125,7 +125,9 @@ impl Checker<'_> {
             return false;
         };
         let Some((entity, place)) = self.new_symbol(left) else {
-            return rest.is_empty() && self.defines_entries(left, right, finding);
+            return rest.is_empty()
+                && (self.defines_entries(left, right, finding)
+                    || self.defines_power(sides, finding));
         };
         if symbols(right).into_iter().any(|s| matches!(meaning(s, &self.reading, &mut self.theory.atoms), Meaning::Whole(e) | Meaning::Component(e, _) if e == entity)) {
             return false;
@@ -182,6 +184,41 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    /// `2E = …`, `M^2 = …` for an E and an M that nothing has said anything of.
+    fn defines_power(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let whole = |node: &Node| matches!(node.kind, Kind::Number(_));
+        let bases: Vec<&Node> = match &inner(&sides[0]).kind {
+            Kind::Power(base, exponent) if whole(exponent) => vec![base],
+            Kind::Product(factors) => {
+                let factors = factors.iter().map(|f| match &f.node.kind {
+                    Kind::Power(base, exponent) if whole(exponent) => base,
+                    _ => &f.node,
+                });
+                factors.filter(|node| !whole(node)).collect()
+            }
+            _ => return false,
+        };
+        let [base] = bases.as_slice() else {
+            return false;
+        };
+        let Some((entity, None)) = self.new_symbol(base) else {
+            return false;
+        };
+        if self.known.contains(&entity.0) || self.is_tied(entity) {
+            return false;
+        }
+        let mut others = sides[1..].iter().flat_map(symbols);
+        if others.any(|symbol| self.meaning_of(symbol) == Meaning::Whole(entity)) {
+            return false;
+        }
+        self.accept(sides, Role::Define, finding);
+        let accepted = finding.verdict == Verdict::Accepted;
+        if accepted {
+            finding.role = Role::Define;
+        }
+        accepted
     }
 
     /// Whether some accepted line has a symbol in it.

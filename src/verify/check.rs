@@ -16,7 +16,7 @@ use crate::verify::premise::inertia_changes;
 use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::role::{asserts, firm, role};
+use crate::verify::role::{asserts, constrained, firm, role};
 use crate::verify::spelling::spell;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
@@ -68,6 +68,8 @@ pub(super) struct Checker<'a> {
     pub(super) functions: HashMap<String, FunctionOf>,
     /// Entities that the words or an accepted line have given a meaning.
     pub(super) known: BTreeSet<u32>,
+    /// Symbols that say how moments and forces act: the c of `M = -cω`.
+    pub(super) loads: BTreeSet<u32>,
     /// Whether the words fix what a dot without a frame means.
     pub(super) dots_on_body: bool,
     /// The last side of the line before, for lines that go on.
@@ -76,6 +78,8 @@ pub(super) struct Checker<'a> {
     pub(super) asserted: bool,
     /// Whether the role of the line is in so many words: a mark, "assume", "given".
     pub(super) firm: bool,
+    /// Whether the sentence names a constraint: "does not slip", "is fixed".
+    pub(super) constrained: bool,
     /// Whether the words speak of vectors that may be any.
     pub(super) any_vector: bool,
     /// Whether the line at hand stands apart from the text.
@@ -132,10 +136,12 @@ impl<'a> Checker<'a> {
             theory: Theory::new(setting),
             functions: HashMap::new(),
             known: BTreeSet::new(),
+            loads: BTreeSet::new(),
             dots_on_body: false,
             last_side: None,
             asserted: false,
             firm: false,
+            constrained: false,
             displayed: false,
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
@@ -262,6 +268,7 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.displayed = formula.display;
         self.asserted = asserts(&self.sentence);
+        self.constrained = constrained(&self.sentence);
         self.firm = self.mark.is_some() || firm(&self.sentence);
         let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {

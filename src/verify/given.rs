@@ -60,13 +60,16 @@ impl Checker<'_> {
         let [left, rest @ ..] = sides else {
             return role;
         };
+        let zero = |side: &Node| {
+            matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
+                || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
+        };
+        if !self.displayed && self.constrained && rest.last().is_some_and(zero) {
+            return Role::Assume;
+        }
         if role == Role::Claim || self.firm {
             return role;
         }
-        let zero = |side: &Node| {
-            matches!(&side.kind, Kind::Number(n) if n.value.is_zero())
-                || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
-        };
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
         if sides.iter().any(zero) || sides.iter().all(alone) {
             return role;
@@ -141,7 +144,7 @@ impl Checker<'_> {
         {
             return false;
         }
-        let mut new = false;
+        let mut new = vec![];
         for symbol in symbols(right) {
             let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
             else {
@@ -149,12 +152,21 @@ impl Checker<'_> {
             };
             let owner = &self.theory.atoms.info(entity).owner;
             match owner {
-                Owner::Symbol(_) => new |= self.is_free(entity) && !self.is_tied(entity),
-                Owner::Quantity(Quantity::Mass | Quantity::Force, _) => {}
-                Owner::Quantity(..) => return false,
+                Owner::Symbol(key) if key.ends_with(" number") => return false,
+                Owner::Symbol(_) if self.loads.contains(&entity.0) || !self.is_tied(entity) => {
+                    new.push(entity.0);
+                }
+                Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
+                    return false;
+                }
+                _ => {}
             }
         }
-        new && read.equations.len() == 1
+        let load = !new.is_empty() && read.equations.len() == 1;
+        if load {
+            self.loads.extend(new);
+        }
+        load
     }
 
     /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
@@ -212,7 +224,8 @@ impl Checker<'_> {
             match &self.theory.atoms.info(entity).owner {
                 Owner::Symbol(_) => foreign |= self.is_free(entity),
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
-                Owner::Quantity(quantity, _) if INPUTS.contains(quantity) => {}
+                Owner::Quantity(quantity, _)
+                    if INPUTS.contains(quantity) || *quantity == Quantity::Time => {}
                 Owner::Quantity(..) => return None,
             }
         }
@@ -278,7 +291,9 @@ impl Checker<'_> {
             return;
         }
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        let zero = |side: &Node| matches!(&side.kind, Kind::Number(n) if n.value.is_zero());
+        let zero = |side: &Node| {
+            matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
+        };
         if sides.last().is_some_and(zero) {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;

@@ -142,6 +142,7 @@ impl Checker<'_> {
         let several = |letter: &Letter| {
             let quantity = self.reading.quantities.get(letter);
             quantity.is_some_and(|q| q.shape() != Shape::Scalar)
+                || self.reading.usage.is_vector(letter)
         };
         if !bare.iter().any(several) {
             return;

@@ -187,6 +187,10 @@ impl Reading {
     }
 
     fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
+        // "The force at the end x": a coordinate.
+        if matches!(letter.name.as_str(), "x" | "y" | "z" | "t") {
+            return;
+        }
         *self.votes.entry((letter, quantity)).or_default() += weight;
     }
 

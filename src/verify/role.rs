@@ -196,7 +196,9 @@ pub(super) fn role(sentence: &str) -> Role {
     let mut text = text
         .replace(" let us assume ", " assume ")
         .replace(" let us suppose ", " suppose ")
-        .replace(" so that ", " such that ");
+        .replace(" so that ", " such that ")
+        .replace(" take the special ", " assume ")
+        .replace(" take the case ", " assume ");
     for (from, to) in [
         (" let us choose ", " choose "),
         (" let us set ", " set "),
@@ -265,6 +267,15 @@ pub(super) fn firm(sentence: &str) -> bool {
         "given",
     ];
     last_of(&text, &words).is_some_and(|at| !text[at..].contains('⟩'))
+}
+
+/// Whether a sentence names a constraint that a body or a point of it is under.
+pub(super) fn constrained(sentence: &str) -> bool {
+    let words = [
+        "slip", "slips", "slipping", "rolls", "fixed", "at rest", "pinned", "hinged", "constrained",
+        "stationary",
+    ];
+    last_of(&format!(" {} ", cleaned(sentence)), &words).is_some()
 }
 
 /// Whether a sentence derives what follows it: "hence", "gives".

@@ -332,7 +332,7 @@ fn of_symbol(
     let marks = symbol.style.vector
         || always_hatted
         || (symbol.style.bar && sorted.single.is_some())
-        || (reading.usage.is_vector(letter) && !named)
+        || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
         || used.component > 1 && sorted.single.is_some();
     let tensor = symbol.style.tensor || sorted.double.is_some();
     let shape = if tensor {
