@@ -163,9 +163,11 @@ impl AttitudeReading {
                 letters.push(letter);
             }
         }
+        // A q with three numbers may be Rodrigues', where another letter has four.
         let Some(letter) = letters
             .iter()
-            .find(|l| l.name == "q")
+            .find(|l| numbered(l, all))
+            .or(letters.iter().find(|l| l.name == "q"))
             .or(letters.first())
             .cloned()
         else {
@@ -288,6 +290,7 @@ impl AttitudeReading {
         // A label on another ω, or a word of body axes, leaves the plain letter on body axes.
         self.convention.rate_in_space =
             !labelled && !axes.is_empty() && axes.iter().all(|space| *space);
+        // What is said of one holds for the other first; the document's lines may show that it does not.
         match self.said {
             [true, false] => {
                 self.convention.quaternion_to_body = self.convention.matrix_to_body;
@@ -295,9 +298,8 @@ impl AttitudeReading {
             [false, true] => {
                 self.convention.matrix_to_body = self.convention.quaternion_to_body;
             }
-            _ => return,
+            _ => {}
         }
-        self.said = [true, true];
     }
 }
 

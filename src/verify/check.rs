@@ -8,6 +8,7 @@ use crate::verify::convention::convention;
 use crate::verify::doubt::Doubts;
 use crate::verify::euler_rates::RateLine;
 use crate::verify::figures::Figures;
+use crate::verify::frame::Frame;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
@@ -71,7 +72,7 @@ pub(super) struct Checker<'a> {
     /// Symbols that say how moments and forces act: the c of `M = -cω`.
     pub(super) loads: BTreeSet<u32>,
     /// Whether the words fix what a dot without a frame means.
-    pub(super) dots_on_body: bool,
+    pub(super) dots: Option<Frame>,
     /// The last side of the line before, for lines that go on.
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
@@ -137,7 +138,7 @@ impl<'a> Checker<'a> {
             functions: HashMap::new(),
             known: BTreeSet::new(),
             loads: BTreeSet::new(),
-            dots_on_body: false,
+            dots: None,
             last_side: None,
             asserted: false,
             firm: false,
@@ -210,7 +211,7 @@ impl<'a> Checker<'a> {
         self.last_side = None;
         for said in said(text)
             .into_iter()
-            .filter(|s| matches!(s, Said::BodyAxes))
+            .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
         {
             self.take(said, span);
         }

@@ -1,7 +1,7 @@
 //! Claims: proved, refuted or open.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Node, Relation};
+use crate::notation::ast::{Kind, Node, Relation};
 use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
 use crate::verify::decide::{Decision, decide, needed};
@@ -54,7 +54,7 @@ impl Checker<'_> {
         finding.uses = needed(&mut self.theory, &read.equations, &proof);
         finding.conditions = self.conditions(&proof);
         finding.verdict = Verdict::Proved(proof);
-        if read.ambiguous && !self.dots_on_body {
+        if read.ambiguous && self.dots.is_none() {
             let seen = match read.unlabelled {
                 Frame::Space => "a dot without a frame is read as the rate seen from space",
                 Frame::Moving => "a dot without a frame is read as the rate on the axes used",
@@ -156,6 +156,9 @@ impl Checker<'_> {
 
     /// Whether every symbol shows its kind by a mark or an index, or is a quantity of the theory.
     pub(super) fn all_marked(&mut self, sides: &[Node]) -> bool {
+        if sides.iter().any(has_list) {
+            return false;
+        }
         sides.iter().flat_map(symbols).all(|symbol| {
             let index = symbol.subscripts.iter().any(|s| axis(s).is_some() || axes(s).is_some());
             let marked = symbol.style.vector || index;
@@ -195,4 +198,9 @@ impl Checker<'_> {
         let variable = self.theory.atoms.part(entity, 0, 0);
         self.theory.rule(variable).is_none()
     }
+}
+
+/// Whether a list stands in a node: what brackets around several things mean is the author's own.
+fn has_list(node: &Node) -> bool {
+    matches!(node.kind, Kind::Tuple(_)) || node.children().into_iter().any(has_list)
 }

@@ -120,7 +120,8 @@ impl Checker<'_> {
                     None => {
                         let variables = rest.variables();
                         let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
-                        variables.iter().all(untouched)
+                        !variables.is_empty()
+                            && variables.iter().all(untouched)
                             && variables.iter().all(|&v| is_solved_by(&rest, v))
                     }
                 }
@@ -291,9 +292,7 @@ impl Checker<'_> {
             return;
         }
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        let zero = |side: &Node| {
-            matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
-        };
+        let zero = |side: &Node| matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero());
         if sides.last().is_some_and(zero) {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;

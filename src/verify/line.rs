@@ -109,6 +109,7 @@ impl Checker<'_> {
             return;
         }
         let role = self.role_by_content(role, &sides);
+        finding.role = role;
         self.note_origin(&sides);
         self.note_scalars(&sides);
         let settled = self.defines(&sides, line, role, finding)
@@ -228,10 +229,13 @@ impl Checker<'_> {
     pub(super) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
         let spatial = all_in_space(sides, &self.reading);
         let first = self.read_on(sides, Frame::Moving, spatial)?;
-        if !first.ambiguous || self.dots_on_body {
+        if !first.ambiguous || self.dots == Some(Frame::Moving) {
             return Ok(vec![first]);
         }
         let second = self.read(sides, Frame::Space)?;
+        if self.dots == Some(Frame::Space) {
+            return Ok(vec![second]);
+        }
         Ok(vec![first, second])
     }
 

@@ -4,6 +4,7 @@ use crate::algebra::Fraction;
 use crate::notation::ast::Symbol;
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::frame::Frame;
 use crate::verify::law::Axes;
 use crate::verify::prose::Said;
 use crate::verify::quantity::Quantity;
@@ -22,12 +23,15 @@ impl Checker<'_> {
         }
         let name = said.words();
         let new = match said {
-            Said::BodyAxes => {
+            // Beside axes with an angular velocity of their own, they are the other ones.
+            Said::SpeaksOfBodyAxes if self.has_frame_rate() => false,
+            Said::BodyAxes | Said::SpeaksOfBodyAxes => {
                 let new = self.theory.setting.axes != Axes::Body;
                 self.theory.set(|setting| setting.axes = Axes::Body);
                 new
             }
-            Said::DotsOnBody => !std::mem::replace(&mut self.dots_on_body, true),
+            Said::DotsOnBody => self.dots.replace(Frame::Moving) != Some(Frame::Moving),
+            Said::DotsInSpace => self.dots.replace(Frame::Space) != Some(Frame::Space),
             Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
             Said::SymmetryPlane(a, b) => {
                 let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
@@ -43,6 +47,12 @@ impl Checker<'_> {
                 premise: name,
             });
         }
+    }
+
+    /// Whether the document gives the axes an angular velocity of their own.
+    fn has_frame_rate(&self) -> bool {
+        let mut quantities = self.reading.quantities.values();
+        quantities.any(|&q| q == Quantity::FrameRate)
     }
 
     /// Assumes that components of a quantity are zero.

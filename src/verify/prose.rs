@@ -7,6 +7,8 @@ use crate::notation::document::{Document, Item};
 pub(super) enum Said {
     /// The axes turn with the body: Ω = ω.
     BodyAxes,
+    /// Axes of the body are spoken of.
+    SpeaksOfBodyAxes,
     /// The products of inertia vanish.
     Principal,
     /// The plane with these two axes is a plane of symmetry: the products across it vanish.
@@ -15,13 +17,17 @@ pub(super) enum Said {
     TorqueFree,
     /// Dots are rates on the body axes.
     DotsOnBody,
+    /// Dots are rates seen from space.
+    DotsInSpace,
 }
 
 impl Said {
     /// The premise in words, as a report shows it.
     pub(super) fn words(self) -> String {
         match self {
-            Self::BodyAxes => "axes attached to the body: Ω = ω".to_owned(),
+            Self::BodyAxes | Self::SpeaksOfBodyAxes => {
+                "axes attached to the body: Ω = ω".to_owned()
+            }
             Self::Principal => "principal axes: the products of inertia vanish".to_owned(),
             Self::SymmetryPlane(a, b) => {
                 let name = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
@@ -32,6 +38,7 @@ impl Said {
                 )
             }
             Self::TorqueFree => "no torque: ΣM = 0".to_owned(),
+            Self::DotsInSpace => "a dot is a rate seen from space".to_owned(),
             Self::DotsOnBody => "a dot is a rate on the body axes".to_owned(),
         }
     }
@@ -43,18 +50,23 @@ const ATTACHED: &[&str] = &[
     "fixed in the body",
     "fixed to the body",
     "fixed with the body",
-    "body axes",
-    "body-fixed",
-    "body fixed",
     "carried by the body",
     "fixed in the airframe",
-    "body frame",
     "axes fixed in the",
     "axes in the body",
     "rotate with the body",
     "turn with the body",
     "attached to the rotor",
     "embedded in the body",
+];
+const BODY_AXES: &[&str] = &["body axes", "body-fixed", "body fixed", "body frame"];
+const DOTS: &[&str] = &[
+    "dot is taken",
+    "dots are",
+    "dot denotes",
+    "dots denote",
+    "dot means",
+    "dot is the",
 ];
 const FREE: &[&str] = &[
     "no torque",
@@ -93,15 +105,26 @@ const NOT_SO: &[&str] = &["not ", "need not", "n't ", "general axes", "arbitrary
 pub(super) fn said(text: &str) -> Vec<Said> {
     let text = text.to_lowercase();
     let mut found = vec![];
-    if (text.contains("dot is taken")
-        || text.contains("dots are taken")
-        || text.contains("dot denotes"))
-        && (text.contains("body") || text.contains("moving") || text.contains("rotating"))
-    {
-        found.push(Said::DotsOnBody);
+    let dots = text
+        .split(['.', ';'])
+        .filter(|clause| DOTS.iter().any(|dot| clause.contains(dot)));
+    for clause in dots {
+        if ["body", "moving", "rotating"]
+            .iter()
+            .any(|w| clause.contains(w))
+        {
+            found.push(Said::DotsOnBody);
+        } else if ["inertial", "in space", "fixed frame"]
+            .iter()
+            .any(|w| clause.contains(w))
+        {
+            found.push(Said::DotsInSpace);
+        }
     }
     if positive(&text, ATTACHED) {
         found.push(Said::BodyAxes);
+    } else if positive(&text, BODY_AXES) {
+        found.push(Said::SpeaksOfBodyAxes);
     }
     if positive(&text, PRINCIPAL) || positive(&text, AXIS) && !text.contains("plane") {
         found.push(Said::Principal);

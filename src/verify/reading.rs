@@ -285,6 +285,11 @@ impl Reading {
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false
             }
+            Quantity::Force
+                if matches!(letter.name.as_str(), "M" | "tau" | "Gamma" | "T" | "L") =>
+            {
+                false
+            }
             Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
             Quantity::RelativeMomentum => used.vector + used.component + used.bare > 0,
             _ => {

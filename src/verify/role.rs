@@ -272,7 +272,15 @@ pub(super) fn firm(sentence: &str) -> bool {
 /// Whether a sentence names a constraint that a body or a point of it is under.
 pub(super) fn constrained(sentence: &str) -> bool {
     let words = [
-        "slip", "slips", "slipping", "rolls", "fixed", "at rest", "pinned", "hinged", "constrained",
+        "slip",
+        "slips",
+        "slipping",
+        "rolls",
+        "fixed",
+        "at rest",
+        "pinned",
+        "hinged",
+        "constrained",
         "stationary",
     ];
     last_of(&format!(" {} ", cleaned(sentence)), &words).is_some()

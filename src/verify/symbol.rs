@@ -328,7 +328,8 @@ fn of_symbol(
     let used = reading.usage.get(letter);
     // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
     let named = !sorted.variant.is_empty() && reading.quantities.contains_key(letter);
-    let always_hatted = symbol.style.hat && used.bare == 0 && letter.name.chars().count() == 1;
+    let always_hatted =
+        symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
     let marks = symbol.style.vector
         || always_hatted
         || (symbol.style.bar && sorted.single.is_some())

@@ -200,7 +200,7 @@ impl Theory {
             .collect();
         order.sort_by_key(|premise| {
             let momentary = self.instants.contains(&premise.name);
-            (!premise.definition, momentary, self.highest_order(premise))
+            (momentary, !premise.definition, self.highest_order(premise))
         });
         let mut worst = Taken::Solved;
         for premise in order {

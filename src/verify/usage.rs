@@ -46,6 +46,8 @@ pub(super) struct Use {
     pub bare: usize,
     /// Times with the mark of a vector and a hat.
     pub hatted: usize,
+    /// Under a hat alone.
+    pub hats: usize,
     /// Times as a factor of a cross product without a mark.
     pub crossed_bare: usize,
     /// Times as a resultant: ΣM, ΣF.
@@ -326,6 +328,7 @@ impl Usage {
             entry.hatted += usize::from(symbol.style.hat);
         } else {
             entry.bare += 1;
+            entry.hats += usize::from(symbol.style.hat);
         }
         entry.resultant += usize::from(symbol.resultant);
         self.superscripts
