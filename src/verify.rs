@@ -17,6 +17,7 @@ mod check;
 mod claim;
 mod convention;
 mod convention_slips;
+mod custom;
 mod data;
 mod decide;
 mod decimals;

@@ -32,8 +32,8 @@ pub(super) struct Reading {
     pub symmetric: bool,
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
-    speaks_of_energy: bool,
-    speaks_of_no_torque: bool,
+    pub(super) speaks_of_energy: bool,
+    pub(super) speaks_of_no_torque: bool,
     speaks_of_force: bool,
     speaks_of_roll: bool,
 }
@@ -296,87 +296,6 @@ impl Reading {
                 used.vector + used.component > 0
                     && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
             }
-        }
-    }
-
-    /// What is left, by the custom of the field.
-    fn by_custom(&mut self) {
-        let letters: Vec<Letter> = self.usage.letters().map(|(l, _)| l.clone()).collect();
-        for letter in letters {
-            if self.quantities.contains_key(&letter) {
-                continue;
-            }
-            if let Some(quantity) = self.custom(&letter) {
-                self.quantities.insert(letter, quantity);
-            }
-        }
-    }
-
-    /// The w of a typewriter is an ω, unless there is an ω, or it stands with x, y and z as the parts of a quaternion do.
-    fn typed_w(&mut self) {
-        let quaternion = ["x", "y", "z"].iter().all(|name| self.has(name));
-        let letter = Letter::plain("w");
-        let indexed = self.usage.get(&letter).component > 0;
-        if self.has("w") && !quaternion && (indexed || !self.has("omega")) {
-            self.quantities
-                .entry(letter)
-                .or_insert(Quantity::AngularVelocity);
-        }
-    }
-
-    /// Whether a letter is used in the document, with the marks of a rate.
-    fn has(&self, name: &str) -> bool {
-        let used = self.usage.get(&Letter::plain(name));
-        used.vector + used.component + used.bare > 0
-    }
-
-    /// Whether a letter is used as a vector or with an index.
-    fn is_directed(&self, name: &str) -> bool {
-        let used = self.usage.get(&Letter::plain(name));
-        used.vector + used.component > 0
-    }
-
-    /// Whether a letter stands for a mass: the document has a `g` and no vector or component of the letter.
-    fn weighs(&self, letter: &Letter) -> bool {
-        let used = self.usage.get(letter);
-        used.vector + used.component == 0 && self.usage.get(&Letter::plain("g")).bare > 0
-    }
-
-    fn custom(&self, letter: &Letter) -> Option<Quantity> {
-        let used = self.usage.get(letter);
-        let directed = used.vector + used.component > 0;
-        let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
-        match letter.name.as_str() {
-            "omega" => Some(Quantity::AngularVelocity),
-            "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
-            "Omega" if directed => Some(Quantity::FrameRate),
-            "alpha" if directed => Some(Quantity::AngularAcceleration),
-            // Lagrange's function.
-            "L" if letter.calligraphic && !directed => None,
-            // Beside a momentum L, an H without index or arrow is Hamilton's function.
-            "H" if !directed && self.is_directed("L") => Some(Quantity::Energy),
-            "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
-            "h" | "ell" if directed && !taken(Quantity::Momentum) => Some(Quantity::Momentum),
-            "M" if directed || used.resultant > 0 => Some(Quantity::Moment),
-            "M" if used.bare > 0 && !self.weighs(letter) && !self.speaks_of_no_torque => {
-                Some(Quantity::Moment)
-            }
-            "tau" => Some(Quantity::Moment),
-            "N" | "Gamma" | "T" if directed => Some(Quantity::Moment),
-            "I" | "J" => Some(Quantity::Inertia),
-            "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
-            "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
-            "E" if used.bare > 0 && self.speaks_of_energy && !taken(Quantity::Energy) => {
-                Some(Quantity::Energy)
-            }
-            "F" if !used.moving => Some(Quantity::Force),
-            "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
-            "r" if used.vector > 0 => Some(Quantity::Position),
-            "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
-            "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
-            "m" => Some(Quantity::Mass),
-            "t" => Some(Quantity::Time),
-            _ => None,
         }
     }
 }
