@@ -226,7 +226,8 @@ impl Checker<'_> {
                 Owner::Symbol(_) => foreign |= self.is_free(entity),
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
                 Owner::Quantity(quantity, _)
-                    if INPUTS.contains(quantity) || *quantity == Quantity::Time => {}
+                    if INPUTS.contains(quantity)
+                        || *quantity == Quantity::Time && !self.asserted => {}
                 Owner::Quantity(..) => return None,
             }
         }
