@@ -32,6 +32,7 @@ mod implicit_midpoint;
 mod moser_veselov;
 mod number;
 mod quaternion;
+mod registers;
 mod rk4;
 mod splitting;
 mod state;

@@ -7,7 +7,7 @@ pub use jacobians::Jacobians;
 
 use crate::mechanics::possible_body;
 use crate::motion::{Block, LANES, Lane, MotionError, Number, Scheme, State, System, TorqueLaw};
-use dispatch::for_each_block;
+use dispatch::{for_each_block, for_each_share};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::DualSVec64;
 use std::{error::Error, fmt};
@@ -202,28 +202,26 @@ impl Batch {
         let inertia = &self.inertia;
         out.resize(self.len);
         let mut pairs: Vec<_> = self.blocks.iter_mut().zip(out.blocks_mut()).collect();
-        let all = for_each_block(
-            &mut pairs,
-            #[inline(always)]
-            |index, (block, columns)| {
-                TorqueLaw::<f64>::by_kind(
-                    law,
-                    #[inline(always)]
-                    |law| match inertia {
+        // The scheme itself takes to the widest registers.
+        let all = for_each_share(&mut pairs, |first, pairs| {
+            pairs
+                .iter_mut()
+                .enumerate()
+                .fold(true, |all, (i, (block, columns))| {
+                    match inertia {
                         Inertia::Shared(tensor) => {
-                            let system = of(*tensor, law);
+                            let system = of(*tensor, law).along_axes(is_diagonal(tensor));
                             scheme.block_with_jacobian(&|_| system, start, block, step, columns);
                         }
                         Inertia::Own(tensors) => {
-                            let own = &tensors[index];
+                            let own = &tensors[first + i];
                             let system = |lane: usize| of(tensor_of(own, lane), law);
                             scheme.block_with_jacobian(&system, start, block, step, columns);
                         }
-                    },
-                );
-                block.is_finite()
-            },
-        );
+                    }
+                    all & block.is_finite()
+                })
+        });
         self.time = start + step;
         self.checked(all, start)
     }

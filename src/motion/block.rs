@@ -48,6 +48,18 @@ impl Block {
         self.0[6][lane] = o.z;
     }
 
+    /// The components w, x, y, z of the attitudes, then those of ω, of all eight bodies each.
+    #[inline(always)]
+    pub(crate) fn lanes(&self) -> &[Lane; 7] {
+        &self.0
+    }
+
+    /// The same, to be written.
+    #[inline(always)]
+    pub(crate) fn lanes_mut(&mut self) -> &mut [Lane; 7] {
+        &mut self.0
+    }
+
     /// Whether every component of every body is a finite number.
     #[cfg(feature = "batch")]
     pub(crate) fn is_finite(&self) -> bool {

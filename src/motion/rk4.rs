@@ -5,7 +5,7 @@ use crate::motion::{
     Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
     stepper,
 };
-use nalgebra::{ArrayStorage, SMatrix, SVector, Vector6};
+use nalgebra::{SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
@@ -52,13 +52,8 @@ impl<L> Scheme<L> for Rk4 {
         L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
         DualSVec64<N>: Number,
     {
-        match runge_kutta::step_with_jacobian(system, time, state, step) {
-            Some((state, columns)) => StepJacobian {
-                state,
-                matrix: SMatrix::from_data(ArrayStorage(columns)),
-            },
-            None => jacobian::by_dual_numbers(self, system, time, state, step),
-        }
+        runge_kutta::step_with_jacobian(system, time, state, step)
+            .unwrap_or_else(|| jacobian::by_dual_numbers(self, system, time, state, step))
     }
 
     #[inline(always)]

@@ -5,7 +5,6 @@ mod series;
 use crate::motion::{
     Body, MotionError, Number, Scheme, State, Stepper, System, Torque, TorqueLaw, stepper,
 };
-use nalgebra::Vector3;
 use series::{MOST, Series};
 
 /// One step by the Taylor series of the motion, of order 2 to 30, for the laws of torque that have a recurrence
@@ -137,7 +136,7 @@ impl TaylorMotion {
     #[must_use]
     pub fn without_attitude(mut self) -> Self {
         let law: &dyn TorqueLaw<f64> = self.system.law();
-        if law.without_attitude(0.0, &Vector3::zeros()).is_some() {
+        if law.without_attitude(0.0).is_some() {
             self.with_attitude = false;
             let inner = self.series.at(0.0);
             self.series = self.series_from(self.start, &inner);

@@ -57,20 +57,20 @@ pub trait TorqueLaw<T: Number> {
         true
     }
 
-    /// The torque with its derivatives, if it does not look at the attitude: then the fast Jacobians can be
-    /// taken. Must agree with [`torque`](Self::torque).
-    fn without_attitude(&self, _time: f64, _angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
+    /// The torque at `time` as a constant one and a matrix times ω, if it is such whatever the attitude: then the fast
+    /// Jacobians can be taken. Must agree with [`torque`](Self::torque).
+    fn without_attitude(&self, _time: f64) -> Option<BodyTorque> {
         None
     }
 }
 
-/// A torque in body axes and its derivatives.
+/// A torque that is linear in ω, in body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyTorque {
-    /// N m.
-    pub torque: Vector3<f64>,
-    /// Row: component of the torque; column: component of ω.
-    pub by_angular_velocity: Matrix3<f64>,
+    /// The torque on a body at rest, N m.
+    pub at_rest: Vector3<f64>,
+    /// What ω is multiplied by to be added, `None` for zeros. Row: component of the torque; column: component of ω.
+    pub by_angular_velocity: Option<Matrix3<f64>>,
     /// The partial derivative in time.
     pub by_time: Vector3<f64>,
 }
@@ -171,25 +171,24 @@ impl<T: Number> TorqueLaw<T> for Torque {
     }
 
     #[inline(always)]
-    fn without_attitude(&self, time: f64, angular_velocity: &Vector3<f64>) -> Option<BodyTorque> {
-        let still = BodyTorque {
-            torque: Vector3::zeros(),
-            by_angular_velocity: Matrix3::zeros(),
+    fn without_attitude(&self, time: f64) -> Option<BodyTorque> {
+        let none = BodyTorque {
+            at_rest: Vector3::zeros(),
+            by_angular_velocity: None,
             by_time: Vector3::zeros(),
         };
         match *self {
-            Self::None => Some(still),
+            Self::None => Some(none),
             Self::Constant {
                 frame: Frame::Body,
                 value,
             } => Some(BodyTorque {
-                torque: value,
-                ..still
+                at_rest: value,
+                ..none
             }),
             Self::Damping { coefficient } => Some(BodyTorque {
-                torque: angular_velocity * -coefficient,
-                by_angular_velocity: Matrix3::from_diagonal_element(-coefficient),
-                ..still
+                by_angular_velocity: Some(Matrix3::from_diagonal_element(-coefficient)),
+                ..none
             }),
             Self::Sinusoid {
                 frame: Frame::Body,
@@ -199,9 +198,9 @@ impl<T: Number> TorqueLaw<T> for Torque {
             } => {
                 let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
                 Some(BodyTorque {
-                    torque: amplitude * sine,
+                    at_rest: amplitude * sine,
                     by_time: amplitude * (cosine * angular_frequency),
-                    ..still
+                    ..none
                 })
             }
             _ => None,

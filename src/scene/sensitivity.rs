@@ -4,7 +4,7 @@ use crate::mechanics::Products;
 use crate::motion::jacobian::flow;
 use crate::motion::{MotionError, Number, State, System, TorqueLaw};
 use crate::scene::{Member, Wrt};
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::SMatrix;
 use num_dual::DualSVec64;
 
 /// The blocks of the Jacobian that were asked for; rows (θ, ω), θ' = Log(q⁻¹ q_perturbed).
@@ -98,5 +98,5 @@ impl Sensitivity {
 /// Whether the torque does not depend on the attitude.
 pub(crate) fn looks_away(member: &Member) -> bool {
     let law: &dyn TorqueLaw<f64> = &member.torque;
-    law.without_attitude(0.0, &Vector3::zeros()).is_some()
+    law.without_attitude(0.0).is_some()
 }

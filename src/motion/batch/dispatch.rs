@@ -1,21 +1,21 @@
-//! One piece of work for every block, compiled for the instructions of the machine at hand.
+//! The blocks of a batch shared out, and one piece of work for each compiled for the machine at hand.
 
 use pulp::{Arch, Simd, WithSimd};
 
-/// Calls `work` with the place of every block and the block; whether it was true of all.
+/// Calls `work` with all blocks; whether it was true.
 #[cfg(not(feature = "parallel"))]
-pub(super) fn for_each_block<B: Send>(
+pub(super) fn for_each_share<B: Send>(
     blocks: &mut [B],
-    work: impl Fn(usize, &mut B) -> bool + Sync,
+    work: impl Fn(usize, &mut [B]) -> bool + Sync,
 ) -> bool {
-    run(blocks, 0, &work)
+    work(0, blocks)
 }
 
-/// Calls `work` with the place of every block and the block; whether it was true of all.
+/// Calls `work` with shares of the blocks and the place of the first of each, on all threads; whether it was true of all.
 #[cfg(feature = "parallel")]
-pub(super) fn for_each_block<B: Send>(
+pub(super) fn for_each_share<B: Send>(
     blocks: &mut [B],
-    work: impl Fn(usize, &mut B) -> bool + Sync,
+    work: impl Fn(usize, &mut [B]) -> bool + Sync,
 ) -> bool {
     use rayon::{iter::IndexedParallelIterator, iter::ParallelIterator, slice::ParallelSliceMut};
     /// Blocks for a thread at a time: enough to be worth the handing out, few enough to even out.
@@ -23,15 +23,21 @@ pub(super) fn for_each_block<B: Send>(
     blocks
         .par_chunks_mut(SHARE)
         .enumerate()
-        .map(|(share, blocks)| run(blocks, share * SHARE, &work))
+        .map(|(share, blocks)| work(share * SHARE, blocks))
         .reduce(|| true, |a, b| a && b)
 }
 
-fn run<B>(blocks: &mut [B], first: usize, work: &impl Fn(usize, &mut B) -> bool) -> bool {
-    Arch::new().dispatch(Run {
-        blocks,
-        first,
-        work,
+/// Calls `work` with the place of every block and the block, in the widest registers; whether it was true of all.
+pub(super) fn for_each_block<B: Send>(
+    blocks: &mut [B],
+    work: impl Fn(usize, &mut B) -> bool + Sync,
+) -> bool {
+    for_each_share(blocks, |first, blocks| {
+        Arch::new().dispatch(Run {
+            blocks,
+            first,
+            work: &work,
+        })
     })
 }
 

@@ -1,95 +1,107 @@
 //! Products of the Jacobian with one vector, from either side, without the matrix.
 
-use super::{Back, PARTS, Stage, WEIGHTS};
-use crate::mechanics::{apply, regressor};
-use crate::motion::Quaternion;
-use nalgebra::{SVector, Vector3, Vector6};
+use super::algebra::{Tensor, Turn, Vector, applied, between, matrix, plus, pulled, times, turned};
+use super::rows::{end, full, principal, stages};
+use super::stages::{PARTS, Stages, mean};
+use crate::motion::{State, System, TorqueLaw};
+use nalgebra::{SVector, Vector6};
 
-impl Back<'_> {
-    /// The Jacobian times a direction of the input (θ, ω, torque, inertia, dt): forward through the stages.
-    #[inline(always)]
-    pub(super) fn along(&self, direction: &SVector<f64, 16>) -> Vector6<f64> {
-        let part = |first: usize| direction.fixed_rows::<3>(first).into_owned();
-        let (theta, start, torque, span) = (part(0), part(3), part(6), direction[15]);
-        let inertia = direction.fixed_rows::<6>(9).into_owned();
-        let none = Quaternion::identity() * 0.0;
-        let (mut acceleration, mut turn_rate) = (Vector3::zeros(), none);
-        let (mut sum, mut turns) = (acceleration, none);
-        for (i, stage) in self.stages.iter().enumerate() {
-            let (mut omega, mut turn) = (start, none);
-            if i > 0 {
-                let before = &self.stages[i - 1];
-                let part = PARTS[i] * self.step;
-                omega += acceleration * part + before.acceleration * (PARTS[i] * span);
-                turn = turn_rate * part + before.turn_rate * (PARTS[i] * span);
-            }
-            let moment = stage.slope * omega + torque + stage.by_time * (PARTS[i] * span)
-                - regressor(&stage.omega, &stage.acceleration) * inertia;
-            acceleration = apply(self.inverse, &moment);
-            turn_rate = turn.rate(&stage.omega) + stage.turn.rate(&omega);
-            sum += acceleration * WEIGHTS[i];
-            turns = turns + turn_rate * WEIGHTS[i];
-        }
-        let (unit, mean) = (1.0 / self.end.norm_squared(), self.mean_acceleration());
-        let moved = turns * self.step + self.mean * span;
-        let turned = (self.end.conjugate() * moved).v * (2.0 * unit);
-        let theta = self.end.normalised().to_body(&theta) + turned;
-        let omega = start + sum * self.step + mean * span;
-        Vector6::new(theta.x, theta.y, theta.z, omega.x, omega.y, omega.z)
-    }
-
-    /// A covector of the result (θ', ω') times the Jacobian: backward through the stages, one row.
-    #[inline(always)]
-    pub(super) fn pulled_back(&self, covector: &Vector6<f64>) -> SVector<f64, 16> {
-        let unit = 1.0 / self.end.norm_squared();
-        let of_theta = covector.fixed_rows::<3>(0).into_owned();
-        let of_end = covector.fixed_rows::<3>(3).into_owned();
-        let turned = Quaternion {
-            w: 0.0,
-            v: of_theta * unit,
-        };
-        let (mut omega, mut torque, mut inertia) = (of_end, Vector3::zeros(), Vector6::zeros());
-        let mut span = (self.end.conjugate() * self.mean).v.dot(&of_theta) * (2.0 * unit)
-            + self.mean_acceleration().dot(&of_end);
-        let mut chain = Quaternion::identity() * (self.step * WEIGHTS[3]);
-        let mut of_acceleration = of_end * (self.step * WEIGHTS[3]);
-        for i in (0..4).rev() {
-            let stage = &self.stages[i];
-            let of_moment = self.inverse.tr_mul(&of_acceleration);
-            let direct = stage.turn.conjugate() * self.end * turned * chain;
-            let of_omega = stage.slope.tr_mul(&of_moment) + direct.v;
-            omega += of_omega;
-            torque += of_moment;
-            inertia -= regressor(&stage.omega, &stage.acceleration).tr_mul(&of_moment);
-            if i == 0 {
-                break;
-            }
-            let of_turn = chain * pure(stage) * -0.5;
-            let before = &self.stages[i - 1];
-            let back = (self.end.conjugate() * before.turn_rate * of_turn.conjugate()).v;
-            span += PARTS[i]
-                * (back.dot(&of_theta) * (2.0 * unit)
-                    + of_omega.dot(&before.acceleration)
-                    + of_moment.dot(&stage.by_time));
-            let part = self.step * PARTS[i];
-            chain = Quaternion::identity() * (self.step * WEIGHTS[i - 1]) + of_turn * part;
-            of_acceleration = of_end * (self.step * WEIGHTS[i - 1]) + of_omega * part;
-        }
-        let mut result = SVector::<f64, 16>::zeros();
-        let theta = self.end.normalised().to_space(&of_theta);
-        result.fixed_rows_mut::<3>(0).copy_from(&theta);
-        result.fixed_rows_mut::<3>(3).copy_from(&omega);
-        result.fixed_rows_mut::<3>(6).copy_from(&torque);
-        result.fixed_rows_mut::<6>(9).copy_from(&inertia);
-        result[15] = span;
-        result
+/// The step and its Jacobian times a direction of the input, or `None` if the law gives a torque that depends on the
+/// attitude.
+#[inline(always)]
+pub(crate) fn jvp<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+    direction: &SVector<f64, 16>,
+) -> Option<(State<f64>, Vector6<f64>)> {
+    if system.is_principal() {
+        let stages = stages(principal(system), system, time, state, step)?;
+        Some((end(&stages, state), stages.along(&direction.data.0[0])))
+    } else {
+        let stages = stages(full(system), system, time, state, step)?;
+        Some((end(&stages, state), stages.along(&direction.data.0[0])))
     }
 }
 
-/// The angular velocity of a stage as a quaternion.
-fn pure(stage: &Stage) -> Quaternion<f64> {
-    Quaternion {
-        w: 0.0,
-        v: stage.omega,
+/// The step and a covector of its result times the Jacobian, or `None` if the law gives a torque that depends on the
+/// attitude.
+#[inline(always)]
+pub(crate) fn vjp<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    time: f64,
+    state: &State<f64>,
+    step: f64,
+    covector: &Vector6<f64>,
+) -> Option<(State<f64>, SVector<f64, 16>)> {
+    if system.is_principal() {
+        let stages = stages(principal(system), system, time, state, step)?;
+        Some((end(&stages, state), stages.gradient(&covector.data.0[0])))
+    } else {
+        let stages = stages(full(system), system, time, state, step)?;
+        Some((end(&stages, state), stages.gradient(&covector.data.0[0])))
+    }
+}
+
+impl<I: Tensor<f64>> Stages<f64, I> {
+    /// The Jacobian times a direction of the input (θ, ω, torque, inertia, dt): forward through the stages.
+    #[inline(always)]
+    fn along(&self, direction: &[f64; 16]) -> Vector6<f64> {
+        let [a, b, c, omega @ .., dt] = direction;
+        let [p, q, r, torque @ ..] = omega;
+        let [x, y, z, inertia @ ..] = torque;
+        let (start, torque, span) = ([*p, *q, *r], [*x, *y, *z], *dt);
+        let none: Turn<f64> = [0.0; 4];
+        let (mut acceleration, mut turn_rate) = ([0.0; 3], none);
+        let (mut accelerations, mut turn_rates) = ([acceleration; 4], [none; 4]);
+        for (i, stage) in self.stages.iter().enumerate() {
+            let (mut omega, mut turn) = (start, none);
+            if i > 0 {
+                let (before, part) = (&self.stages[i - 1], PARTS[i] * self.step);
+                let longer = PARTS[i] * span;
+                omega = plus(omega, times(acceleration, part));
+                omega = plus(omega, times(before.acceleration, longer));
+                turn = plus(times(turn_rate, part), times(before.turn_rate, longer));
+            }
+            let mut moment = plus(torque, stage.by_inertia.along(*inertia));
+            moment = plus(moment, times(stage.by_time, PARTS[i] * span));
+            moment = plus(moment, applied(stage.slope, omega));
+            acceleration = self.tensor.inverse(moment);
+            turn_rate = plus(
+                turned(turn, stage.half),
+                turned(stage.turn, times(omega, 0.5)),
+            );
+            (accelerations[i], turn_rates[i]) = (acceleration, turn_rate);
+        }
+        let moved = plus(
+            times(mean(turn_rates), self.step),
+            times(self.mean_turn, span),
+        );
+        let turned = times(between(self.end, moved), 2.0 * self.unit);
+        let [theta_x, theta_y, theta_z] = plus(self.theta_after([*a, *b, *c]), turned);
+        let gained = plus(
+            times(mean(accelerations), self.step),
+            times(self.mean, span),
+        );
+        let [x, y, z] = plus(start, gained);
+        Vector6::new(theta_x, theta_y, theta_z, x, y, z)
+    }
+
+    /// ∂θ'/∂θ is the turn of the step backwards.
+    #[inline(always)]
+    fn theta_after(&self, theta: Vector<f64>) -> Vector<f64> {
+        times(pulled(matrix(self.end), theta), self.unit)
+    }
+
+    /// A covector of the result (θ', ω') times the Jacobian: backward through the stages.
+    #[inline(always)]
+    fn gradient(&self, covector: &[f64; 6]) -> SVector<f64, 16> {
+        let [a, b, c, x, y, z] = *covector;
+        let pulled = self.pulled_back::<16>(Some([a, b, c]), Some([x, y, z]));
+        let theta = times(applied(matrix(self.end), [a, b, c]), self.unit);
+        let ([a, b, c], [d, e, f], [g, h, i]) = (theta, pulled.omega, pulled.torque);
+        let [j, k, l, m, n, o] = pulled.inertia;
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, pulled.span].into()
     }
 }

@@ -1,0 +1,165 @@
+//! The Jacobians of eight bodies, the same row of each side by side in registers.
+
+use super::algebra::{Full, Principal, Tensor, loaded, matrix};
+use super::rows::{full, principal};
+use super::stages::{Moment, Stages, moments};
+use crate::motion::block::{Block, LANES, Lane};
+use crate::motion::registers::{Registers, Work, in_widest};
+use crate::motion::{System, TorqueLaw};
+
+/// Eight steps and the columns of their Jacobians; `false` if the law gives a torque that depends on the attitude.
+#[inline(always)]
+pub(crate) fn block_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
+    system: &impl Fn(usize) -> System<f64, L>,
+    time: f64,
+    block: &mut Block,
+    step: f64,
+    columns: &mut [[Lane; 6]; N],
+) -> bool {
+    in_widest(Eight {
+        system,
+        time,
+        step,
+        block,
+        columns,
+    })
+}
+
+struct Eight<'a, const N: usize, F> {
+    system: &'a F,
+    time: f64,
+    step: f64,
+    block: &'a mut Block,
+    columns: &'a mut [[Lane; 6]; N],
+}
+
+impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for Eight<'_, N, F> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<R: Registers>(self, registers: R) -> bool {
+        let Self {
+            system, time, step, ..
+        } = self;
+        // The bodies of a block are under one law.
+        let Some(moments) = moments(&system(0), time, step) else {
+            return false;
+        };
+        let [a, b, c] = &moments;
+        let moments = [a.splat(registers), b.splat(registers), c.splat(registers)];
+        let mut rows = Rows {
+            registers,
+            step,
+            moments,
+            block: self.block,
+            columns: self.columns,
+        };
+        if (0..LANES).all(|lane| system(lane).is_principal()) {
+            let differences = lanes(|lane| principal(&system(lane)).differences);
+            let inverse = lanes(|lane| principal(&system(lane)).inverse);
+            for first in (0..LANES).step_by(R::LANES) {
+                let tensor = Principal {
+                    differences: loaded(registers, &differences, first),
+                    inverse: loaded(registers, &inverse, first),
+                };
+                rows.side_by_side(first, tensor);
+            }
+        } else {
+            let entries = lanes(|lane| full(&system(lane)).entries);
+            let inverse = lanes(|lane| full(&system(lane)).inverse);
+            for first in (0..LANES).step_by(R::LANES) {
+                let tensor = Full {
+                    entries: loaded(registers, &entries, first),
+                    inverse: loaded(registers, &inverse, first),
+                };
+                rows.side_by_side(first, tensor);
+            }
+        }
+        true
+    }
+}
+
+/// Where the rows of eight Jacobians go.
+struct Rows<'a, const N: usize, R: Registers> {
+    registers: R,
+    step: f64,
+    moments: [Moment<R::Wide>; 3],
+    block: &'a mut Block,
+    columns: &'a mut [[Lane; 6]; N],
+}
+
+impl<const N: usize, R: Registers> Rows<'_, N, R> {
+    /// The bodies from `first` on, as many as a register holds.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn side_by_side(&mut self, first: usize, tensor: impl Tensor<R::Wide>) {
+        let registers = self.registers;
+        let [w, x, y, z, a, b, c] = loaded(registers, self.block.lanes(), first);
+        let stages = Stages::new(tensor, [a, b, c], self.step, &self.moments);
+        let ([w, x, y, z], [a, b, c]) = stages.state([w, x, y, z], [a, b, c]);
+        let (lanes, values) = (self.block.lanes_mut(), [w, x, y, z, a, b, c]);
+        for i in 0..7 {
+            registers.store(values[i], &mut lanes[i][first..]);
+        }
+        let zero = registers.splat(0.0);
+        let turn = matrix(stages.end);
+        for (column, values) in self.columns.iter_mut().zip(turn) {
+            for (r, value) in values.into_iter().enumerate() {
+                registers.store(value * stages.unit, &mut column[r][first..]);
+                registers.store(zero, &mut column[3 + r][first..]);
+            }
+        }
+        self.row::<_, 0>(first, &stages);
+        self.row::<_, 1>(first, &stages);
+        self.row::<_, 2>(first, &stages);
+        self.row::<_, 3>(first, &stages);
+        self.row::<_, 4>(first, &stages);
+        self.row::<_, 5>(first, &stages);
+    }
+
+    /// The row `ROW` of each Jacobian, in the columns after those of θ.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn row<I: Tensor<R::Wide>, const ROW: usize>(
+        &mut self,
+        first: usize,
+        stages: &Stages<R::Wide, I>,
+    ) {
+        let registers = self.registers;
+        let mut seed = [registers.splat(0.0); 3];
+        seed[ROW % 3] = registers.splat(1.0);
+        let (of_theta, of_omega) = if ROW < 3 {
+            (Some(seed), None)
+        } else {
+            (None, Some(seed))
+        };
+        let pulled = stages.pulled_back::<N>(of_theta, of_omega);
+        self.put::<ROW, 3>(first, 3, pulled.omega);
+        self.put::<ROW, 3>(first, 6, pulled.torque);
+        self.put::<ROW, 6>(first, 9, pulled.inertia);
+        self.put::<ROW, 1>(first, 15, [pulled.span]);
+    }
+
+    /// Writes the row in the columns from `column` on, if they are asked for.
+    #[inline(always)]
+    fn put<const ROW: usize, const M: usize>(
+        &mut self,
+        first: usize,
+        column: usize,
+        values: [R::Wide; M],
+    ) {
+        for (column, value) in self.columns.iter_mut().skip(column).zip(values) {
+            self.registers.store(value, &mut column[ROW][first..]);
+        }
+    }
+}
+
+/// Numbers of eight bodies side by side.
+#[inline(always)]
+fn lanes<const N: usize>(of: impl Fn(usize) -> [f64; N]) -> [Lane; N] {
+    let mut lanes = [[0.0; LANES]; N];
+    for body in 0..LANES {
+        for (lane, value) in lanes.iter_mut().zip(of(body)) {
+            lane[body] = value;
+        }
+    }
+    lanes
+}

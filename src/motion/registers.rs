@@ -1,0 +1,181 @@
+//! Numbers side by side in the widest registers that the machine has.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+/// Plain arithmetic: of one double, or of as many as a register holds. No operation is fused with another, so that
+/// every width gives the same to the bit.
+pub(crate) trait Arithmetic:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// A constant beside this number.
+    fn constant(self, value: f64) -> Self;
+
+    /// The square root.
+    fn root(self) -> Self;
+}
+
+impl Arithmetic for f64 {
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+/// The registers of a machine.
+pub(crate) trait Registers: Copy {
+    /// What a register holds.
+    type Wide: Arithmetic;
+
+    /// How many doubles that is.
+    const LANES: usize;
+
+    /// One value in every lane.
+    fn splat(self, value: f64) -> Self::Wide;
+
+    /// The first [`LANES`](Self::LANES) of the values, of which there are as many or more.
+    fn load(self, values: &[f64]) -> Self::Wide;
+
+    /// Writes the lanes over the first of `values`, of which there are as many or more.
+    fn store(self, wide: Self::Wide, values: &mut [f64]);
+}
+
+/// Something to be done in registers of any width.
+pub(crate) trait Work {
+    /// What comes of it.
+    type Output;
+
+    /// Does it. To be inlined: what is called is compiled for the least of machines.
+    fn run<R: Registers>(self, registers: R) -> Self::Output;
+}
+
+/// Does the work in the widest registers that the machine has.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn in_widest<W: Work>(work: W) -> W::Output {
+    pulp::Arch::new().dispatch(dispatched::Dispatched(work))
+}
+
+/// Does the work, a double at a time.
+#[cfg(not(feature = "batch"))]
+#[inline(always)]
+pub(crate) fn in_widest<W: Work>(work: W) -> W::Output {
+    work.run(single::Single)
+}
+
+#[cfg(not(feature = "batch"))]
+mod single {
+    use super::Registers;
+
+    /// Registers of one double.
+    #[derive(Clone, Copy)]
+    pub(super) struct Single;
+
+    impl Registers for Single {
+        type Wide = f64;
+        const LANES: usize = 1;
+
+        #[inline(always)]
+        fn splat(self, value: f64) -> f64 {
+            value
+        }
+
+        #[inline(always)]
+        fn load(self, values: &[f64]) -> f64 {
+            values.first().copied().unwrap_or_default()
+        }
+
+        #[inline(always)]
+        fn store(self, wide: f64, values: &mut [f64]) {
+            if let Some(first) = values.first_mut() {
+                *first = wide;
+            }
+        }
+    }
+}
+
+#[cfg(feature = "batch")]
+mod dispatched {
+    use super::{Arithmetic, Registers, Work};
+    use pulp::{Simd, WithSimd};
+    use std::ops::{Add, Div, Mul, Sub};
+
+    pub(super) struct Dispatched<W>(pub(super) W);
+
+    impl<W: Work> WithSimd for Dispatched<W> {
+        type Output = W::Output;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> W::Output {
+            self.0.run(Widest(simd))
+        }
+    }
+
+    /// The registers of the machine at hand.
+    #[derive(Clone, Copy)]
+    struct Widest<S>(S);
+
+    /// A register full of doubles.
+    #[derive(Clone, Copy)]
+    struct Wide<S: Simd>(S, S::f64s);
+
+    impl<S: Simd> Registers for Widest<S> {
+        type Wide = Wide<S>;
+        const LANES: usize = S::F64_LANES;
+
+        #[inline(always)]
+        fn splat(self, value: f64) -> Wide<S> {
+            Wide(self.0, self.0.splat_f64s(value))
+        }
+
+        #[inline(always)]
+        fn load(self, values: &[f64]) -> Wide<S> {
+            match S::as_simd_f64s(values).0.first() {
+                Some(wide) => Wide(self.0, *wide),
+                None => self.splat(0.0),
+            }
+        }
+
+        #[inline(always)]
+        fn store(self, wide: Wide<S>, values: &mut [f64]) {
+            if let Some(first) = S::as_mut_simd_f64s(values).0.first_mut() {
+                *first = wide.1;
+            }
+        }
+    }
+
+    impl<S: Simd> Arithmetic for Wide<S> {
+        #[inline(always)]
+        fn constant(self, value: f64) -> Self {
+            Self(self.0, self.0.splat_f64s(value))
+        }
+
+        #[inline(always)]
+        fn root(self) -> Self {
+            Self(self.0, self.0.sqrt_f64s(self.1))
+        }
+    }
+
+    macro_rules! lane_by_lane {
+        ($($operator:ident $method:ident $lanes:ident;)*) => {$(
+            impl<S: Simd> $operator for Wide<S> {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    Self(self.0, self.0.$lanes(self.1, other.1))
+                }
+            }
+        )*};
+    }
+
+    lane_by_lane! {
+        Add add add_f64s;
+        Sub sub sub_f64s;
+        Mul mul mul_f64s;
+        Div div div_f64s;
+    }
+}
