@@ -162,17 +162,19 @@ impl Checker<'_> {
         let preferred: Vec<Variable> = residuals.iter().map(|(v, _)| *v).collect();
         let residuals = residuals.into_iter().map(|(_, r)| r).collect();
         let name = self.line_name(finding);
+        // What earlier lines have already is narrowed down, for as long as the section goes.
+        let definition = role != Role::Assume || !self.is_tied(entity);
         self.mark_instant(&name, &preferred, &value.entries);
         if self.theory.assume(Premise {
             name: name.clone(),
             residuals,
             preferred,
-            definition: true,
+            definition,
         }) == Taken::Contradiction
         {
             return false;
         }
-        self.keep(&name, true);
+        self.keep(&name, definition);
         self.known.insert(entity.0);
         finding.verdict = Verdict::Accepted;
         if role == Role::Claim {
@@ -225,7 +227,13 @@ impl Checker<'_> {
     pub(super) fn is_tied(&self, entity: Entity) -> bool {
         let of = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, .. } if *e == entity);
         let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
-        residuals.any(|r| r.variables().into_iter().any(of))
+        residuals.any(|r| {
+            let mut inside = r
+                .variables()
+                .into_iter()
+                .flat_map(|v| self.with_arguments(v));
+            inside.any(of)
+        })
     }
 
     /// A matrix of new symbols on the left, with signs or zeros among them: each gets its value.

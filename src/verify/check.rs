@@ -92,7 +92,9 @@ pub(super) struct Checker<'a> {
     pub(super) doubts: Doubts,
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
-    sentence: String,
+    pub(super) sentence: String,
+    /// Expressions of a list that the words have named last.
+    pub(super) named: Vec<Node>,
     /// Whether a paragraph ended since the last words or formula.
     broken: bool,
     mark: Option<Role>,
@@ -150,6 +152,7 @@ impl<'a> Checker<'a> {
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),
+            named: vec![],
             broken: false,
             mark: None,
             scopes: vec![],
@@ -163,6 +166,7 @@ impl<'a> Checker<'a> {
         };
         spell(document, &checker.reading, &mut checker.theory.atoms);
         checker.single_moments();
+        checker.moments_in_words();
         checker
     }
 
@@ -233,6 +237,7 @@ impl<'a> Checker<'a> {
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
+        self.constants_in_words(text);
         self.sentence.push_str(text);
         let whole = self.sentence.clone();
         for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
@@ -275,7 +280,11 @@ impl<'a> Checker<'a> {
         for row in &formula.rows {
             match row {
                 Row::Line(line) => self.line(line, role),
-                Row::Expression(node) => self.expression(node),
+                Row::Expression(node) => {
+                    let sentence = self.sentence.clone();
+                    self.note_expression(node, &sentence);
+                    self.expression(node);
+                }
                 Row::Unreadable {
                     message,
                     help,

@@ -209,7 +209,7 @@ impl Checker<'_> {
     }
 
     /// A variable, or the variables of the argument of a kernel.
-    fn with_arguments(&self, variable: u32) -> Vec<u32> {
+    pub(super) fn with_arguments(&self, variable: u32) -> Vec<u32> {
         match self.theory.atoms.atom(variable) {
             Atom::Kernel { argument, .. } => argument
                 .variables()

@@ -1,13 +1,13 @@
 //! What numerals stand for while a formula is lowered: units as factors, and rounded figures as what was rounded.
 
 use crate::algebra::{Fraction, Rational, Variable};
-use crate::notation::ast::{Node, Number, Relation};
+use crate::notation::ast::{Function, Node, Number, Relation};
 use crate::verify::atoms::{Atom, Atoms, variable_fraction};
 use crate::verify::lower::{Lowered, Lowering, constant};
 use crate::verify::theory::{Name, Theory};
 use crate::verify::units::{Scale, scale};
 use crate::verify::usage::Letter;
-use num_traits::One;
+use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 
 /// Another value that the author may have gone on with.
@@ -60,6 +60,36 @@ pub(super) fn is_number(atoms: &Atoms, fraction: &Fraction) -> bool {
 }
 
 impl Theory {
+    /// Sine and cosine of a multiple of 15 degrees.
+    pub(super) fn known_angle(&mut self, angle: &Fraction) -> Option<(Fraction, Fraction)> {
+        let pi = pi(&mut self.atoms);
+        if !angle.variables().contains(&pi.as_variable()?) {
+            return None;
+        }
+        let turn = (angle.clone() / pi).to_rational()? * Rational::from(12);
+        let twelfths = turn.to_integer()?;
+        let sine = self.sine_of_twelfths(twelfths);
+        Some((sine, self.sine_of_twelfths(twelfths.checked_add(6)?)))
+    }
+
+    /// sin(nπ/12).
+    fn sine_of_twelfths(&mut self, n: i64) -> Fraction {
+        let n = n.rem_euclid(24);
+        let (n, negative) = if n > 12 { (n - 12, true) } else { (n, false) };
+        let mut root = |n: i64| self.kernel(Function::Sqrt, constant(Rational::from(n)));
+        let part = |n: i64, d: i64| constant(Rational::from((n, d)));
+        let value = match n.min(12 - n) {
+            0 => Fraction::zero(),
+            1 => root(2) * (root(3) - Fraction::one()) * part(1, 4),
+            2 => part(1, 2),
+            3 => root(2) * part(1, 2),
+            4 => root(3) * part(1, 2),
+            5 => root(2) * (root(3) + Fraction::one()) * part(1, 4),
+            _ => Fraction::one(),
+        };
+        if negative { -value } else { value }
+    }
+
     /// The number that a unit multiplies by.
     pub(super) fn scale_value(&mut self, scale: &Scale) -> Fraction {
         let mut value = constant(scale.factor.clone());
@@ -95,41 +125,5 @@ impl Lowering<'_> {
         }
         let factor = self.theory.scale_value(&scale);
         Ok(value.scaled(&factor))
-    }
-
-    /// Sine and cosine of a multiple of 30 or 45 degrees.
-    pub(super) fn known_angle(
-        &mut self,
-        coefficient: &Rational,
-        monomial: &Fraction,
-        denominator: &Fraction,
-    ) -> Option<(Fraction, Fraction)> {
-        let pi = pi(&mut self.theory.atoms);
-        if *monomial != pi {
-            return None;
-        }
-        let turn = coefficient.clone() / denominator.to_rational()? * Rational::from(12);
-        let twelfths = turn.to_integer()?;
-        let sine = self.sine_of_twelfths(twelfths)?;
-        let cosine = self.sine_of_twelfths(twelfths.checked_add(6)?)?;
-        Some((sine, cosine))
-    }
-
-    /// sin(nπ/12) for the n at which it is the half of a root.
-    fn sine_of_twelfths(&mut self, n: i64) -> Option<Fraction> {
-        let n = n.rem_euclid(24);
-        let (n, negative) = if n > 12 { (n - 12, true) } else { (n, false) };
-        let square = match n.min(12 - n) {
-            0 => 0,
-            2 => 1,
-            3 => 2,
-            4 => 3,
-            6 => 4,
-            _ => return None,
-        };
-        let root = self.square_root(constant(Rational::from(square)));
-        let half = root * constant(Rational::from((1, 2)));
-        let value = if square == 4 { Fraction::one() } else { half };
-        Some(if negative { -value } else { value })
     }
 }

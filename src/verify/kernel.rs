@@ -57,7 +57,8 @@ impl Lowering<'_> {
         let denominator = Fraction::from(argument.denominator().clone());
         for (coefficient, monomial) in argument.numerator().split() {
             let angle = Fraction::from(monomial.clone());
-            if let Some((sin, cos)) = self.known_angle(&coefficient, &angle, &denominator) {
+            let whole = angle.clone() * constant(coefficient.clone()) / denominator.clone();
+            if let Some((sin, cos)) = self.theory.known_angle(&whole) {
                 let (s, c) = total;
                 total = (
                     s.clone() * cos.clone() + c.clone() * sin.clone(),

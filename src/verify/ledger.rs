@@ -4,7 +4,8 @@
 //! solved from a line of the document becomes a combination of the line as written and of earlier rules.
 
 use crate::algebra::{
-    Combination, Fact, Fraction, Kernel, Polynomial, Ratio, Reason, Variable, difference, rate,
+    Combination, Fact, Fraction, Kernel, Polynomial, Ratio, Rational, Reason, Variable, difference,
+    rate,
 };
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Entity, variable_fraction};
@@ -303,26 +304,33 @@ impl Theory {
             by,
         };
         let equal = self.ledger.push(value, reason);
-        if reduced.is_zero() && matches!(function, Function::Sin | Function::Cos) {
-            return Some(self.value_at_zero(variable, other_variable, function, equal));
-        }
-        Some(equal)
+        let known = match (function, self.known_angle(&reduced)) {
+            (Function::Sin, Some((sine, _))) => sine,
+            (Function::Cos, Some((_, cosine))) => cosine,
+            (Function::Sin, None) if reduced.is_zero() => Fraction::zero(),
+            (Function::Cos, None) if reduced.is_zero() => Fraction::one(),
+            _ => return Some(equal),
+        };
+        self.note_kernels(&known);
+        let (value, scale) = (
+            known.numerator().clone(),
+            known.denominator().is_constant()?,
+        );
+        let value = value * Polynomial::constant(Rational::from(1) / scale);
+        Some(self.value_at_angle(variable, other_variable, value, equal))
     }
 
-    /// A sine or a cosine of an argument that vanishes is 0 or 1.
-    fn value_at_zero(
+    /// A sine or a cosine of an angle at which its value is known.
+    fn value_at_angle(
         &mut self,
         variable: Variable,
-        at_zero: Variable,
-        function: Function,
+        at_angle: Variable,
+        value: Polynomial,
         equal: usize,
     ) -> usize {
-        let (name, value) = match function {
-            Function::Sin => ("sin 0 = 0", Polynomial::zero()),
-            _ => ("cos 0 = 1", Polynomial::one()),
-        };
-        let known = Polynomial::variable(at_zero) - value.clone();
-        let known = self.ledger.push(known, Reason::Premise(name.to_owned()));
+        let known = Polynomial::variable(at_angle) - value.clone();
+        let name = "the sine or cosine of a known angle".to_owned();
+        let known = self.ledger.push(known, Reason::Premise(name));
         let combination = Combination {
             multiplier: Polynomial::one(),
             cofactors: vec![(equal, Polynomial::one()), (known, Polynomial::one())],

@@ -12,7 +12,6 @@ use crate::verify::reading::Reading;
 use crate::verify::symbol::Meaning;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::usage::Letter;
-use crate::verify::verdict::FromProse;
 
 impl Checker<'_> {
     /// Takes in a premise that words set.
@@ -40,12 +39,7 @@ impl Checker<'_> {
             Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
         };
         if new {
-            let (source_line, _, _) = self.place(span.start);
-            self.from_prose.push(FromProse {
-                span,
-                source_line,
-                premise: name,
-            });
+            self.tell(span, name);
         }
     }
 

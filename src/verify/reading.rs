@@ -6,6 +6,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
+use crate::verify::moments_in_words::NamedMoment;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::prose::{Said, said};
 use crate::verify::quantity::Quantity;
@@ -30,6 +31,8 @@ pub(super) struct Reading {
     pub plane: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
+    /// Moments that the words give a letter.
+    pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
     pub(super) speaks_of_energy: bool,
@@ -47,6 +50,7 @@ impl Reading {
         };
         reading.listen(document);
         reading.sequences();
+        reading.by_moments(document);
         reading.by_words();
         reading.by_attitude(document);
         reading.by_custom();

@@ -262,7 +262,7 @@ impl Theory {
             Atom::Kernel { function, argument } => {
                 let reduced = self.normal(&argument);
                 if reduced != argument {
-                    let value = Arc::new(self.kernel(function, reduced));
+                    let value = Arc::new(self.kernel_value(function, reduced));
                     return Some(Rule {
                         name: String::new(),
                         value,
@@ -378,6 +378,15 @@ impl Theory {
             }
             Function::Sqrt => Some(argument),
             _ => None,
+        }
+    }
+
+    /// A kernel, or its value at an angle where that is known.
+    fn kernel_value(&mut self, function: Function, argument: Fraction) -> Fraction {
+        match (function, self.known_angle(&argument)) {
+            (Function::Sin, Some((sine, _))) => sine,
+            (Function::Cos, Some((_, cosine))) => cosine,
+            _ => self.kernel(function, argument),
         }
     }
 

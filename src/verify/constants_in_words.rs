@@ -1,0 +1,108 @@
+//! What words say does not change: "θ, φ̇ and ψ̇ are constant", "turns at the constant rate Ω".
+
+use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use crate::source::Span;
+use crate::verify::atoms::{Atom, Owner};
+use crate::verify::check::Checker;
+use crate::verify::frame::Frame;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::verdict::FromProse;
+
+/// Words behind a list of symbols.
+const BEHIND: &[&str] = &[
+    "is constant",
+    "are constant",
+    "are all constant",
+    "are both constant",
+    "remain constant",
+    "remains constant",
+    "stay constant",
+    "stays constant",
+    "constant)",
+    "held constant",
+];
+/// Words before a symbol.
+const BEFORE: &[&str] = &[
+    "constant rate",
+    "constant speed",
+    "constant angular velocity",
+    "constant angular speed",
+    "constant spin",
+    "constant rates",
+];
+
+impl Checker<'_> {
+    /// Notes an expression that the words may call constant.
+    pub(super) fn note_expression(&mut self, node: &Node, sentence: &str) {
+        let before = sentence.trim_end().to_lowercase();
+        if BEFORE.iter().any(|words| before.ends_with(words)) {
+            self.constant_in_words(node);
+        }
+        self.named.push(node.clone());
+    }
+
+    /// Takes what a piece of prose behind expressions calls constant.
+    pub(super) fn constants_in_words(&mut self, text: &str) {
+        let text = text.trim_start().to_lowercase();
+        if matches!(text.trim(), "" | "," | "and" | ", and") {
+            return;
+        }
+        let named = std::mem::take(&mut self.named);
+        let derived = crate::verify::role::asserts(&self.sentence);
+        if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
+            named.iter().for_each(|node| self.constant_in_words(node));
+        }
+    }
+
+    /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say.
+    fn constant_in_words(&mut self, node: &Node) {
+        let rate = Node {
+            kind: Kind::TimeDerivative {
+                operand: Box::new(node.clone()),
+                order: 1,
+                style: DerivativeStyle::Dots,
+                frame: None,
+            },
+            span: node.span,
+        };
+        let Ok(value) = self.lowering(Frame::Moving).value(&rate) else {
+            return;
+        };
+        let parts: Vec<u32> = value
+            .entries
+            .iter()
+            .filter_map(|e| e.as_variable())
+            .collect();
+        let own = |v: &u32| match self.theory.atoms.atom(*v) {
+            Atom::Part { entity, .. } => {
+                matches!(self.theory.atoms.info(*entity).owner, Owner::Symbol(_))
+            }
+            _ => false,
+        };
+        if parts.is_empty() || parts.len() != value.entries.len() || !parts.iter().all(own) {
+            return;
+        }
+        let text = self.document.source.slice(node.span).trim().to_owned();
+        let name = format!("{text} is constant");
+        let premise = Premise {
+            name: name.clone(),
+            residuals: value.entries,
+            preferred: parts,
+            definition: false,
+        };
+        if self.theory.assume(premise) == Taken::Solved {
+            self.keep(&name, false);
+            self.tell(node.span, name);
+        }
+    }
+
+    /// Reports a premise that words set.
+    pub(super) fn tell(&mut self, span: Span, premise: String) {
+        let (source_line, _, _) = self.place(span.start);
+        self.from_prose.push(FromProse {
+            span,
+            source_line,
+            premise,
+        });
+    }
+}
