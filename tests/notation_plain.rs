@@ -95,7 +95,7 @@ fn letters_with_marks_and_small_letters_are_those_of_latex() {
         ),
         ("θ̈ + Ω²θ = 0", "(+ (ddot theta) (* (^ Omega 2) theta)) = 0"),
         ("L⃗ = I ω⃗", "vec:L = (* I vec:omega)"),
-        ("𝐋 = 𝐈𝝎", "L = (* I omega)"),
+        ("𝐋 = 𝐈𝝎", "vec:L = (* vec:I vec:omega)"),
         ("q̇ = ½ q ⊗ ω", "(dot q) = (* (/ 1 2) q ⊗ omega)"),
         ("R Rᵀ = 1", "(* R (T R)) = 1"),
         ("ΣM = dL/dt", "sum:M = (d/dt L)"),

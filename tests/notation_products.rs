@@ -164,6 +164,9 @@ fn what_is_not_known_is_an_error_at_its_place_and_the_rest_is_read() {
             "a = (+ b <the formula ends where more is expected>)",
         ),
         (r"a = (b", "a = <a bracket that is not closed>"),
-        (r"\sqrt[3]{x}", "unreadable: only square roots are read"),
+        (
+            r"\sqrt[n]{x}",
+            "unreadable: a root needs a whole number for its degree",
+        ),
     ]);
 }

@@ -64,19 +64,30 @@ const ABBREVIATED: &[(&str, &str)] = &[
 
 /// The formulas of a text in order.
 pub(crate) fn regions(text: &str, dialect: Dialect) -> Vec<Region> {
+    scan(text, dialect).found
+}
+
+/// The formulas of a Markdown text in order, and its comments between `%%`.
+pub(crate) fn regions_and_comments(text: &str) -> (Vec<Region>, Vec<Range<usize>>) {
+    let scan = scan(text, Dialect::Markdown);
+    (scan.found, scan.comments)
+}
+
+fn scan(text: &str, dialect: Dialect) -> Scan<'_> {
     let mut scan = Scan {
         text,
         bytes: text.as_bytes(),
         at: 0,
         dialect,
         found: vec![],
+        comments: vec![],
         missing: BTreeSet::new(),
         fruitless: 0,
     };
     while scan.at < scan.bytes.len() {
         scan.step();
     }
-    scan.found
+    scan
 }
 
 struct Scan<'a> {
@@ -85,6 +96,7 @@ struct Scan<'a> {
     at: usize,
     dialect: Dialect,
     found: Vec<Region>,
+    comments: Vec<Range<usize>>,
     /// Closing marks that do not come again: each is looked for to the end of the text once.
     missing: BTreeSet<String>,
     /// Up to here no escaped closing mark was found.
@@ -99,6 +111,7 @@ impl Scan<'_> {
             [b'<', b'!', b'-', b'-', ..] if self.dialect == Dialect::Markdown => {
                 self.skip_past("-->")
             }
+            [b'%', b'%', ..] if self.dialect == Dialect::Markdown => self.remark(),
             [b'%', ..] if self.dialect == Dialect::Latex => self.skip_past("\n"),
             [b'\\', b'v' | b'i' | b'b', ..] if self.dialect == Dialect::Latex && self.hidden() => {}
             [b'\\', b'\\', b'(' | b'[', ..] if self.dialect == Dialect::Markdown => self.escaped(),

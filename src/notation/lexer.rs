@@ -3,7 +3,8 @@
 mod command;
 mod word;
 
-use crate::notation::token::{Letters, Lexeme, Token};
+use crate::notation::parse::groups;
+use crate::notation::token::{Letters, Lexeme, Token, beginning};
 use crate::notation::unicode;
 use crate::source::Span;
 
@@ -109,6 +110,13 @@ impl<'a> Lexer<'a> {
                 self.at += 1 + after;
             }
         }
+        let script = matches!(
+            self.out.last().map(|t| t.kind),
+            Some(Lexeme::Subscript | Lexeme::Superscript | Lexeme::Open)
+        );
+        if !script {
+            self.at += groups(&self.text[start..self.at], beginning(self.rest(), 64));
+        }
         self.exponent();
         self.push(Lexeme::Number(&self.text[start..self.at]), start);
         self.unit();
@@ -118,7 +126,9 @@ impl<'a> Lexer<'a> {
     fn fraction_of_digits(&mut self, start: usize) -> bool {
         let after_fraction = matches!(
             self.out.last().map(|token| token.kind),
-            Some(Lexeme::Command("frac" | "tfrac" | "dfrac" | "cfrac"))
+            Some(Lexeme::Command(
+                "frac" | "tfrac" | "dfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac"
+            ))
         );
         let mut digits = self.text[start..].bytes().take(2);
         let two = digits.len() == 2 && digits.all(|b| b.is_ascii_digit());
@@ -192,14 +202,22 @@ impl<'a> Lexer<'a> {
             }
             return;
         }
+        if c == '″' {
+            self.push(Lexeme::Char('\''), start);
+            return self.push(Lexeme::Char('\''), start);
+        }
         let (base, mut marks) = unicode::decomposed(c);
         let lexeme = unicode::lexeme(base);
         while let Some(mark) = self.rest().chars().next().and_then(unicode::mark) {
             marks.push(mark);
             self.at += self.rest().chars().next().map_or(0, char::len_utf8);
         }
+        marks.extend(unicode::alphabet(c));
         match lexeme {
-            Some(lexeme) => self.accented(lexeme, &marks, start),
+            Some(lexeme) => {
+                self.accented(lexeme, &marks, start);
+                self.number_of_letter(start);
+            }
             None if c.is_alphabetic() => self.accented(Lexeme::Letter(c), &marks, start),
             // Marks of direction and zero-width spaces are invisible, so they must not change a meaning.
             None if unicode::invisible(c) => {}
@@ -227,6 +245,25 @@ impl<'a> Lexer<'a> {
             }
         }
         self.push(Lexeme::Close, self.at);
+    }
+
+    /// In plain text digits close behind a letter are its index: `ω1`, `m2`; behind the d of `d2θ/dt2` its order.
+    fn number_of_letter(&mut self, start: usize) {
+        let length = self.rest().bytes().take_while(u8::is_ascii_digit).count();
+        if self.letters == Letters::Single || !(1..=2).contains(&length) {
+            return;
+        }
+        let text = &self.text[..self.at];
+        let order = text.ends_with('d') || text.ends_with("dt");
+        let mark = if order {
+            Lexeme::Superscript
+        } else {
+            Lexeme::Subscript
+        };
+        self.push(mark, start);
+        let start = self.at;
+        self.at += length;
+        self.push(Lexeme::Number(&self.text[start..self.at]), start);
     }
 
     /// A run of raised or lowered characters.

@@ -1,6 +1,6 @@
 //! Markdown with mathematics.
 
-use crate::notation::delimiters::{Dialect, Region, regions};
+use crate::notation::delimiters::{Region, regions_and_comments};
 use crate::notation::document::{Item, Row};
 use crate::notation::formula;
 use crate::notation::macros::Macros;
@@ -11,8 +11,8 @@ use std::ops::Range;
 
 /// Reads Markdown whose first byte stands at `offset` of the source.
 pub(crate) fn items(text: &str, offset: usize, macros: &Macros) -> Vec<Item> {
-    let found = regions(text, Dialect::Markdown);
-    let masked = masked(text, &found);
+    let (found, comments) = regions_and_comments(text);
+    let masked = masked(text, &found, &comments);
     let mut reader = Reader {
         offset,
         text,
@@ -34,14 +34,18 @@ pub(crate) fn items(text: &str, offset: usize, macros: &Macros) -> Vec<Item> {
     reader.items
 }
 
-/// The text with each formula replaced by as many letters, so that nothing in it is taken for Markdown.
-fn masked(text: &str, regions: &[Region]) -> String {
+/// The text with each formula replaced by as many letters, and each comment by spaces, so that nothing in them is taken
+/// for Markdown.
+fn masked(text: &str, regions: &[Region], comments: &[Range<usize>]) -> String {
+    let formulas = regions.iter().map(|region| (&region.outer, 'M'));
+    let mut parts: Vec<_> = formulas.chain(comments.iter().map(|c| (c, ' '))).collect();
+    parts.sort_by_key(|(range, _)| range.start);
     let mut out = String::with_capacity(text.len());
     let mut at = 0;
-    for region in regions {
-        out.push_str(&text[at..region.outer.start]);
-        out.extend(std::iter::repeat_n('M', region.outer.len()));
-        at = region.outer.end;
+    for (range, cover) in parts {
+        out.push_str(&text[at..range.start]);
+        out.extend(std::iter::repeat_n(cover, range.len()));
+        at = range.end;
     }
     out.push_str(&text[at..]);
     out

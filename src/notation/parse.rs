@@ -12,6 +12,8 @@ mod group;
 mod integral;
 mod letter;
 pub(crate) mod line;
+mod number;
+mod physics;
 mod pieces;
 mod product;
 mod range;
@@ -25,6 +27,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 
+pub(crate) use number::groups;
 pub(crate) use text::is_unit;
 
 /// Groups inside groups beyond this are refused: nobody writes them, and each costs a stack frame.
@@ -130,12 +133,23 @@ impl<'t, 'a> Parser<'t, 'a> {
                 format!("a sign is missing an operand: \\{name}")
             }
             Some(Lexeme::Command(name)) => format!("the command \\{name} is not known"),
+            Some(Lexeme::Char(',')) if self.between_digits() => {
+                "a comma between digits, which may part decimals, thousands or a list".into()
+            }
             Some(Lexeme::Char(c)) => format!("{c:?} is not expected here"),
             Some(Lexeme::Close) => "a brace closes that was not opened".into(),
             Some(Lexeme::Begin(name)) => format!("the environment {name} is not known here"),
             Some(_) => "this is not expected here".into(),
             None => "the formula ends where more is expected".into(),
         }
+    }
+
+    fn between_digits(&self) -> bool {
+        let digits = |i: Option<usize>| {
+            i.and_then(|i| self.tokens.get(i))
+                .is_some_and(|t| matches!(t.kind, Lexeme::Number(_)))
+        };
+        digits(self.at.checked_sub(1)) && digits(Some(self.at + 1))
     }
 
     fn peek(&self) -> Option<Lexeme<'a>> {

@@ -136,6 +136,13 @@ impl Form {
             };
             let sign = match factor.operator {
                 _ if i == 0 => "",
+                // Digits beside digits would be one number.
+                Operator::Juxtaposed
+                    if printed.starts_with(|c: char| c.is_ascii_digit())
+                        && text.ends_with(|c: char| c.is_ascii_digit()) =>
+                {
+                    " * "
+                }
                 // A bracket close behind a letter would hold its arguments.
                 Operator::Juxtaposed if printed.starts_with('(') => "\\,",
                 Operator::Juxtaposed => " ",

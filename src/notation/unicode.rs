@@ -94,6 +94,7 @@ pub(crate) fn mark(c: char) -> Option<&'static str> {
     Some(match c {
         '\u{307}' => "dot",
         '\u{308}' => "ddot",
+        '\u{30a}' => "mathring",
         '\u{302}' => "hat",
         '\u{303}' => "tilde",
         '\u{304}' | '\u{305}' => "bar",
@@ -134,13 +135,19 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         'a'..='z' | 'A'..='Z' => Letter(c),
         'α'..='ω' | 'Α'..='Ω' | 'ϕ' | 'ϑ' | 'ϵ' | 'ϖ' | 'ϱ' => Command(greek(c)?),
         '\u{2126}' => Command("Omega"),
-        '×' | '✕' | '⨯' => Command("times"),
+        '×' | '✕' | '⨯' | '⨉' => Command("times"),
         '·' | '⋅' | '∙' | '•' => Command("cdot"),
         '−' | '–' => Char('-'),
         '∗' => Char('*'),
         '∕' | '⁄' | '÷' => Char('/'),
         '′' => Char('\''),
         '√' => Command("sqrt"),
+        '∛' => Command("cbrt"),
+        '⊥' => Command("perp"),
+        '∥' => Command("parallel"),
+        'ⅆ' => Letter('d'),
+        'ⅇ' => Letter('e'),
+        'ℎ' => Letter('h'),
         '∫' => Command("int"),
         '∭' => Command("iiint"),
         '∑' => Command("sum"),
@@ -197,6 +204,39 @@ fn greek(c: char) -> Option<&'static str> {
     }
 }
 
+/// The command that an alphabet of mathematics stands for: 𝐋 is a bold letter, ℒ a calligraphic one.
+pub(crate) fn alphabet(c: char) -> Option<&'static str> {
+    Some(match c {
+        'ℬ' | 'ℰ' | 'ℱ' | 'ℋ' | 'ℐ' | 'ℒ' | 'ℳ' | 'ℛ' | '𝒜'..='𝔷' => {
+            "mathcal"
+        }
+        'ℂ' | 'ℍ' | 'ℕ' | 'ℙ' | 'ℚ' | 'ℝ' | 'ℤ' | '𝔸'..='𝕫' => "mathbb",
+        '𝐀'..='𝐳' | '𝑨'..='𝒛' | '𝚨'..='𝛡' | '𝜜'..='𝝕' => "mathbf",
+        '𝖠'..='𝗓' => "mathsf",
+        _ => return None,
+    })
+}
+
+/// Letters of mathematics that stand outside the run of their alphabet.
+fn letterlike(c: char) -> Option<char> {
+    Some(match c {
+        'ℬ' => 'B',
+        'ℂ' => 'C',
+        'ℰ' => 'E',
+        'ℱ' => 'F',
+        'ℋ' | 'ℍ' => 'H',
+        'ℐ' => 'I',
+        'ℒ' => 'L',
+        'ℳ' => 'M',
+        'ℕ' => 'N',
+        'ℙ' => 'P',
+        'ℚ' => 'Q',
+        'ℛ' | 'ℝ' => 'R',
+        'ℤ' => 'Z',
+        _ => return None,
+    })
+}
+
 /// The letters of the mathematical alphabets (𝐋, 𝜔) are those of the plain one.
 fn mathematical(c: char) -> Option<Lexeme<'static>> {
     let n = c as u32;
@@ -209,6 +249,9 @@ fn mathematical(c: char) -> Option<Lexeme<'static>> {
         })
         .map(Lexeme::Letter)
     };
+    if let Some(letter) = letterlike(c) {
+        return Some(Lexeme::Letter(letter));
+    }
     match n {
         0x1D400..=0x1D6A3 => latin(n - 0x1D400),
         0x1D6A8..=0x1D7A7 => {

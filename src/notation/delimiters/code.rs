@@ -3,6 +3,16 @@
 use super::{LONGEST_CODE, Region, Scan, blank_line, find};
 
 impl Scan<'_> {
+    /// `%% … %%`, a comment in Obsidian's Markdown.
+    pub(super) fn remark(&mut self) {
+        let start = self.at;
+        self.at += 2;
+        if let Some(length) = self.search(self.at, "%%", find) {
+            self.at += length + 2;
+            self.comments.push(start..self.at);
+        }
+    }
+
     /// Code between backticks, or a fence at the start of a line; a fence of the language `math` is a display.
     pub(super) fn code(&mut self) {
         let mark = self.bytes[self.at];

@@ -64,6 +64,7 @@ const SILENT: &[&str] = &[
     "displaylimits",
     "framebox",
     "underbracket",
+    "vcenter",
 ];
 
 /// Commands with one argument that says nothing.

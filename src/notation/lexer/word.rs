@@ -26,6 +26,7 @@ impl<'a> Lexer<'a> {
             self.at = start + 1;
         }
         self.letter(Lexeme::Letter(c), start);
+        self.number_of_letter(start);
     }
 
     /// A word whose meaning is known; its tokens are those of the same thing in LaTeX.
@@ -175,8 +176,21 @@ impl<'a> Lexer<'a> {
             && next.next().is_some_and(char::is_alphabetic)
     }
 
-    /// `^(2n)` raises what stands in the bracket.
+    /// `^(2n)` raises what stands in the bracket, `^-1` the number with its sign.
     pub(super) fn raised_bracket(&mut self) {
+        let digits = self.rest().strip_prefix('-').map_or(0, |rest| {
+            rest.bytes().take_while(u8::is_ascii_digit).take(8).count()
+        });
+        if self.letters == Letters::Words && digits > 0 {
+            let start = self.at;
+            self.push(Lexeme::Open, start);
+            self.at += 1;
+            self.push(Lexeme::Char('-'), start);
+            self.at += digits;
+            self.push(Lexeme::Number(&self.text[start + 1..self.at]), start + 1);
+            self.push(Lexeme::Close, self.at);
+            return;
+        }
         if self.letters == Letters::Words && self.rest().starts_with('(') {
             let start = self.at;
             self.at += 1;

@@ -1,152 +1,12 @@
 //! Fractions, and those among them that are derivatives.
 
+mod differential;
+
 use super::Parser;
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::notation::token::{Lexeme, Token};
-
-/// What a numerator or a denominator of differentials says.
-struct Differential<'t, 'a> {
-    partial: bool,
-    order: u8,
-    /// A frame written before the d: `{}^{N}d`.
-    frame: Option<&'t [Token<'a>]>,
-    rest: &'t [Token<'a>],
-}
-
-/// How many tokens a `d` or `∂` takes at the start of a slice, and whether it is partial.
-pub(super) fn mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
-    let kind = |i: usize| tokens.get(i).map(|t| t.kind);
-    match kind(0)? {
-        Lexeme::Letter('d') | Lexeme::Text("d") | Lexeme::Command("dd" | "dif" | "diff") => {
-            Some((1, false))
-        }
-        Lexeme::Command("partial") => Some((1, true)),
-        Lexeme::Open => grouped_mark(tokens),
-        Lexeme::Command("mathrm" | "rm" | "mathit" | "operatorname") => match kind(1)? {
-            Lexeme::Letter('d') => Some((2, false)),
-            // Scanned formulas have spaces inside: `\mathrm{~d} t`.
-            Lexeme::Open => {
-                let spaces = |&i: &usize| matches!(kind(i), Some(Lexeme::Space(_)));
-                let letter = 2 + (2..).take_while(spaces).count();
-                let close = letter + 1 + (letter + 1..).take_while(spaces).count();
-                (kind(letter) == Some(Lexeme::Letter('d')) && kind(close) == Some(Lexeme::Close))
-                    .then_some((close + 1, false))
-            }
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// What an author's own `\dd` leaves: a group, or a few in each other, with nothing else in it.
-fn grouped_mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
-    let near = &tokens[..tokens.len().min(4)];
-    let opened = near.iter().take_while(|t| t.kind == Lexeme::Open).count();
-    let inside = tokens.get(opened..)?;
-    if inside.first()?.kind == Lexeme::Open {
-        return None;
-    }
-    let (length, partial) = mark(inside)?;
-    let closing = inside.get(length..length + opened)?;
-    let closed = closing.iter().all(|t| t.kind == Lexeme::Close);
-    closed.then_some((length + 2 * opened, partial))
-}
-
-fn order(tokens: &[Token<'_>]) -> Option<(usize, u8)> {
-    let kind = |i: usize| tokens.get(i).map(|t| t.kind);
-    if kind(0) != Some(Lexeme::Superscript) {
-        return Some((0, 1));
-    }
-    let digits = |k: Option<Lexeme<'_>>| match k {
-        Some(Lexeme::Number(digits)) => digits.parse::<u8>().ok().filter(|n| (1..=8).contains(n)),
-        _ => None,
-    };
-    match kind(1)? {
-        Lexeme::Open if kind(3) == Some(Lexeme::Close) => digits(kind(2)).map(|n| (4, n)),
-        one => digits(Some(one)).map(|n| (2, n)),
-    }
-}
-
-fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 'a>> {
-    let (frame, tokens) = prescript(tokens);
-    let (length, partial) = mark(tokens)?;
-    let (below, tokens) = subscript(&tokens[length..]);
-    // d'/dt, the rate on axes that turn (Landau and Lifshitz, Mechanics, § 36).
-    let (below, tokens) = match tokens {
-        [first, rest @ ..] if first.kind == Lexeme::Char('\'') => (Some(&tokens[..1]), rest),
-        _ => (below, tokens),
-    };
-    let (more, order) = order(tokens)?;
-    let frame = frame.or(below);
-    let rest = trim(&tokens[more..]);
-    Some(Differential {
-        partial,
-        order,
-        frame,
-        rest,
-    })
-}
-
-fn trim<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
-    let blank = |t: &&Token<'_>| matches!(t.kind, Lexeme::Space(_));
-    let from = tokens.iter().take_while(blank).count();
-    let to = tokens[from..].iter().rev().take_while(blank).count();
-    &tokens[from..tokens.len() - to]
-}
-
-/// `_B` behind a d, as in `\frac{d_B L}{dt}`.
-fn subscript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
-    match tokens {
-        [first, rest @ ..] if first.kind == Lexeme::Subscript => script(rest),
-        _ => (None, tokens),
-    }
-}
-
-/// `D t` below a line makes the D above it a d: `\frac{D L}{D t}`.
-fn total<'t, 'a>(top: &'t [Token<'a>], bottom: &[Token<'a>]) -> Option<Differential<'t, 'a>> {
-    let time = trim(bottom).iter().map(|t| t.kind);
-    let [first, rest @ ..] = trim(top) else {
-        return None;
-    };
-    let total =
-        first.kind == Lexeme::Letter('D') && time.eq([Lexeme::Letter('D'), Lexeme::Letter('t')]);
-    total.then(|| Differential {
-        partial: false,
-        order: 1,
-        frame: None,
-        rest: trim(rest),
-    })
-}
-
-/// `{}^{N}` before the rest.
-fn prescript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
-    let kinds = (
-        tokens.first().map(|t| t.kind),
-        tokens.get(1).map(|t| t.kind),
-        tokens.get(2).map(|t| t.kind),
-    );
-    let skip = match kinds {
-        (Some(Lexeme::Open), Some(Lexeme::Close), Some(Lexeme::Superscript)) => 3,
-        (Some(Lexeme::Superscript), ..) => 1,
-        _ => return (None, tokens),
-    };
-    script(&tokens[skip..])
-}
-
-/// The argument of a script and what follows it.
-fn script<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
-    match tokens.first().map(|t| t.kind) {
-        Some(Lexeme::Open) => {
-            let close = super::closing(tokens, 0);
-            (
-                Some(&tokens[1..close]),
-                &tokens[(close + 1).min(tokens.len())..],
-            )
-        }
-        Some(_) => (Some(&tokens[..1]), &tokens[1..]),
-        None => (None, tokens),
-    }
-}
+use differential::{Differential, above, order, total, trim};
+pub(super) use differential::{mark, turning};
 
 impl<'t, 'a> Parser<'t, 'a> {
     /// `\frac{a}{b}`: a derivative if differentials stand above and below, a quotient otherwise.
@@ -201,14 +61,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         } else {
             self.inside(above.rest).whole()
         };
-        let frame = above.frame.map(|tokens| crate::notation::ast::FrameLabel {
-            text: super::text::plain(tokens),
-            span: tokens
-                .iter()
-                .map(|t| t.span)
-                .reduce(|a, b| a.to(b))
-                .unwrap_or_default(),
-        });
+        let frame = above.frame;
         let time = variables.iter().all(
             |v| matches!(&v.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty()),
         );
@@ -326,6 +179,7 @@ impl<'t, 'a> Parser<'t, 'a> {
     /// `\dv{L}{t}`, `\dv{t}(…)`, `\pdv{F}{x}`, `\dv[2]{r}{t}`.
     pub(super) fn physics_derivative(&mut self, partial: bool, start: usize) -> Node {
         let mut times = 1;
+        self.take(Lexeme::Char('*'));
         if self.take(Lexeme::Char('[')) {
             if let Some(Lexeme::Number(digits)) = self.peek() {
                 times = digits.parse().unwrap_or(1).clamp(1, 8);
@@ -339,7 +193,11 @@ impl<'t, 'a> Parser<'t, 'a> {
             _ => (&[], first),
         };
         let variable = self.inside(variable).whole();
-        let variables = vec![variable; usize::from(times)];
+        let mut variables = vec![variable; usize::from(times)];
+        // `\pdv{f}{x}{y}` is a mixed one.
+        if partial && !rest.is_empty() && self.peek() == Some(Lexeme::Open) {
+            variables.push(self.argument_node());
+        }
         self.derivative(
             Differential {
                 partial,

@@ -1,7 +1,7 @@
 //! Matrices, columns, determinants.
 
 use super::{Parser, closing, split_outside};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::notation::token::{Lexeme, Token};
 
 impl<'t, 'a> Parser<'t, 'a> {
@@ -17,7 +17,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             },
             "matrix" | "bmatrix" | "pmatrix" | "Bmatrix" | "smallmatrix" | "bsmallmatrix"
             | "psmallmatrix" | "array" => match self.cells(inside) {
-                Ok(rows) => self.node(Kind::Matrix(rows), start),
+                Ok(rows) => self.matrix(rows, start),
                 Err(node) => node,
             },
             "cases" | "dcases" | "rcases" => self.spanning("a value by cases is not read", start),
@@ -27,6 +27,29 @@ impl<'t, 'a> Parser<'t, 'a> {
             _ => self.spanning(&format!("the environment {name} is not known here"), start),
         };
         self.scripts(node, start)
+    }
+
+    /// A matrix of these cells; one that holds nothing but a diagonal matrix is that one.
+    fn matrix(&self, mut rows: Vec<Vec<Node>>, start: usize) -> Node {
+        let diagonal = |node: &Node| matches!(node.kind, Kind::Function(Function::Diag, _));
+        if let [row] = rows.as_mut_slice()
+            && row.len() == 1
+            && let Some(only) = row.pop_if(|node| diagonal(node))
+        {
+            return only;
+        }
+        self.node(Kind::Matrix(rows), start)
+    }
+
+    /// `\dmat{a, b, c}`: the diagonal matrix of these.
+    pub(super) fn diagonal(&mut self, start: usize) -> Node {
+        let inside = self.argument();
+        let entries = split_outside(inside, |t| t.kind == Lexeme::Char(','))
+            .into_iter()
+            .map(|entry| self.inside(entry).whole())
+            .collect();
+        let tuple = self.node(Kind::Tuple(entries), start);
+        self.node(Kind::Function(Function::Diag, Box::new(tuple)), start)
     }
 
     fn zero(&self) -> Node {

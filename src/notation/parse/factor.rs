@@ -57,8 +57,8 @@ pub(super) fn is_operator(name: &str) -> bool {
 const STACKS: &[&str] = &["stackrel", "overset"];
 
 const OPERATORS: &[&str] = &[
-    "times", "wedge", "cross", "land", "cdot", "bullet", "otimes", "circ", "odot", "ast", "pm",
-    "mp",
+    "times", "wedge", "cross", "land", "cdot", "vdot", "bullet", "otimes", "circ", "odot", "ast",
+    "pm", "mp",
 ];
 
 impl<'a> Parser<'_, 'a> {
@@ -191,7 +191,9 @@ impl<'a> Parser<'_, 'a> {
     fn command(&mut self, name: &'a str, start: usize) -> Node {
         self.at += 1;
         match name {
-            "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" => self.fraction(start),
+            "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac" => {
+                self.fraction(start)
+            }
             "dv" | "pdv" | "odv" | "derivative" => self.physics_derivative(name == "pdv", start),
             "sqrt" => self.root(start),
             "sum" => self.sum_sign(true, start),
@@ -206,6 +208,12 @@ impl<'a> Parser<'_, 'a> {
             "underbrace" | "overbrace" => self.braced_remark(),
             "stackrel" | "overset" => self.stacked(start),
             "crossof" | "dotof" => self.product_of(name == "crossof", start),
+            "cbrt" => {
+                let argument = self.argument_node();
+                let kind = self.root_as_power(argument, "3");
+                self.node(kind, start)
+            }
+            "dmat" | "diagonalmatrix" => self.diagonal(start),
             "imath" => self.symbol("i".into(), start),
             "jmath" => self.symbol("j".into(), start),
             "SI" | "qty" | "num" | "ang" => self.quantity(name, start),

@@ -1,7 +1,7 @@
 //! Functions with names of their own, roots, and how far an argument without brackets reaches.
 
 use super::Parser;
-use crate::notation::ast::{Factor, Function, Kind, Node, Operator, Symbol};
+use crate::notation::ast::{Bracket, Factor, Function, Kind, Node, Operator, Symbol};
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 use num_traits::One;
@@ -36,7 +36,7 @@ pub(super) fn named(name: &str) -> Option<Function> {
     })
 }
 
-impl Parser<'_, '_> {
+impl<'a> Parser<'_, 'a> {
     /// A function, its power and its argument; the name is already read.
     pub(super) fn function(&mut self, name: &str, start: usize) -> Node {
         let Some(function) = named(name) else {
@@ -79,18 +79,52 @@ impl Parser<'_, '_> {
 
     /// `\sqrt{x}`.
     pub(super) fn root(&mut self, start: usize) -> Node {
-        if self.peek() == Some(Lexeme::Char('[')) {
-            let node = self.error("only square roots are read");
-            self.at = self.bracket_inside().map_or(self.at + 1, |(_, to)| to + 1);
-            let _ = self.argument();
-            return node;
-        }
+        let degree = match self.peek() {
+            Some(Lexeme::Char('[')) => self.degree(),
+            _ => Some("2"),
+        };
         let argument = match self.peek() {
             Some(Lexeme::Char('(')) => ungrouped(self.factor()),
             _ => self.argument_node(),
         };
-        let node = self.node(Kind::Function(Function::Sqrt, Box::new(argument)), start);
+        let kind = match degree {
+            Some("2") => Kind::Function(Function::Sqrt, Box::new(argument)),
+            Some(degree) => self.root_as_power(argument, degree),
+            None => Kind::Error("a root needs a whole number for its degree".into()),
+        };
+        let node = self.node(kind, start);
         self.scripts(node, start)
+    }
+
+    /// The number in `\sqrt[3]{x}`; `None` where something else stands there.
+    fn degree(&mut self) -> Option<&'a str> {
+        let (from, to) = self.bracket_inside()?;
+        self.at = to + 1;
+        match &self.tokens[from..to] {
+            [token] => match token.kind {
+                Lexeme::Number(digits) if digits.parse::<u8>().is_ok_and(|n| n > 0) => Some(digits),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// `\sqrt[3]{x}` is x to the power of 1/3.
+    pub(super) fn root_as_power(&self, argument: Node, degree: &str) -> Kind {
+        let span = argument.span;
+        let number = |digits: &str| {
+            let kind = Kind::Number(super::product::read_number(digits));
+            Box::new(Node { kind, span })
+        };
+        let kind = Kind::Quotient(number("1"), number(degree));
+        let base = match argument.kind {
+            Kind::Symbol(_) | Kind::Number(_) => argument,
+            _ => Node {
+                kind: Kind::Group(Bracket::Round, Box::new(argument)),
+                span,
+            },
+        };
+        Kind::Power(Box::new(base), Box::new(Node { kind, span }))
     }
 
     fn function_argument(&mut self) -> Node {

@@ -195,14 +195,14 @@ pub(super) fn is_sign(kind: Lexeme<'_>) -> bool {
 /// How many groups behind a command are its own. What is not known may have any number.
 fn arguments(name: &str) -> u8 {
     match name {
-        "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "dv" | "pdv" | "odv"
-        | "derivative" | "stackrel" | "overset" | "underset" | "binom" => 2,
+        "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac" | "dv" | "pdv"
+        | "odv" | "derivative" | "stackrel" | "overset" | "underset" | "binom" => 2,
         "quad" | "qquad" | "displaystyle" => 0,
         _ if is_operator(name) => 0,
         _ if letter::greek(name).is_some() => 0,
         _ if letter::takes_argument(name) || super::function::named(name).is_some() => 1,
         "SI" | "qty" => 2,
-        "sqrt" | "underbrace" | "overbrace" | "unit" | "si" | "num" | "ang" => 1,
+        "sqrt" | "underbrace" | "overbrace" | "unit" | "si" | "num" | "ang" | "dd" => 1,
         "sum" | "int" | "iint" | "iiint" | "oint" | "partial" | "nabla" | "dots" | "ldots"
         | "cdots" | "imath" | "jmath" | "Rightarrow" | "implies" | "iff" | "therefore" => 0,
         _ => u8::MAX,

@@ -41,7 +41,10 @@ impl Parser<'_, '_> {
     fn differential_variable(&mut self) -> Node {
         self.skip_spaces();
         let start = self.at;
-        if matches!(self.peek(), Some(Lexeme::Letter(_) | Lexeme::Command(_))) {
+        if matches!(
+            self.peek(),
+            Some(Lexeme::Letter(_) | Lexeme::Command(_) | Lexeme::Open)
+        ) {
             let tokens = self.argument();
             let node = self.inside(tokens).whole();
             return self.scripts(node, start);
@@ -91,10 +94,7 @@ impl Parser<'_, '_> {
         for i in self.at..self.tokens.len() {
             if depth == 0
                 && let Some((length, false)) = derivative::mark(&self.tokens[i..])
-                && matches!(
-                    self.tokens.get(i + length).map(|t| t.kind),
-                    Some(Lexeme::Letter(_) | Lexeme::Command(_))
-                )
+                && self.variable_at(i, i + length)
             {
                 return Some((i, length));
             }
@@ -104,6 +104,18 @@ impl Parser<'_, '_> {
             }
         }
         None
+    }
+
+    /// Whether a variable stands behind a d: a letter, or a group behind `\dd`.
+    fn variable_at(&self, d: usize, at: usize) -> bool {
+        let command = |name| matches!(name, "dd" | "dif" | "diff");
+        match self.tokens.get(at).map(|t| t.kind) {
+            Some(Lexeme::Letter(_) | Lexeme::Command(_)) => true,
+            Some(Lexeme::Open) => {
+                matches!(self.tokens[d].kind, Lexeme::Command(name) if command(name))
+            }
+            _ => false,
+        }
     }
 
     /// `\sum_{i=1}^{3} …`, or `\sum M` and `\Sigma M`, the resultant of M.

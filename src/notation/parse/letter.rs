@@ -19,7 +19,7 @@ pub(super) fn greek(name: &str) -> Option<&'static str> {
 
 /// Whether a command puts something on its argument.
 pub(super) fn takes_argument(name: &str) -> bool {
-    dots(name).is_some() || mark(name).is_some() || name == "operatorname"
+    dots(name).is_some() || mark(name).is_some() || matches!(name, "operatorname" | "mathring")
 }
 
 fn dots(name: &str) -> Option<u8> {
@@ -62,7 +62,7 @@ fn mark(name: &str) -> Option<Mark> {
         "mathsf" | "mathtt" | "sf" | "overleftrightarrow" => Mark::Sans,
         "mathbb" => Mark::Board,
         "mathit" | "it" | "mathnormal" => Mark::Plain,
-        "check" | "breve" | "acute" | "grave" | "mathring" | "ring" => Mark::Other,
+        "check" | "breve" | "acute" | "grave" => Mark::Other,
         _ => return None,
     })
 }
@@ -71,6 +71,7 @@ fn mark(name: &str) -> Option<Mark> {
 #[derive(Clone, Copy, PartialEq)]
 enum Over {
     Dot,
+    Ring,
     Mark(Mark),
 }
 
@@ -88,6 +89,12 @@ impl<'t, 'a> Parser<'t, 'a> {
                 span: self.since(start),
                 ..node
             };
+            let node = self.scripts(node, start);
+            return self.call(node, start);
+        }
+        if name == "mathring" {
+            let operand = self.inside(tokens).whole();
+            let node = self.ringed(operand, 1, start);
             let node = self.scripts(node, start);
             return self.call(node, start);
         }
@@ -116,6 +123,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             Lexeme::Command("leftrightarrow" | "Rightarrow" | "rightleftarrows") => {
                 Some(Over::Mark(Mark::Sans))
             }
+            Lexeme::Command("circ") => Some(Over::Ring),
             Lexeme::Command("sim") => Some(Over::Mark(Mark::Tilde)),
             Lexeme::Command("wedge") | Lexeme::Superscript => Some(Over::Mark(Mark::Hat)),
             _ => None,
@@ -129,6 +137,9 @@ impl<'t, 'a> Parser<'t, 'a> {
         let same = kinds.iter().all(|kind| drawn(kind) == over);
         let node = match over {
             Some(Over::Dot) if same => dotted(base, u8::try_from(kinds.len()).unwrap_or(u8::MAX)),
+            Some(Over::Ring) if same => {
+                self.ringed(base, u8::try_from(kinds.len()).unwrap_or(u8::MAX), start)
+            }
             Some(Over::Mark(mark)) if kinds.len() == 1 => marked(base, mark, &[]),
             _ => self.node(
                 Kind::Error("what stands over this is not known".into()),
@@ -138,6 +149,13 @@ impl<'t, 'a> Parser<'t, 'a> {
         let span = self.since(start);
         let node = self.scripts(Node { span, ..node }, start);
         self.call(node, start)
+    }
+
+    /// `\overset{\circ}{L}`: the rate of L on axes that turn, as books of mechanics in German write it.
+    fn ringed(&mut self, operand: Node, order: u8, start: usize) -> Node {
+        let label = super::derivative::turning(self.since(start));
+        let node = self.scripts(dotted(operand, order), start);
+        super::script::in_frame(node, label)
     }
 
     /// `\mathrm{body}` is one word; `\mathrm{diag}` and its like are functions.

@@ -167,6 +167,9 @@ impl<'a> Splitter<'a> {
                         self.flush(Break::Gap);
                     }
                 }
+                Lexeme::Char(',') if outside && self.parts_digits(tokens, i - 1) => {
+                    self.current.push(token);
+                }
                 Lexeme::Char(',' | ';') if outside => self.flush(Break::Comma),
                 Lexeme::Command(name) if outside && is_arrow(name) => self.flush(Break::Gap),
                 Lexeme::Text(text) if outside && super::text::joins(text) => {
@@ -179,6 +182,22 @@ impl<'a> Splitter<'a> {
                 }
             }
         }
+    }
+
+    /// Whether the comma at an index stands close between two numbers alone: `3,5` may be a decimal, a number of
+    /// thousands or a list, but `i = 1,2` counts and `1,2,3` is a list.
+    fn parts_digits(&self, tokens: &[Token<'a>], at: usize) -> bool {
+        let number = |i: usize| matches!(tokens.get(i).map(|t| t.kind), Some(Lexeme::Number(_)));
+        let comma = |i: usize| tokens.get(i).map(|t| t.kind) == Some(Lexeme::Char(','));
+        let close = |i: usize| tokens.get(i).is_some_and(|t| !t.spaced);
+        let listed = comma(at + 2) || at >= 2 && comma(at - 2);
+        at >= 1
+            && number(at - 1)
+            && number(at + 1)
+            && close(at)
+            && close(at + 1)
+            && !listed
+            && (self.pieces.is_empty() || super::range::range(trimmed(&self.current)).is_none())
     }
 
     /// `(8.6)` behind a gap, as a label on what stands before it.

@@ -25,6 +25,11 @@ impl Parser<'_, '_> {
             self.skip_spaces();
             let before = self.at;
             let node = self.signed_factor(operator, &factors);
+            let unsigned = operator == Operator::Juxtaposed && sign.start == sign.end;
+            let node = match unsigned {
+                true => beside_number(node, factors.last()),
+                false => node,
+            };
             // Where something was read, the rest can be too.
             let broken = matches!(node.kind, Kind::Error(_)) && self.at == before;
             factors.push(Factor {
@@ -72,7 +77,7 @@ impl Parser<'_, '_> {
     fn operator(&mut self) -> Option<(Operator, Span)> {
         let operator = match self.peek()? {
             Lexeme::Command("times" | "wedge" | "cross" | "land") => Operator::Cross,
-            Lexeme::Command("cdot" | "bullet") => Operator::Dot,
+            Lexeme::Command("cdot" | "bullet" | "vdot") => Operator::Dot,
             Lexeme::Command("otimes" | "circ" | "odot") => Operator::Tensor,
             Lexeme::Char('*') | Lexeme::Command("ast") => Operator::Juxtaposed,
             _ => return None,
@@ -184,7 +189,14 @@ impl Parser<'_, '_> {
             self.at += 1;
             return node;
         }
-        let mut number = read_number(digits);
+        let Some(digits) = super::number::joined(digits) else {
+            self.at -= 1;
+            let message = "a comma that may part thousands or decimals; 1000 and 1.000 are clear";
+            let node = self.error(message);
+            self.at += 1;
+            return node;
+        };
+        let mut number = read_number(&digits);
         if let Some((exponent, tokens)) = self.power_of_ten() {
             self.at += tokens;
             number.exponent += exponent;
@@ -229,6 +241,23 @@ impl Parser<'_, '_> {
     pub(super) fn bracket_inside(&self) -> Option<(usize, usize)> {
         bracket_end(self.tokens, self.at).map(|end| (self.at + 1, end))
     }
+}
+
+/// Digits beside digits are no product: `1 0` and `2 .5` are slips, or numbers in groups that are not read.
+fn beside_number(node: Node, before: Option<&Factor>) -> Node {
+    let number = |node: &Node| match &node.kind {
+        Kind::WithUnit(inner, _) | Kind::Power(inner, _) => matches!(inner.kind, Kind::Number(_)),
+        kind => matches!(kind, Kind::Number(_)),
+    };
+    let beside = before.is_some_and(|f| matches!(f.node.kind, Kind::Number(_)));
+    if beside && number(&node) {
+        let message = "two numbers stand side by side, which may be one number or a product";
+        return Node {
+            kind: Kind::Error(message.into()),
+            span: node.span,
+        };
+    }
+    node
 }
 
 /// A decimal number as an exact one; `digits` is what the lexer takes for a number.

@@ -20,9 +20,12 @@ pub(crate) struct Reading {
 /// Reads the rows of a formula.
 pub(crate) fn rows(tokens: &[Token<'_>]) -> Reading {
     let mut out = Rows::default();
-    let mut pieces = pieces(&super::group::ungrouped(tokens))
-        .into_iter()
-        .peekable();
+    let physics = |t: &Token<'_>| matches!(t.kind, Lexeme::Command(name) if name.ends_with("mqty") || name.starts_with("mdet") || name.starts_with("matrix"));
+    let spelled = match tokens.iter().any(physics) {
+        true => super::group::ungrouped(&super::physics::spelled_out(tokens)),
+        false => super::group::ungrouped(tokens),
+    };
+    let mut pieces = pieces(&spelled).into_iter().peekable();
     while let Some(piece) = pieces.next() {
         let beside = pieces.peek().is_some_and(|next| next.before == Break::Gap);
         match leading_label(&piece).filter(|_| beside) {

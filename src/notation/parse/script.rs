@@ -12,7 +12,8 @@ impl<'t, 'a> Parser<'t, 'a> {
             match self.peek() {
                 Some(Lexeme::Subscript | Lexeme::Superscript) if self.script_is_empty() => {
                     self.at += 1;
-                    return self.error("an index or a power without anything in it");
+                    return self
+                        .error("an index or a power without braces around what belongs to it");
                 }
                 Some(Lexeme::Subscript) => {
                     self.at += 1;
@@ -40,6 +41,9 @@ impl<'t, 'a> Parser<'t, 'a> {
     fn script_is_empty(&self) -> bool {
         match self.peek_at(1) {
             None | Some(Lexeme::Subscript | Lexeme::Superscript | Lexeme::Close) => true,
+            // TeX raises the minus alone in `x^-1`, which nobody means.
+            Some(Lexeme::Char('-')) => matches!(self.tokens.get(self.at + 2),
+                Some(t) if !t.spaced && matches!(t.kind, Lexeme::Number(_))),
             Some(Lexeme::Char(c)) => matches!(c, '=' | '<' | '>' | ')' | ']' | '}' | ','),
             _ => false,
         }
