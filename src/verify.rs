@@ -27,6 +27,7 @@ mod doubt;
 mod edit;
 mod euler_rates;
 mod figures;
+mod forward;
 mod frame;
 mod given;
 mod hamilton;

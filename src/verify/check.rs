@@ -29,13 +29,23 @@ use std::collections::{BTreeSet, HashMap};
 pub fn check(document: &Document) -> Report {
     let document = &written_out(document);
     let reading = Reading::of(document);
-    let first = checked(document, reading.clone());
-    // Which way matrix and quaternion go, where no word says it: as most lines have it.
-    let others = reading.attitude.other_ways().into_iter().map(|attitude| {
-        let mut reading = reading.clone();
-        reading.attitude = attitude;
-        checked(document, reading)
-    });
+    let (first, looked_ahead) = checked(document, reading.clone());
+    // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its
+    // first use says or what that use makes it: as most lines have it.
+    let by_use = looked_ahead && first.summary().refuted > 0;
+    let with = |change: &dyn Fn(&mut Reading)| {
+        let mut other = reading.clone();
+        change(&mut other);
+        other
+    };
+    let ways = reading.attitude.other_ways();
+    let attitudes = ways
+        .iter()
+        .map(|way| with(&|reading| reading.attitude = way.clone()));
+    let by_use = by_use.then(|| with(&|reading| reading.by_use = true));
+    let others = attitudes
+        .chain(by_use)
+        .map(|reading| checked(document, reading).0);
     others.fold(first, |best, other| {
         let (now, then) = (best.summary(), other.summary());
         let better = then.refuted < now.refuted && then.proved > now.proved;
@@ -43,12 +53,20 @@ pub fn check(document: &Document) -> Report {
     })
 }
 
-fn checked(document: &Document, reading: Reading) -> Report {
+fn checked(document: &Document, reading: Reading) -> (Report, bool) {
     let mut checker = Checker::new(document, reading);
-    for item in &document.items {
+    for (at, item) in document.items.iter().enumerate() {
+        checker.look_ahead(at);
         checker.item(item);
     }
-    checker.report()
+    let ahead = checker.looked_ahead;
+    (checker.report(), ahead)
+}
+
+/// Findings in the order of the document.
+fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
+    findings.sort_by_key(|finding| finding.span.start);
+    findings
 }
 
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
@@ -95,6 +113,12 @@ pub(super) struct Checker<'a> {
     pub(super) sentence: String,
     /// Expressions of a list that the words have named last.
     pub(super) named: Vec<Node>,
+    /// Places of lines that were taken in ahead of their turn.
+    pub(super) done: BTreeSet<u32>,
+    /// Whether a definition stood behind the first use of its symbol.
+    pub(super) looked_ahead: bool,
+    /// Symbols that their first use defines.
+    pub(super) implicit: BTreeSet<u32>,
     /// Whether a paragraph ended since the last words or formula.
     broken: bool,
     mark: Option<Role>,
@@ -153,6 +177,9 @@ impl<'a> Checker<'a> {
             doubts: Doubts::default(),
             sentence: String::new(),
             named: vec![],
+            done: BTreeSet::new(),
+            looked_ahead: false,
+            implicit: BTreeSet::new(),
             broken: false,
             mark: None,
             scopes: vec![],
@@ -174,7 +201,7 @@ impl<'a> Checker<'a> {
         Report {
             path: self.document.source.name.clone(),
             products: self.convention,
-            findings: merged(self.findings),
+            findings: merged(in_order(self.findings)),
             from_prose: self.from_prose,
             readings: self.reading.describe(),
             passed: self.passed,
@@ -279,6 +306,7 @@ impl<'a> Checker<'a> {
         let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {
             match row {
+                Row::Line(line) if self.done.contains(&line.span.start) => {}
                 Row::Line(line) => self.line(line, role),
                 Row::Expression(node) => {
                     let sentence = self.sentence.clone();

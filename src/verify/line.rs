@@ -112,7 +112,8 @@ impl Checker<'_> {
         finding.role = role;
         self.note_origin(&sides);
         self.note_scalars(&sides);
-        let settled = self.defines(&sides, line, role, finding)
+        let settled = self.says_by_use(&sides, finding)
+            || self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)
             || role != Role::Assume && self.works_out(&sides, role, finding);
         if !settled {

@@ -31,6 +31,8 @@ pub(super) struct Reading {
     pub plane: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
+    /// Whether a symbol that is used before its definition is what its use makes it.
+    pub by_use: bool,
     /// Moments that the words give a letter.
     pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.
