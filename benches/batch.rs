@@ -21,8 +21,13 @@ fn states(count: usize) -> Vec<State<f64>> {
 }
 
 fn steps(c: &mut Criterion) {
-    for (name, count) in [("in cache", 256), ("in memory", 400_000)] {
+    for (name, count) in [
+        ("in cache", 256),
+        ("30 000 bodies", 30_000),
+        ("a million bodies", 1_000_000),
+    ] {
         let mut group = c.benchmark_group(format!("a step of each body, {name}"));
+        group.sample_size(20);
         group.throughput(Throughput::Elements(count as u64));
         let states = states(count);
         let system = System::new(tensor(), Torque::None).expect("a body");
@@ -46,6 +51,15 @@ fn steps(c: &mut Criterion) {
         let own = Batch::of_bodies(states.iter().map(|s| (tensor(), *s))).expect("bodies");
         advance("side by side, own tensors", own);
         let (from, mut to) = (states.clone(), states.clone());
+        // In place, as the step is: every byte is read and written once.
+        let mut bytes: Vec<f64> = vec![1.0; 7 * count];
+        group.bench_function("the states read and written in place", |b| {
+            b.iter(|| {
+                for value in black_box(&mut bytes) {
+                    *value += 1.0;
+                }
+            });
+        });
         group.bench_function("copy of the states", |b| {
             b.iter(|| to.copy_from_slice(black_box(&from)));
         });
@@ -54,8 +68,9 @@ fn steps(c: &mut Criterion) {
 }
 
 fn jacobians(c: &mut Criterion) {
-    for (name, count) in [("in cache", 256), ("in memory", 40_000)] {
+    for (name, count) in [("in cache", 256), ("in memory", 100_000)] {
         let mut group = c.benchmark_group(format!("a step of each body with 15 columns, {name}"));
+        group.sample_size(20);
         group.throughput(Throughput::Elements(count as u64));
         let states = states(count);
         let system = System::new(tensor(), Torque::None).expect("a body");

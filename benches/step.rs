@@ -1,15 +1,14 @@
 //! One Runge–Kutta step and its Jacobian, against the same by dual numbers and by central differences.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 use polhode::motion::{Rk4, Scheme, State, System, Torque, jacobian};
 use std::hint::black_box;
 
 const STEP: f64 = 0.01;
 
-fn system() -> System<f64, Torque> {
-    let inertia = Matrix3::new(0.6, 0.02, -0.03, 0.02, 0.8, 0.05, -0.03, 0.05, 1.0);
-    System::new(inertia, Torque::None).expect("a body")
+fn full() -> Matrix3<f64> {
+    Matrix3::new(0.6, 0.02, -0.03, 0.02, 0.8, 0.05, -0.03, 0.05, 1.0)
 }
 
 fn state() -> State<f64> {
@@ -42,10 +41,31 @@ fn central_differences(system: &System<f64, Torque>, state: &State<f64>) -> SMat
 }
 
 fn step(c: &mut Criterion) {
-    let (system, state) = (system(), state());
-    let mut group = c.benchmark_group("step");
+    let principal = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+    for (name, inertia) in [("step", full()), ("step along principal axes", principal)] {
+        steps(c, name, inertia);
+    }
+}
+
+fn steps(c: &mut Criterion, name: &str, inertia: Matrix3<f64>) {
+    let (system, state) = (System::new(inertia, Torque::None).expect("a body"), state());
+    let direction = SVector::from_fn(|i, _| 0.1 * i as f64 - 0.7);
+    let covector = Vector6::from_fn(|i, _| 0.3 * i as f64 - 0.7);
+    let mut group = c.benchmark_group(name);
     group.bench_function("plain", |b| {
         b.iter(|| Rk4.step(black_box(&system), 0.0, black_box(&state), STEP))
+    });
+    group.bench_function("jacobian times a direction", |b| {
+        b.iter(|| {
+            let direction = black_box(&direction);
+            Rk4.jvp(black_box(&system), 0.0, black_box(&state), STEP, direction)
+        });
+    });
+    group.bench_function("a covector times the jacobian", |b| {
+        b.iter(|| {
+            let covector = black_box(&covector);
+            Rk4.vjp(black_box(&system), 0.0, black_box(&state), STEP, covector)
+        });
     });
     group.bench_function("jacobian of state", |b| {
         b.iter(|| Rk4.step_with_jacobian::<6>(black_box(&system), 0.0, black_box(&state), STEP));

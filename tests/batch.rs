@@ -118,6 +118,37 @@ fn other_schemes_have_jacobians_in_a_batch_too() {
     }
 }
 
+/// With the feature `parallel` more blocks than one thread takes at a time.
+#[test]
+fn many_bodies_are_as_alone_on_all_threads() {
+    // The fastest of them turns by a third of a radian.
+    const STEP: f64 = 5e-4;
+    let law = Torque::Damping { coefficient: 0.1 };
+    let (system, states) = (System::new(tensor(), law).expect("a body"), states(2_003));
+    let mut batch = Batch::sharing(tensor(), states.iter().copied()).expect("a body");
+    let mut all = Jacobians::<9>::new();
+    batch
+        .step_with_jacobian(&Rk4, law, STEP, &mut all)
+        .expect("finite");
+    batch.advance(&Rk4, law, STEP, 5).expect("finite");
+    for (i, start) in states.iter().enumerate() {
+        let first = Rk4.step_with_jacobian::<9>(&system, 0.0, start, STEP);
+        assert_eq!(all.of_body(i), Some(first.matrix));
+        let mut alone = first.state;
+        for n in 1..6 {
+            alone = Rk4.step(&system, STEP * f64::from(n), &alone, STEP);
+        }
+        assert_eq!(batch.state(i), Some(alone), "{i}");
+    }
+}
+
+#[test]
+fn a_body_takes_little_memory() {
+    let block = size_of::<polhode::motion::Block>();
+    let tensors = 6 * size_of::<polhode::motion::Lane>();
+    assert!(block + tensors <= 300 * polhode::motion::LANES);
+}
+
 #[test]
 fn any_count_of_bodies_is_a_batch() {
     for count in [0, 1, 7, 8, 9] {

@@ -1,21 +1,14 @@
 //! The geometric steps: their order, what they keep, and that they run backwards.
 
-use nalgebra::{Matrix3, Matrix6, Vector3};
+#[path = "reference/turning.rs"]
+mod turning;
+
+use nalgebra::Vector3;
 use polhode::motion::{
-    Body, Dop853, FixedStep, Frame, ImplicitMidpoint, MoserVeselov, Quaternion, Rk4, Scheme,
-    Splitting, State, Stepper, System, Taylor, Torque, TorqueLaw, jacobian,
+    Body, Dop853, FixedStep, Frame, ImplicitMidpoint, MoserVeselov, Rk4, Scheme, Splitting, State,
+    Stepper, System, Taylor, Torque, TorqueLaw, jacobian,
 };
-
-fn tensor() -> Matrix3<f64> {
-    Matrix3::new(2.0, -0.3, 0.2, -0.3, 2.5, 0.4, 0.2, 0.4, 3.0)
-}
-
-fn start() -> State<f64> {
-    State {
-        attitude: Quaternion::exp(&Vector3::new(0.4, 1.0, -0.7)),
-        angular_velocity: Vector3::new(1.0, -0.6, 1.4),
-    }
-}
+use turning::{bracket_defect, start, tensor};
 
 fn free() -> System<f64, Torque> {
     System::new(tensor(), Torque::None).expect("a body")
@@ -198,33 +191,12 @@ fn a_step_back_undoes_a_step() {
     }
 }
 
-/// How far a step is from symplectic. In (θ, m) with θ' m' on the body side, the canonical form is
-/// K = [[0, 1], [−1, −[m]×]] inverted: D K⁻¹ Dᵀ = K'⁻¹ with K⁻¹ = [[0, 1], [−1, [m]×]] for m' = {m, H} = m × ω.
 fn defect<S: Scheme<Torque>>(scheme: &S, system: &System<f64, Torque>) -> f64
 where
     Torque: TorqueLaw<f64>,
 {
     let step = jacobian::by_dual_numbers::<6, _, _>(scheme, system, 0.0, &start(), 0.3);
-    let inertia = system.inertia();
-    let mut d = step.matrix;
-    // ω to m on either side.
-    let inverse = inertia.try_inverse().expect("regular");
-    let right = d.fixed_columns::<3>(3) * inverse;
-    d.fixed_columns_mut::<3>(3).copy_from(&right);
-    let below = inertia * d.fixed_rows::<3>(3);
-    d.fixed_rows_mut::<3>(3).copy_from(&below);
-    let bracket = |m: Vector3<f64>| {
-        let mut k = Matrix6::zeros();
-        k.fixed_view_mut::<3, 3>(0, 3)
-            .copy_from(&Matrix3::identity());
-        k.fixed_view_mut::<3, 3>(3, 0)
-            .copy_from(&-Matrix3::identity());
-        k.fixed_view_mut::<3, 3>(3, 3).copy_from(&m.cross_matrix());
-        k
-    };
-    let before = bracket(inertia * start().angular_velocity);
-    let after = bracket(inertia * step.state.angular_velocity);
-    (d * before * d.transpose() - after).amax()
+    bracket_defect(system.inertia(), step.matrix, &step.state)
 }
 
 #[test]

@@ -2,13 +2,16 @@
 
 #[path = "reference/double_double.rs"]
 mod reference;
+#[path = "reference/turning.rs"]
+mod turning;
 
 use nalgebra::{Matrix3, Vector3};
 use polhode::motion::{
-    Body, FixedStep, Frame, Quaternion, Rk4, Scheme, State, Stepper, System, Taylor, TaylorMotion,
-    Torque, jacobian,
+    Body, FixedStep, Frame, Rk4, Scheme, State, Stepper, System, Taylor, TaylorMotion, Torque,
+    jacobian,
 };
 use reference::heavy_top;
+use turning::{start, tensor};
 
 fn top_error(time: f64, tolerance: f64) -> f64 {
     let (moments, omega, arm) = ([0.6, 0.8, 1.0], [1.0, -2.0, 8.0], [0.1, -0.2, 1.0]);
@@ -74,17 +77,6 @@ fn laws() -> [Torque; 7] {
             phase: 0.4,
         },
     ]
-}
-
-fn tensor() -> Matrix3<f64> {
-    Matrix3::new(2.0, -0.3, 0.2, -0.3, 2.5, 0.4, 0.2, 0.4, 3.0)
-}
-
-fn start() -> State<f64> {
-    State {
-        attitude: Quaternion::exp(&Vector3::new(0.4, 1.0, -0.7)),
-        angular_velocity: Vector3::new(1.0, -0.6, 1.4),
-    }
 }
 
 /// Every law's recurrence against the law itself: a Runge–Kutta step of h leaves h⁵.

@@ -238,18 +238,22 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         let size = |lane: &Lane<f64>| {
             let speed = self.last[4..7].iter().chain(&end[4..7]);
             let speed = speed.fold(0.0_f64, |m, w| m.max(w.abs()));
-            let square = |part: &[f64]| part.iter().map(|c| c * c).sum::<f64>();
             // From rest under no torque the error is 0 of 0.
             let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
-            // An error δq is an angle of 2 |δq|.
-            4.0 * square(&lane[..4]) + square(&lane[4..]) * over * over
+            // Over the step first, for the square of a rate of 1e-160 is 0. An error δq is an angle of 2 |δq|.
+            let square = |part: &[f64], factor: f64| {
+                part.iter()
+                    .map(|c| (c * step * factor).powi(2))
+                    .sum::<f64>()
+            };
+            square(&lane[..4], 2.0) + square(&lane[4..], over)
         };
         let (fine, coarse) = (size(&fifth), size(&third));
         let whole = fine + 0.01 * coarse;
         if whole == 0.0 {
             return 0.0;
         }
-        step * fine / whole.sqrt() / self.tolerance
+        fine / whole.sqrt() / self.tolerance
     }
 
     fn state_at(&self, time: f64) -> State<f64> {
@@ -278,11 +282,6 @@ impl<L: TorqueLaw<f64>> Stepper for Dop853Motion<L> {
         &self.state
     }
 
-    fn step(&mut self, step: f64) -> Result<(), MotionError> {
-        stepper::positive(step)?;
-        self.advance_to(self.time + step)
-    }
-
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
         self.steps_to(time, |_| {})?;
         (self.time, self.state) = (time, self.state_at(time));
@@ -290,14 +289,8 @@ impl<L: TorqueLaw<f64>> Stepper for Dop853Motion<L> {
     }
 
     fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
-        if (self.start..=self.end).contains(&time) {
-            Ok(self.state_at(time))
-        } else {
-            Err(MotionError::Time {
-                asked: time,
-                from: self.start,
-            })
-        }
+        stepper::within(time, self.start, self.end)?;
+        Ok(self.state_at(time))
     }
 }
 
@@ -339,8 +332,9 @@ fn dense<L: TorqueLaw<f64>>(
 
 /// A step to begin with, from the rates of turning and of its change.
 fn first_step(state: &Lane<f64>, slope: &Lane<f64>, tolerance: f64) -> f64 {
-    let norm = |lane: &Lane<f64>| Vector3::from_column_slice(&lane[4..7]).norm();
-    let pace = norm(state) + norm(slope).sqrt();
+    // No squares: that of 1e160 is no number.
+    let size = |lane: &Lane<f64>| Vector3::from_column_slice(&lane[4..7]).amax();
+    let pace = size(state) + size(slope).sqrt();
     let span = if pace > 0.0 { 1.0 / pace } else { 1.0 };
     // The error control trebles or sixths it from here.
     tolerance.powf(0.125) * span

@@ -122,12 +122,15 @@ pub trait Stepper {
     /// The state at that time.
     fn state(&self) -> &State<f64>;
 
-    /// Moves on by one step of length `step` (s).
+    /// Moves on by a span of length `step` (s): by one step where the method's steps are of fixed length.
     ///
     /// # Errors
     /// A step that is not positive and finite; a state that stops being finite. The motion then stays
     /// where it was.
-    fn step(&mut self, step: f64) -> Result<(), MotionError>;
+    fn step(&mut self, step: f64) -> Result<(), MotionError> {
+        positive(step)?;
+        self.advance_to(self.time() + step)
+    }
 
     /// Moves on to `time`, in as many steps as the method needs.
     ///
@@ -208,6 +211,18 @@ pub(crate) fn positive(step: f64) -> Result<(), MotionError> {
     }
 }
 
+/// That a time lies within a step.
+pub(crate) fn within(time: f64, start: f64, end: f64) -> Result<(), MotionError> {
+    if (start..=end).contains(&time) {
+        Ok(())
+    } else {
+        Err(MotionError::Time {
+            asked: time,
+            from: start,
+        })
+    }
+}
+
 /// The span to a time that is not before the one reached.
 pub(crate) fn onward(time: f64, from: f64) -> Result<f64, MotionError> {
     let span = time - from;
@@ -268,12 +283,7 @@ impl<S: Scheme<L>, L: TorqueLaw<f64>> Stepper for FixedStep<S, L> {
     /// By the cubic through both ends and their rates (Hermite), of order 3 in the step.
     fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
         let (start, from) = (self.before.0, &self.before.1);
-        if !(start..=self.time).contains(&time) {
-            return Err(MotionError::Time {
-                asked: time,
-                from: start,
-            });
-        }
+        within(time, start, self.time)?;
         let span = self.time - start;
         if span == 0.0 {
             return Ok(self.state);

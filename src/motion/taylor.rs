@@ -39,7 +39,13 @@ impl Scheme<Torque> for Taylor {
         state: &State<T>,
         step: T,
     ) -> State<T> {
-        Series::new(system, time, state, self.order).at(step)
+        // In units of the step: terms that are lost are too small to count.
+        let unit = if step.magnitude() > 0.0 {
+            step
+        } else {
+            T::one()
+        };
+        Series::new(system, (time, state), self.order, true, unit).at(step)
     }
 }
 
@@ -77,6 +83,9 @@ pub struct TaylorMotion {
     state: State<f64>,
 }
 
+/// The most units of time that are tried: the second is right unless torque and speed are of very different sizes.
+const MOST_UNITS: usize = 3;
+
 /// The most steps that one call takes.
 const MOST_STEPS: u64 = 1 << 32;
 
@@ -98,7 +107,7 @@ impl TaylorMotion {
         let order = ((-0.5 * tolerance.ln()).ceil() as usize + 2).clamp(4, MOST);
         let system = System::principal(body, torque);
         let inner = body.state_along(state);
-        let series = Series::new(&system, 0.0, &inner, order);
+        let series = series(&system, (0.0, &inner), order, true);
         let mut motion = Self {
             system,
             body: *body,
@@ -147,8 +156,7 @@ impl TaylorMotion {
     }
 
     fn series_from(&self, time: f64, inner: &State<f64>) -> Series<f64> {
-        let (order, with_attitude) = (self.order, self.with_attitude);
-        Series::with_attitude_or_not(&self.system, time, inner, order, with_attitude)
+        series(&self.system, (time, inner), self.order, self.with_attitude)
     }
 
     /// How many steps were taken.
@@ -226,11 +234,6 @@ impl Stepper for TaylorMotion {
         &self.state
     }
 
-    fn step(&mut self, step: f64) -> Result<(), MotionError> {
-        stepper::positive(step)?;
-        self.advance_to(self.time + step)
-    }
-
     fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
         self.steps_to(time, |_| {})?;
         self.time = time;
@@ -239,13 +242,24 @@ impl Stepper for TaylorMotion {
     }
 
     fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
-        if (self.start..=self.end).contains(&time) {
-            Ok(self.state_at(time))
-        } else {
-            Err(MotionError::Time {
-                asked: time,
-                from: self.start,
-            })
-        }
+        stepper::within(time, self.start, self.end)?;
+        Ok(self.state_at(time))
     }
+}
+
+/// The series of a motion in seconds, or in another unit of time where its terms would be too large or too small.
+fn series(
+    system: &System<f64, Torque>,
+    start: (f64, &State<f64>),
+    order: usize,
+    with_attitude: bool,
+) -> Series<f64> {
+    let mut series = Series::new(system, start, order, with_attitude, 1.0);
+    for _ in 0..MOST_UNITS {
+        let Some(unit) = series.better_unit() else {
+            break;
+        };
+        series = Series::new(system, start, order, with_attitude, unit);
+    }
+    series
 }

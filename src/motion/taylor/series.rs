@@ -6,41 +6,43 @@ use nalgebra::Vector3;
 /// The highest order.
 pub(crate) const MOST: usize = 30;
 
+/// A term smaller than this against the start may have lost factors to underflow.
+const LOST: f64 = 1e-200;
+
 /// Four components side by side, so that one operation takes them all.
 type Lane<T> = [T; 4];
 
-/// The coefficients of a motion in powers of the time since its start.
+/// The coefficients of a motion in powers of the time since its start. Time and all that has time in it are in a unit
+/// of their own: what is far too slow or too fast for seconds keeps coefficients that are numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Series<T> {
     order: usize,
+    unit: T,
     attitude: [Lane<T>; MOST + 1],
     omega: [Lane<T>; MOST + 1],
 }
 
 impl<T: Number> Series<T> {
-    /// The motion of `system` from `state` at `time`, to `order` (at most [`MOST`]).
-    pub(crate) fn new(system: &System<T, Torque>, time: T, state: &State<T>, order: usize) -> Self {
-        Self::with_attitude_or_not(system, time, state, order, true)
-    }
-
-    /// The same, the attitude left as it is unless it is asked for: right where the torque does not look at it.
-    pub(crate) fn with_attitude_or_not(
+    /// The motion of `system` from `state` at `time`, to `order` (at most [`MOST`]), in powers of the time over `unit`
+    /// (s). The attitude is left as it is unless it is asked for: right where the torque does not look at it.
+    pub(crate) fn new(
         system: &System<T, Torque>,
-        time: T,
-        state: &State<T>,
+        (time, state): (T, &State<T>),
         order: usize,
         with_attitude: bool,
+        unit: T,
     ) -> Self {
         let zero = [T::zero(); 4];
         let mut series = Self {
             order: order.min(MOST),
+            unit,
             attitude: [zero; MOST + 1],
             omega: [zero; MOST + 1],
         };
         series.attitude[0] = state.attitude.components();
         let mut omega = Turned::default();
-        series.omega[0] = omega.set(0, &state.angular_velocity);
-        let mut torque = Moments::new(system, time, state);
+        series.omega[0] = omega.set(0, &(state.angular_velocity * unit));
+        let mut torque = Moments::new(system, time, state, unit);
         // The columns q i, q j, q k of the quaternion product.
         let mut units = [[zero; MOST + 1]; 3];
         for n in 0..series.order {
@@ -63,6 +65,7 @@ impl<T: Number> Series<T> {
     /// The state `span` after the start, the quaternion brought to unit length.
     #[inline]
     pub(crate) fn at(&self, span: T) -> State<T> {
+        let span = span / self.unit;
         let sum = |coefficients: &[Lane<T>; MOST + 1]| {
             let mut value = coefficients[self.order];
             for c in coefficients[..self.order].iter().rev() {
@@ -75,7 +78,7 @@ impl<T: Number> Series<T> {
         let [x, y, z, _] = sum(&self.omega);
         State {
             attitude: Quaternion::new(sum(&self.attitude)).normalised(),
-            angular_velocity: Vector3::new(x, y, z),
+            angular_velocity: Vector3::new(x, y, z) / self.unit,
         }
     }
 }
@@ -92,11 +95,36 @@ impl Series<f64> {
             (tolerance / term).powf(1.0 / n as f64)
         });
         // What is no number is passed on: `min` would drop it.
-        if last.is_nan() || last < least {
+        let units = if last.is_nan() || last < least {
             last
         } else {
             least
+        };
+        units * self.unit
+    }
+
+    /// A unit of time in which the terms are numbers, if the last ones are none or may have been lost: the time in which
+    /// one of the first three comes to the size of the start.
+    pub(crate) fn better_unit(&self) -> Option<f64> {
+        let size = |n: usize| {
+            let part = |of: &[Lane<f64>; MOST + 1]| {
+                let start = of[0].iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+                let over = if start > 0.0 { 1.0 / start } else { 1.0 };
+                of[n].iter().fold(0.0, |m: f64, c| m.max(c.abs() * over))
+            };
+            part(&self.attitude).max(part(&self.omega))
+        };
+        // NaN is lost in the largest, but not what comes before it: infinity.
+        if (LOST..1.0 / LOST).contains(&size(self.order).max(size(self.order - 1))) {
+            return None;
         }
+        let pace = [1, 2, 3]
+            .map(|n| size(n).powf(1.0 / n as f64))
+            .into_iter()
+            .filter(|pace| pace.is_finite())
+            .fold(0.0, f64::max);
+        let unit = self.unit / pace;
+        (unit.is_finite() && unit > 0.0).then_some(unit)
     }
 }
 
@@ -192,9 +220,10 @@ fn set_units<T: Number>(units: &mut [[Lane<T>; MOST + 1]; 3], n: usize, q: &Lane
     units[2][n] = [-z, y, -x, w];
 }
 
-/// The series of the torque, grown with the motion.
+/// The series of the torque, grown with the motion, in the series' unit of time.
 struct Moments<T> {
     law: Torque,
+    unit: T,
     /// A torque constant in body axes.
     body: Vector3<T>,
     /// Vectors constant in space, seen from the body: γ' = γ × ω. The first is a torque or a force, the
@@ -206,16 +235,18 @@ struct Moments<T> {
 }
 
 impl<T: Number> Moments<T> {
-    fn new(system: &System<T, Torque>, time: T, state: &State<T>) -> Self {
-        let lift = |v: &Vector3<f64>| v.map(T::of);
+    fn new(system: &System<T, Torque>, time: T, state: &State<T>, unit: T) -> Self {
+        // By the unit twice, whose square may be no number.
+        let lift = |v: &Vector3<f64>| v.map(|c| T::of(c) * unit * unit);
         let seen = |v: Vector3<T>| {
             let mut series = Box::<Turned<T>>::default();
             series.set(0, &state.attitude.to_body(&v));
             Some(series)
         };
-        let added = *system.added();
+        let added = system.added() * unit * unit;
         let mut moments = Self {
             law: *system.law(),
+            unit,
             body: Vector3::from_element(T::zero()),
             space: None,
             amplitude: None,
@@ -236,8 +267,7 @@ impl<T: Number> Moments<T> {
             }
             Torque::Gravity { weight, .. } => {
                 moments.body = added;
-                let down = Vector3::new(T::zero(), T::zero(), T::of(-*weight));
-                moments.space = seen(down);
+                moments.space = seen(lift(&Vector3::new(0.0, 0.0, -*weight)));
             }
             Torque::Sinusoid {
                 frame,
@@ -280,10 +310,13 @@ impl<T: Number> Moments<T> {
         match &self.law {
             Torque::Damping { coefficient } => {
                 let [x, y, z, _] = omega[n];
-                sum -= Vector3::new(x, y, z) * T::of(*coefficient);
+                sum -= Vector3::new(x, y, z) * (T::of(*coefficient) * self.unit);
             }
             Torque::Sinusoid { amplitude, .. } => match &self.amplitude {
-                None => sum += amplitude.map(T::of) * self.sine[n],
+                None => {
+                    let factor = self.unit * self.sine[n];
+                    sum += amplitude.map(|a| T::of(a) * self.unit * factor);
+                }
                 Some(series) => {
                     for m in 0..=n {
                         sum += at(series, m) * self.sine[n - m];
@@ -305,7 +338,7 @@ impl<T: Number> Moments<T> {
             angular_frequency, ..
         } = &self.law
         {
-            let turn = next * T::of(*angular_frequency);
+            let turn = next * self.unit * T::of(*angular_frequency);
             self.sine[n + 1] = self.cosine[n] * turn;
             self.cosine[n + 1] = -self.sine[n] * turn;
         }
