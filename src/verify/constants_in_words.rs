@@ -44,7 +44,9 @@ impl Checker<'_> {
     /// Takes what a piece of prose behind expressions calls constant.
     pub(super) fn constants_in_words(&mut self, text: &str) {
         let text = text.trim_start().to_lowercase();
-        if matches!(text.trim(), "" | "," | "and" | ", and") {
+        let rest = text.trim_start_matches(',').trim_start();
+        let goes_on = rest.is_empty() || rest.starts_with("and ");
+        if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains('.') {
             return;
         }
         let named = std::mem::take(&mut self.named);

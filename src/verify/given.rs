@@ -116,7 +116,13 @@ impl Checker<'_> {
                 }
                 let named = equation.left.entries.get(i).and_then(Fraction::as_variable);
                 match named.filter(|_| alone) {
-                    Some(v) => self.is_own(v) && self.is_solved_by_own(&rest, v),
+                    Some(v) => {
+                        let right = equation.right.entries.get(i);
+                        let said = right.map(|right| self.theory.normal(right).variables());
+                        // What stands on the right by earlier lines is no news.
+                        let new = said.is_some_and(|variables| !variables.contains(&v));
+                        new && self.is_own(v) && self.is_solved_by_own(&rest, v)
+                    }
                     None => {
                         let variables = rest.variables();
                         let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
@@ -126,7 +132,11 @@ impl Checker<'_> {
                     }
                 }
             });
-        new && read.equations.len() == 1
+        let any = equation.residual.entries.iter();
+        let any = any
+            .map(|entry| self.theory.normal(entry))
+            .any(|rest| !rest.is_zero());
+        new && any && read.equations.len() == 1
     }
 
     /// A moment or a force by symbols of the document, one of them new: what acts on the body.

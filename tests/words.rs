@@ -1,0 +1,182 @@
+//! What words and the content of a line make of it, in small documents.
+#![cfg(feature = "verify")]
+
+use polhode::notation::{document::Format, read};
+use polhode::verify::{Verdict, check};
+
+/// The verdicts of a document's lines, in order: p, a, r, u, and ? for unreadable.
+fn verdicts(text: &str) -> String {
+    let (document, _) = read("a document", text, Format::Markdown);
+    let letter = |verdict: &Verdict| match verdict {
+        Verdict::Proved(_) => 'p',
+        Verdict::Accepted => 'a',
+        Verdict::Refuted => 'r',
+        Verdict::Undecided => 'u',
+        Verdict::Unreadable => '?',
+    };
+    let report = check(&document);
+    report.findings.iter().map(|f| letter(&f.verdict)).collect()
+}
+
+#[test]
+fn moments_named_in_words_are_components() {
+    let top = |line: &str| {
+        verdicts(&format!(
+            "The $z$ axis is along the axis of symmetry. With $I$ for the moment of inertia about the $z$ axis and \
+             $I'$ for the one about a transverse axis,\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(
+        top(r"\mathbf H = I'\omega_x\mathbf i + I'\omega_y\mathbf j + I\omega_z\mathbf k"),
+        "p"
+    );
+    assert_eq!(
+        top(r"\mathbf H = I\omega_x\mathbf i + I'\omega_y\mathbf j + I\omega_z\mathbf k"),
+        "r"
+    );
+}
+
+#[test]
+fn words_make_symbols_constant_and_laws_stay_claims() {
+    let text = r"The rate $p$ and the angle $\psi$ are constant. Let $\omega_x = p\sin\psi$. Then
+
+$$ \dot\omega_x = 0 $$
+
+Torque-free, we say that $T$ is constant. Also
+
+$$ \dot\omega_x = \dot p\sin\psi + p\dot\psi\cos\psi $$
+";
+    assert_eq!(verdicts(text), "app");
+    let moving = r"Let $\omega_x = p\sin\psi$. Then
+
+$$ \dot\omega_x = 0 $$
+
+$$ \dot\omega_x = \dot p\sin\psi + p\dot\psi\cos\psi $$
+";
+    assert_eq!(verdicts(moving), "arp");
+}
+
+#[test]
+fn a_definition_behind_its_first_use_is_taken_in_before() {
+    let text = |sign: &str| {
+        format!(
+            "Without torque, on principal axes with $I_x = I_y$,\n\n$$ \\dot\\omega_x = {sign}k\\,\\omega_y, \\qquad \
+             \\dot\\omega_y = k\\,\\omega_x $$\n\nwhere $k = (I_z - I_x)\\,\\omega_z/I_x$.\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "appa");
+    assert_eq!(verdicts(&text("")), "arpa");
+}
+
+#[test]
+fn what_laws_determine_is_a_claim_behind_with_and_where() {
+    let text = r"On body axes with principal moments, with
+
+$$ L_x = I_x\omega_y $$
+
+and where
+
+$$ M_x = I_x\dot\omega_x + (I_z - I_y)\omega_y\omega_z $$
+";
+    assert_eq!(verdicts(text), "rp");
+}
+
+#[test]
+fn news_of_free_symbols_is_given_and_used() {
+    let text = r"The bearing forces are $\mathbf A$ and $\mathbf B$.
+
+$$ A_x + B_x = 0 $$
+
+$$ B_x = -A_x $$
+
+$$ B_x = A_x $$
+";
+    assert_eq!(verdicts(text), "apr");
+}
+
+#[test]
+fn a_torque_law_is_given_and_what_follows_is_checked() {
+    let text = r"The body has the principal moments $A$, $A$ and $C$. The air resists:
+
+$$ M_1 = -c\,\omega_1, \qquad M_2 = -c\,\omega_2 $$
+
+Euler's equations are
+
+$$ A\dot\omega_1 + (C - A)\,\omega_2\omega_3 = -c\,\omega_1 $$
+
+$$ A\dot\omega_2 + (C - A)\,\omega_3\omega_1 = -c\,\omega_2 $$
+";
+    assert_eq!(verdicts(text), "aapr");
+}
+
+#[test]
+fn an_angle_given_in_degrees_has_its_sine_everywhere() {
+    let text = r"Let $a = b\cos\theta$.
+
+## A right angle
+
+Set $\theta = 90^\circ$. Then $a = 0$ and $\sin\theta = 1$.
+
+## Sixty degrees
+
+Set $\theta = 60^\circ$. Then $a = b/2$.
+";
+    assert_eq!(verdicts(text), "aappap");
+}
+
+#[test]
+fn an_inequality_keeps_a_case_apart() {
+    let text = r"Assume $I_x \ne I_y$ and $\omega_z > 0$. But $I_x + I_y \ne I_y + I_x$ is absurd.";
+    assert_eq!(verdicts(text), "aar");
+}
+
+#[test]
+fn vectors_with_a_number_are_no_components() {
+    let text = r"Let $\boldsymbol\omega_1 = 2\,\mathbf j$ and $\boldsymbol\omega_2 = 3\,\mathbf k$. Then
+
+$$ \boldsymbol\omega_1\times\boldsymbol\omega_2 = 6\,\mathbf i $$
+
+and not
+
+$$ \boldsymbol\omega_2\times\boldsymbol\omega_1 = 6\,\mathbf i $$
+";
+    assert_eq!(verdicts(text), "aapr");
+}
+
+#[test]
+fn products_that_words_name_do_not_vanish() {
+    let text = r"Let $A$, $B$, $C$ be the moments of inertia and $D = \int yz\,dm$, $E = \int zx\,dm$, $F = \int xy\,dm$ the
+products of inertia. The momenta are
+
+$$ h_1 = A\omega_1 - F\omega_2 - E\omega_3 $$
+
+$$ h_1 = A\omega_1 $$
+";
+    assert_eq!(verdicts(text), "aaapr");
+}
+
+#[test]
+fn a_value_at_one_instant_leaves_the_rate_free() {
+    let text = r"The shaft turns with $\boldsymbol\omega = \omega\,\mathbf i$ on principal axes.
+
+Take $I_x = 0.12$, at the instant when $\omega = 100$ and $\dot\omega = 50$. Then
+
+$$ M_x = 6.0 $$
+
+$$ M_x = 6.1 $$
+";
+    assert_eq!(verdicts(text), "aaaapr");
+}
+
+#[test]
+fn hamiltons_and_lagranges_functions_are_no_momenta() {
+    let text = r"The potential energy is $V = mgl\cos\theta$ and the Lagrangian $\mathcal L = T - V$ with
+
+$$ T = \tfrac12 A\dot\theta^2 + \tfrac12 C\dot\psi^2 $$
+
+Then
+
+$$ \frac{\partial\mathcal L}{\partial\dot\psi} = C\dot\psi $$
+";
+    assert!(!verdicts(text).contains('r'), "{}", verdicts(text));
+}
