@@ -49,6 +49,9 @@ fn each_step_has_its_order() {
         assert_order(MoserVeselov::SECOND, system, 0.02, 2.0);
     }
     assert_order(MoserVeselov::FOURTH, free(), 0.1, 4.0);
+    assert_order(MoserVeselov::SIXTH, free(), 0.1, 6.0);
+    assert_order(MoserVeselov::EIGHTH, free(), 0.2, 8.0);
+    assert_order(MoserVeselov::TENTH, free(), 0.25, 10.0);
     assert_order(MoserVeselov::FOURTH, top(), 0.02, 2.0);
 }
 
@@ -130,6 +133,7 @@ fn the_momentum_of_a_free_body_stays_and_the_energy_does_not_drift() {
         drifts(&ImplicitMidpoint, &system, 0.2, 3_000),
         drifts(&MoserVeselov::SECOND, &system, 0.2, 3_000),
         drifts(&MoserVeselov::FOURTH, &system, 0.2, 3_000),
+        drifts(&MoserVeselov::TENTH, &system, 0.2, 3_000),
     ] {
         assert!(
             energy < rounding && turned < rounding,
@@ -183,6 +187,7 @@ fn a_step_back_undoes_a_step() {
             reversed(&ImplicitMidpoint, &system, 0.7),
             reversed(&MoserVeselov::SECOND, &system, 0.7),
             reversed(&MoserVeselov::FOURTH, &system, 0.7),
+            reversed(&MoserVeselov::TENTH, &system, 0.7),
         ] {
             assert!(found < 2e-14, "{found:e}");
         }

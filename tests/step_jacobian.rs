@@ -92,6 +92,7 @@ proptest! {
         match_differences(&ImplicitMidpoint, &case);
         match_differences(&MoserVeselov::SECOND, &case);
         match_differences(&MoserVeselov::FOURTH, &case);
+        match_differences(&MoserVeselov::EIGHTH, &case);
     }
 }
 
