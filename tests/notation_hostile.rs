@@ -6,6 +6,7 @@ mod outline;
 use outline::document;
 use polhode::notation::document::Format;
 use polhode::notation::read;
+use polhode::verify::check;
 
 /// Reads a display between two good lines; both must be read.
 fn between(formula: &str) -> Vec<String> {
@@ -188,4 +189,32 @@ fn a_line_of_a_million_characters_is_refused_and_the_rest_is_read() {
     let (read, troubles) = read("a.txt", &plain, Format::Text);
     assert_eq!(troubles.len(), 1);
     assert!(outline::formulas(&read).ends_with("c = d"));
+}
+
+#[test]
+fn the_tallest_trees_that_are_read_are_checked_on_a_small_stack() {
+    let nested = [
+        ("(", ")"),
+        ("\\frac{a}{", "}"),
+        ("\\frac{d}{dt}", ""),
+        ("\\sum_i", ""),
+        ("(", ")_a^b_c_d_e_f_g_h"),
+        ("(", "/a/b/c/d/e/f/g/h)"),
+        ("\\begin{bmatrix}", "\\end{bmatrix}"),
+        ("f(", ")"),
+        ("x^{", "}"),
+        ("-", ""),
+    ];
+    for (open, close) in nested {
+        for depth in [8, 14, 30, 48, 50, 98, 100, 120] {
+            let text = format!("$$x = {}x{}$$", open.repeat(depth), close.repeat(depth));
+            let (document, troubles) = read("a.md", &text, Format::Markdown);
+            let report = check(&document);
+            assert_eq!(report.findings.len(), 1, "{open} {depth}");
+            assert!(
+                depth < 60 || open == "-" || troubles.len() == 1,
+                "{open} {depth}"
+            );
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! Macros that a document defines for itself: `\newcommand`, `\def`, `\DeclareMathOperator`.
 
 use crate::notation::token::{beginning, matching_brace};
-use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The macros in force.
 #[derive(Clone, Debug, Default)]
@@ -10,6 +10,8 @@ pub struct Macros {
     defined: BTreeMap<String, Macro>,
     /// How many bytes all expansions of the document together may still have.
     left: Cell<usize>,
+    /// Macros that were seen to expand without end: they are not tried in every formula again.
+    endless: RefCell<BTreeSet<String>>,
 }
 
 #[derive(Clone, Debug)]
@@ -34,7 +36,8 @@ impl Macros {
     pub fn collect(text: &str) -> Self {
         let mut macros = Self {
             defined: BTreeMap::new(),
-            left: Cell::new(SHORTEST_DOCUMENT + 8 * text.len()),
+            left: Cell::new(SHORTEST_DOCUMENT + 2 * text.len()),
+            endless: RefCell::default(),
         };
         let mut at = 0;
         let mut tried = 0;
@@ -103,9 +106,16 @@ impl Macros {
         while at < text.len() {
             let rest = &text[at..];
             let here = place.unwrap_or(u32::try_from(at).unwrap_or(u32::MAX));
+            if self.endless.borrow().contains(name(rest)) {
+                return None;
+            }
             if let Some((after, expansion)) = self.call(text, at, &braces) {
                 *budget = budget.checked_sub(expansion.len() + 1)?;
-                self.expand_into(&expansion, Some(here), depth + 1, out, origin, budget)?;
+                let done = self.expand_into(&expansion, Some(here), depth + 1, out, origin, budget);
+                if done.is_none() && depth == 0 {
+                    self.endless.borrow_mut().insert(name(rest).to_owned());
+                }
+                done?;
                 at = after;
                 continue;
             }
@@ -195,6 +205,14 @@ impl Macro {
     }
 }
 
+/// The name of the command that a text begins with; the empty string where none does.
+fn name(text: &str) -> &str {
+    let Some(rest) = text.strip_prefix('\\') else {
+        return "";
+    };
+    &rest[..rest.bytes().take_while(u8::is_ascii_alphabetic).count()]
+}
+
 /// For each opening brace of a text the offset of the one that closes it; the length of the text elsewhere.
 fn braces(text: &str) -> Vec<usize> {
     let mut closing = vec![text.len(); text.len()];
@@ -241,7 +259,7 @@ fn optional(text: &str) -> Option<(&str, &str)> {
     Some((&inner[..end], &inner[end + 1..]))
 }
 
-fn name(text: &str) -> Option<(String, &str)> {
+fn defined_name(text: &str) -> Option<(String, &str)> {
     let (name, rest) = argument(text.trim_start().trim_start_matches('*'))?;
     let name = name.trim().strip_prefix('\\')?;
     (!name.is_empty() && name.bytes().all(|b| b.is_ascii_alphabetic()))
@@ -249,7 +267,7 @@ fn name(text: &str) -> Option<(String, &str)> {
 }
 
 fn command(text: &str) -> Option<(String, Macro)> {
-    let (name, mut rest) = name(text)?;
+    let (name, mut rest) = defined_name(text)?;
     let mut arguments = 0;
     let mut default = None;
     if let Some((count, after)) = optional(rest) {
@@ -272,7 +290,7 @@ fn command(text: &str) -> Option<(String, Macro)> {
 }
 
 fn operator(text: &str) -> Option<(String, Macro)> {
-    let (name, rest) = name(text)?;
+    let (name, rest) = defined_name(text)?;
     let (body, _) = argument(rest)?;
     Some((
         name,
@@ -286,7 +304,7 @@ fn operator(text: &str) -> Option<(String, Macro)> {
 
 /// `\let\eps=\epsilon`.
 fn alias(text: &str) -> Option<(String, Macro)> {
-    let (name, rest) = name(text)?;
+    let (name, rest) = defined_name(text)?;
     let rest = rest.trim_start().trim_start_matches('=').trim_start();
     let (body, _) = argument(rest).filter(|(body, _)| body.starts_with('\\'))?;
     let body = body.to_owned();
@@ -301,7 +319,7 @@ fn alias(text: &str) -> Option<(String, Macro)> {
 }
 
 fn def(text: &str) -> Option<(String, Macro)> {
-    let (name, rest) = name(text)?;
+    let (name, rest) = defined_name(text)?;
     let brace = rest.find('{')?;
     let arguments = rest[..brace].matches('#').count();
     let (body, _) = argument(&rest[brace..])?;

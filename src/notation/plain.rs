@@ -125,7 +125,9 @@ impl<'a> Reader<'a> {
         if words.is_empty() {
             return;
         }
-        let span = self.span(at, words.len());
+        // The space between two sentences may stand for the end of the file.
+        let length = words.len().min(self.text.len() - at);
+        let span = self.span(at, length);
         match self.items.last_mut() {
             Some(Item::Prose { text, span: last }) => {
                 text.push_str(words);
