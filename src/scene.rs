@@ -40,7 +40,7 @@ pub use course::Course;
 pub use explain::{ExplainError, Explanation, Skip, explain};
 pub use inertia::{InertiaForm, Point, Shape};
 pub use member::{Member, TorqueForm};
-pub use plan::{PlanError, Way, is_free, way};
+pub use plan::{PlanError, Way, is_free, jacobian_bound, way};
 pub use quantity::{Draw, Quantity};
 pub use read::read;
 pub use sensitivity::{Sensitivity, sensitivity};

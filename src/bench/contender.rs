@@ -148,7 +148,9 @@ impl Contender {
             Self::PlanJacobian => {
                 let way = way(member, &asked(tolerance, *duration)).ok()?;
                 let last = by(way)?;
-                let bound = way.step_tolerance().unwrap_or(1e-16);
+                let bound = way
+                    .step_tolerance()
+                    .unwrap_or((0.01 * tolerance).max(1e-16));
                 let found = sensitivity(member, &JACOBIAN, ENTRIES, *duration, &last, bound);
                 black_box(found.ok()?);
                 Some(last)

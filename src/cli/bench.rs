@@ -276,11 +276,18 @@ fn diagrams(folder: &Path, problems: &[Problem], points: &[Point]) -> Result<(),
     Ok(())
 }
 
-/// Digits and the logarithm of the time, from rough to fine.
+/// Digits and the logarithm of the time, from rough to fine: of the points that no quicker one is as good as.
 fn front(points: &[Point], problem: &str, contender: Contender) -> Vec<(f64, f64)> {
-    points
-        .iter()
-        .filter(|p| p.problem == problem && p.contender == contender && p.error < 1.0)
+    let of = |p: &&Point| p.problem == problem && p.contender == contender && p.error < 1.0;
+    let mut all: Vec<_> = points.iter().filter(of).collect();
+    all.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
+    let mut best = f64::INFINITY;
+    all.retain(|p| {
+        let better = p.error < best;
+        best = best.min(p.error);
+        better
+    });
+    all.iter()
         .map(|p| (-p.error.max(1e-17).log10(), (p.seconds * 1e6).log10()))
         .collect()
 }
@@ -308,6 +315,7 @@ fn diagram(problem: &Problem, curves: &[Curve]) -> Result<String, String> {
         label: &|exponent| chart::power_of_ten(*exponent),
     };
     chart::picture((980, 620), |area| {
-        chart::curves(area, &title, &x, &y, curves)
+        let plot = chart::above_note(area, &machine())?;
+        chart::curves(&plot, &title, &x, &y, curves)
     })
 }

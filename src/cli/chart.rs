@@ -23,8 +23,9 @@ const PALETTE: [RGBColor; 8] = [
     RGBColor(120, 120, 120),
 ];
 
-/// Marks are drawn on curves of at most so many points.
-const MARKED: usize = 40;
+/// Marks are drawn on curves of at most so many points, and about so many of them.
+const MARKED: usize = 60;
+const MARKS: usize = 12;
 const FONT: &str = "sans-serif";
 
 /// A curve.
@@ -102,13 +103,23 @@ pub(super) fn curves(
             .draw_series(LineSeries::new(points(), colour(number).stroke_width(2)))
             .map_err(said)?;
         if curve.points.len() <= MARKED {
-            let marks = points().map(|at| Mark { at, number });
-            for mark in marks {
-                mark.on_chart(&mut chart)?;
+            let apart = curve.points.len().div_ceil(MARKS);
+            for at in points().step_by(apart.max(1)) {
+                Mark { at, number }.on_chart(&mut chart)?;
             }
         }
     }
     names(&legend, curves)
+}
+
+/// A line below a picture, and what is left above it.
+pub(super) fn above_note<'a>(area: &Area<'a>, note: &str) -> Result<Area<'a>, String> {
+    let (_, height) = area.dim_in_pixel();
+    let (rest, foot) = area.split_vertically(height.saturating_sub(22));
+    let style = (FONT, 12).into_font();
+    let text = Text::new(note.to_owned(), (12, 4), style);
+    foot.draw(&text).map_err(said)?;
+    Ok(rest)
 }
 
 /// The names of curves beside their marks.

@@ -112,6 +112,13 @@ pub(crate) fn ways(run: &Run) -> [Way; 2] {
     ]
 }
 
+/// The bound of a step of the series that carry the Jacobian: that of the motion's own steps; of a closed form a hundredth
+/// of the tolerance, as a Jacobian may be large.
+pub fn jacobian_bound(way: &Way, tolerance: f64) -> f64 {
+    let of_closed_form = (0.01 * tolerance).max(LEAST);
+    way.step_tolerance().unwrap_or(of_closed_form)
+}
+
 /// Speeds whose thirtieth power neither overflows nor vanishes, as the coefficients of a series need.
 const SPEEDS: std::ops::Range<f64> = 1e-9..1e9;
 

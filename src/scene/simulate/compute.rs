@@ -48,7 +48,7 @@ impl Task<'_> {
             Err(Halt::Broken(broken)) => return Err(broken),
         };
         if self.run.outputs.jacobian && outcome.time >= self.run.duration {
-            let bound = outcome.way.step_tolerance().unwrap_or(plan::LEAST);
+            let bound = plan::jacobian_bound(&outcome.way, self.run.tolerance);
             let (wrt, duration) = (&self.run.wrt, self.run.duration);
             let products = self.group.products;
             let found = sensitivity(&member, wrt, products, duration, &outcome.last, bound)?;
