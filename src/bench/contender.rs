@@ -7,7 +7,8 @@ use crate::motion::{
     Stepper, System, Taylor, Torque,
 };
 use crate::scene::{
-    Costs, Course, Member, Method, Outputs, Run, Way, Wrt, is_free, sensitivity, settle, size, way,
+    Costs, Course, Member, Method, Outputs, Run, Way, Wrt, is_free, jacobian_bound, sensitivity,
+    settle, size, way,
 };
 use nalgebra::Vector3;
 use std::hint::black_box;
@@ -148,9 +149,7 @@ impl Contender {
             Self::PlanJacobian => {
                 let way = way(member, &asked(tolerance, *duration)).ok()?;
                 let last = by(way)?;
-                let bound = way
-                    .step_tolerance()
-                    .unwrap_or((0.01 * tolerance).max(1e-16));
+                let bound = jacobian_bound(&way, tolerance);
                 let found = sensitivity(member, &JACOBIAN, ENTRIES, *duration, &last, bound);
                 black_box(found.ok()?);
                 Some(last)
