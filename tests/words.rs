@@ -180,3 +180,15 @@ $$ \frac{\partial\mathcal L}{\partial\dot\psi} = C\dot\psi $$
 ";
     assert!(!verdicts(text).contains('r'), "{}", verdicts(text));
 }
+
+#[test]
+fn marks_of_its_own_in_the_prose_do_no_harm() {
+    let text = "With ⟨99⟩ for the moment of inertia about ⟨7⟩ axis and ⟨⟩ for the one about a diameter, $L_z = 1$.";
+    assert_eq!(verdicts(text).len(), 1);
+}
+
+#[test]
+fn functions_of_functions_cost_no_more_than_their_length() {
+    let text = r"$$x = \sin(\sin(\sin(\sin(\sin(\sin(\sin(\sin(x))))))))$$";
+    assert_eq!(verdicts(text).len(), 1);
+}

@@ -70,10 +70,10 @@ fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
 }
 
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
-const LONGEST_SENTENCE: usize = 4_000;
+const LONGEST_SENTENCE: usize = 1_000;
 
 /// Drops the beginning of a text that is longer than `most` bytes.
-fn keep_end(text: &mut String, most: usize) {
+pub(super) fn keep_end(text: &mut String, most: usize) {
     let excess = text.len().saturating_sub(most);
     let cut = (excess..text.len()).find(|&at| text.is_char_boundary(at));
     text.drain(..cut.unwrap_or(0));
@@ -309,8 +309,7 @@ impl<'a> Checker<'a> {
                 Row::Line(line) if self.done.contains(&line.span.start) => {}
                 Row::Line(line) => self.line(line, role),
                 Row::Expression(node) => {
-                    let sentence = self.sentence.clone();
-                    self.note_expression(node, &sentence);
+                    self.note_expression(node);
                     self.expression(node);
                 }
                 Row::Unreadable {

@@ -3,7 +3,7 @@
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::source::Span;
 use crate::verify::atoms::{Atom, Owner};
-use crate::verify::check::Checker;
+use crate::verify::check::{Checker, keep_end};
 use crate::verify::frame::Frame;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::verdict::FromProse;
@@ -33,8 +33,9 @@ const BEFORE: &[&str] = &[
 
 impl Checker<'_> {
     /// Notes an expression that the words may call constant.
-    pub(super) fn note_expression(&mut self, node: &Node, sentence: &str) {
-        let before = sentence.trim_end().to_lowercase();
+    pub(super) fn note_expression(&mut self, node: &Node) {
+        let mut before = self.sentence.trim_end().to_lowercase();
+        keep_end(&mut before, 40);
         if BEFORE.iter().any(|words| before.ends_with(words)) {
             self.constant_in_words(node);
         }

@@ -53,6 +53,12 @@ impl Lowering<'_> {
     /// Sine and cosine of a sum of angles, by the addition theorem; each angle is a whole multiple of half a monomial,
     /// so that sin x and sin 2x meet in the same kernels.
     fn sine_cosine(&mut self, argument: &Fraction) -> Option<(Fraction, Fraction)> {
+        // A function of a function stays as it is: taken apart, each one inside would double the work.
+        let inside = argument.variables();
+        let nested = |&v: &u32| matches!(self.theory.atoms.atom(v), Atom::Kernel { .. });
+        if inside.iter().any(nested) && self.theory.known_angle(argument).is_none() {
+            return Some(self.one_angle(argument.clone()));
+        }
         let mut total = (Fraction::zero(), Fraction::one());
         let denominator = Fraction::from(argument.denominator().clone());
         for (coefficient, monomial) in argument.numerator().split() {

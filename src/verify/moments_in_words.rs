@@ -94,7 +94,9 @@ pub(super) fn named_moments(document: &Document) -> Vec<NamedMoment> {
     let mut found: Vec<NamedMoment> = vec![];
     for sentence in &sentences {
         for (at, named) in sentence.named() {
-            let (symbol, span) = sentence.symbols[at].clone();
+            let Some((symbol, span)) = sentence.symbols.get(at).cloned() else {
+                continue;
+            };
             let components = match named {
                 Named::Axis(component) => vec![component],
                 Named::Axial => vec![along],
@@ -212,7 +214,8 @@ fn sentences(document: &Document) -> Vec<Sentence> {
         match item {
             Item::Prose { text, .. } => {
                 for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
-                    if open.text.len() < LONGEST {
+                    // A page without a stop is no sentence.
+                    if open.text.len() + piece.len() < LONGEST {
                         open.text.push_str(&piece.replace(['\n', '*'], " "));
                     }
                     if piece.ends_with(['.', '!', '?']) {
@@ -220,6 +223,7 @@ fn sentences(document: &Document) -> Vec<Sentence> {
                     }
                 }
             }
+            Item::Formula(_) if open.text.len() > LONGEST => {}
             Item::Formula(formula) => {
                 let lone = match formula.rows.as_slice() {
                     [Row::Expression(node)] => match &inner(node).kind {

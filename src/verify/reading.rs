@@ -6,6 +6,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
+use crate::verify::check::keep_end;
 use crate::verify::moments_in_words::NamedMoment;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::prose::{Said, said};
@@ -42,6 +43,9 @@ pub(super) struct Reading {
     speaks_of_force: bool,
     speaks_of_roll: bool,
 }
+
+/// Bytes before a formula in which words may name it.
+const NEAR: usize = 400;
 
 impl Reading {
     /// Reads the letters of a document.
@@ -165,6 +169,7 @@ impl Reading {
                     }
                 }
                 Item::Formula(formula) => {
+                    keep_end(&mut before, NEAR);
                     let named = formula
                         .rows
                         .iter()
