@@ -1,12 +1,11 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
-use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::atoms::{Atom, Owner};
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
-use crate::verify::frame::Frame;
 use crate::verify::line::Read;
+use crate::verify::news::lone;
 use crate::verify::quantity::Quantity;
 use crate::verify::reason;
 use crate::verify::symbol::{Meaning, meaning};
@@ -90,136 +89,6 @@ impl Checker<'_> {
             own && self.is_free(entity) && !self.is_tied(entity)
         });
         if new { role } else { Role::Claim }
-    }
-
-    pub(super) fn is_new_fact(&mut self, sides: &[Node]) -> bool {
-        let read = self.read(sides, Frame::Moving);
-        read.is_ok_and(|read| self.is_news(&sides[0], &read))
-    }
-
-    /// Whether a line says something of a symbol of the document that nothing before determines: a force and what it
-    /// does, or how such symbols balance. It may be true or not, and no line so far can tell.
-    fn is_news(&mut self, first: &Node, read: &Read) -> bool {
-        let [equation, ..] = read.equations.as_slice() else {
-            return false;
-        };
-        let alone = matches!(lone(first).kind, Kind::Symbol(_));
-        let new = equation
-            .residual
-            .entries
-            .iter()
-            .enumerate()
-            .all(|(i, entry)| {
-                let rest = self.theory.normal(entry);
-                if rest.is_zero() {
-                    return true;
-                }
-                let named = equation.left.entries.get(i).and_then(Fraction::as_variable);
-                match named.filter(|_| alone) {
-                    Some(v) => {
-                        let right = equation.right.entries.get(i);
-                        let said = right.map(|right| self.theory.normal(right).variables());
-                        // What stands on the right by earlier lines is no news.
-                        let new = said.is_some_and(|variables| !variables.contains(&v));
-                        new && self.is_own(v) && self.is_solved_by_own(&rest, v)
-                    }
-                    None => {
-                        let variables = rest.variables();
-                        let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
-                        !variables.is_empty()
-                            && variables.iter().all(untouched)
-                            && variables.iter().all(|&v| is_solved_by(&rest, v))
-                    }
-                }
-            });
-        let any = equation.residual.entries.iter();
-        let any = any
-            .map(|entry| self.theory.normal(entry))
-            .any(|rest| !rest.is_zero());
-        new && any && read.equations.len() == 1
-    }
-
-    /// A moment or a force by symbols of the document, one of them new: what acts on the body.
-    fn is_load(&mut self, sides: &[Node], read: &Read) -> bool {
-        let [left, right] = sides else { return false };
-        let Kind::Symbol(symbol) = &inner(left).kind else {
-            return false;
-        };
-        let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-        else {
-            return false;
-        };
-        let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
-        let owner = &self.theory.atoms.info(entity).owner;
-        if !matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty())
-        {
-            return false;
-        }
-        let mut new = vec![];
-        for symbol in symbols(right) {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-            else {
-                continue;
-            };
-            let owner = &self.theory.atoms.info(entity).owner;
-            match owner {
-                Owner::Symbol(key) if key.ends_with(" number") => return false,
-                Owner::Symbol(_) if self.loads.contains(&entity.0) || !self.is_tied(entity) => {
-                    new.push(entity.0);
-                }
-                Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
-                    return false;
-                }
-                _ => {}
-            }
-        }
-        let load = !new.is_empty() && read.equations.len() == 1;
-        if load {
-            self.loads.extend(new);
-        }
-        load
-    }
-
-    /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
-    fn is_own(&mut self, variable: u32) -> bool {
-        let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
-            return false;
-        };
-        let own = match &self.theory.atoms.info(entity).owner {
-            Owner::Symbol(_) => true,
-            Owner::Quantity(quantity, variant) => {
-                matches!(quantity, Quantity::Force | Quantity::OriginVelocity)
-                    || *quantity == Quantity::Velocity && !variant.is_empty()
-            }
-        };
-        own && self
-            .theory
-            .normal(&variable_fraction(variable))
-            .as_variable()
-            == Some(variable)
-    }
-
-    /// Whether a difference says what a variable is, or what the acceleration is that a force gives.
-    fn is_solved_by_own(&mut self, difference: &Fraction, variable: u32) -> bool {
-        let value = self.theory.normal(&variable_fraction(variable));
-        let Some(own) = value.variables().into_iter().find(|&v| {
-            let Atom::Part { entity, .. } = *self.theory.atoms.atom(v) else {
-                return false;
-            };
-            let owner = &self.theory.atoms.info(entity).owner;
-            v == variable || matches!(owner, Owner::Quantity(Quantity::Acceleration, _))
-        }) else {
-            return false;
-        };
-        let above = difference.numerator();
-        let factor = above.coefficient_of(own, 1);
-        above.degree_in(own) == 1
-            && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
-    }
-
-    fn is_mentioned(&self, variable: u32) -> bool {
-        let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
-        residuals.any(|r| r.variables().contains(&variable))
     }
 
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
@@ -320,20 +189,4 @@ impl Checker<'_> {
     pub(super) fn meaning_of(&mut self, symbol: &Symbol) -> Meaning {
         meaning(symbol, &self.reading, &mut self.theory.atoms)
     }
-}
-
-/// A side without its brackets and dots.
-fn lone(side: &Node) -> &Node {
-    match &inner(side).kind {
-        Kind::TimeDerivative { operand, .. } => lone(operand),
-        _ => inner(side),
-    }
-}
-
-/// Whether a difference is a number times a variable, and more without it.
-fn is_solved_by(difference: &Fraction, variable: u32) -> bool {
-    let above = difference.numerator();
-    above.degree_in(variable) == 1
-        && above.coefficient_of(variable, 1).is_constant().is_some()
-        && !difference.denominator().variables().contains(&variable)
 }
