@@ -33,5 +33,5 @@ pub use proof::{
     Argument, Combination, Fact, Fault, Goal, Kernel, Proof, Ratio, Reason, difference, rate,
 };
 pub use rational::Rational;
-pub use reduce::{Reduction, reduce};
+pub use reduce::{Reduction, reduce, reduce_where};
 pub use substitute::PseudoDivision;

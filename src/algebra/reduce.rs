@@ -8,6 +8,7 @@ use super::combination::{Budget, Combination, Exhausted, Meter, Solved};
 use super::groebner::Basis;
 use crate::algebra::{Certificate, Polynomial, Variable};
 use num_traits::{One, Zero};
+use std::collections::BTreeSet;
 
 /// What a reduction came to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +42,34 @@ pub fn reduce(target: &Polynomial, premises: &[Polynomial], budget: Budget) -> R
     attempt(target, premises, &mut meter).unwrap_or(Reduction::OutOfBudget)
 }
 
+/// Reduces a target by premises, dividing by nothing but products of variables that are said not to be zero.
+///
+/// Where the premises hold on several branches, what is zero on one of them alone is not found to vanish, unless the
+/// branches differ by such a variable.
+///
+/// ```
+/// use polhode::algebra::{Budget, Polynomial, Reduction, reduce_where};
+/// let [x, y, z] = [0, 1, 2].map(Polynomial::variable);
+/// // From z x = z y follows x = y where z is not zero, and z = 0 where it may be zero does not follow.
+/// let premises = [z.clone() * x.clone() - z.clone() * y.clone()];
+/// let nonzero = [2].into();
+/// let reduced = |target: Polynomial| reduce_where(&target, &premises, &nonzero, Budget::default());
+/// assert!(matches!(reduced(x - y), Reduction::Zero(_)));
+/// assert!(matches!(reduced(z), Reduction::Residue(_)));
+/// ```
+pub fn reduce_where(
+    target: &Polynomial,
+    premises: &[Polynomial],
+    nonzero: &BTreeSet<Variable>,
+    budget: Budget,
+) -> Reduction {
+    let mut meter = Meter::new(budget);
+    let attempt = |slopes, meter: &mut Meter| {
+        System::new(premises, slopes, meter)?.reduce(target, premises.len(), meter)
+    };
+    attempt(Slopes::Products(nonzero), &mut meter).unwrap_or(Reduction::OutOfBudget)
+}
+
 fn attempt(
     target: &Polynomial,
     premises: &[Polynomial],
@@ -68,11 +97,30 @@ fn attempt(
 
 /// What a variable's coefficient may be for an element to be solved for it.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Slopes {
+enum Slopes<'a> {
     /// Numbers alone: nothing is divided by.
     Numbers,
+    /// Products of these variables.
+    Products(&'a BTreeSet<Variable>),
     /// Any polynomial.
     Any,
+}
+
+impl Slopes<'_> {
+    /// Whether an element may be divided by its coefficient of a variable. An element of one term is a product that
+    /// vanishes: which of its factors does is not said.
+    fn allow(self, slope: &Polynomial, element: &Polynomial) -> bool {
+        slope.is_constant().is_some()
+            || match self {
+                Self::Numbers => false,
+                Self::Products(nonzero) => {
+                    let variables = slope.variables();
+                    let all = variables.iter().all(|v| nonzero.contains(v));
+                    slope.len() == 1 && element.len() > 1 && all
+                }
+                Self::Any => true,
+            }
+    }
 }
 
 /// Premises solved where linear, and the rest.
@@ -82,7 +130,11 @@ struct System {
 }
 
 impl System {
-    fn new(premises: &[Polynomial], slopes: Slopes, meter: &mut Meter) -> Result<Self, Exhausted> {
+    fn new(
+        premises: &[Polynomial],
+        slopes: Slopes<'_>,
+        meter: &mut Meter,
+    ) -> Result<Self, Exhausted> {
         let generator = |(i, p): (usize, &Polynomial)| Combination::generator(i, p.clone());
         let mut rest: Vec<_> = premises.iter().enumerate().map(generator).collect();
         let mut solved = vec![];
@@ -154,7 +206,7 @@ fn certificate(
 
 /// The element and the variable that are solved next: a number before a short coefficient before a long one, and
 /// short elements first.
-fn best(elements: &[Combination], slopes: Slopes) -> Option<(usize, Variable)> {
+fn best(elements: &[Combination], slopes: Slopes<'_>) -> Option<(usize, Variable)> {
     let mut found: Option<((bool, usize, usize), usize, Variable)> = None;
     for (index, element) in elements.iter().enumerate() {
         for variable in element.value.variables() {
@@ -162,10 +214,10 @@ fn best(elements: &[Combination], slopes: Slopes) -> Option<(usize, Variable)> {
                 continue;
             }
             let slope = element.value.coefficient_of(variable, 1);
-            let symbolic = slope.is_constant().is_none();
-            if symbolic && slopes == Slopes::Numbers {
+            if !slopes.allow(&slope, &element.value) {
                 continue;
             }
+            let symbolic = slope.is_constant().is_none();
             let cost = (symbolic, slope.len(), element.value.len());
             if found.as_ref().is_none_or(|(least, ..)| cost < *least) {
                 found = Some((cost, index, variable));

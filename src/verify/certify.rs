@@ -52,6 +52,20 @@ impl Elimination {
         None
     }
 
+    /// What is left vanishes too: multiplier · rest = Σ cofactor · fact.
+    pub(super) fn vanishes_by(
+        &mut self,
+        multiplier: Polynomial,
+        cofactors: impl Iterator<Item = (usize, Polynomial)>,
+    ) -> Option<()> {
+        self.scale(&multiplier)?;
+        for (fact, cofactor) in cofactors.filter(|(_, cofactor)| !cofactor.is_zero()) {
+            self.add(fact, cofactor);
+        }
+        self.rest = Polynomial::zero();
+        Some(())
+    }
+
     /// The proof that the start vanishes, where nothing is left.
     pub(super) fn combination(self) -> Combination {
         Combination {
@@ -144,15 +158,20 @@ pub(super) fn certify_within(
             let right = side(&equation.right.entries, place)?;
             theory.ledger.divide_by(&left.denominator);
             theory.ledger.divide_by(&right.denominator);
-            let done = Elimination::of(theory, difference(&left, &right))?;
+            let mut done = Elimination::of(theory, difference(&left, &right))?;
             if !done.rest.is_zero() {
-                return None;
+                let divisors = [&left.denominator, &right.denominator];
+                theory.vanishes_by_relations(&mut done, &divisors)?;
             }
             let by = done.combination();
             goals.push(Goal { left, right, by });
         }
     }
-    let proof = argument(theory, goals, bounds).checked();
+    let argument = argument(theory, goals, bounds);
+    if theory.leaves_nothing(&argument.conditions) {
+        return None;
+    }
+    let proof = argument.checked();
     debug_assert!(
         proof.is_ok(),
         "a search that finds wrong cofactors: {proof:?}"

@@ -7,6 +7,7 @@ use crate::verify::atoms::Atom;
 use crate::verify::attitude_law::{UNIT, number_of_quaternion};
 use crate::verify::certify::certify;
 use crate::verify::figures::is_pi;
+use crate::verify::kept::Kept;
 use crate::verify::law::inertia;
 use crate::verify::names::latex;
 use crate::verify::reason;
@@ -47,6 +48,7 @@ pub(super) enum Decision {
 /// Whether an equation holds in a random world of the prime field, which a false one does with a chance of its degree
 /// over 2⁶¹; `None` where no world gives it a value.
 pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<bool> {
+    theory.follow_rates(&residual.entries);
     for seed in 1..=TRIES {
         let mut world: World<Prime> = World::new(theory, seed);
         let values: Option<Vec<Prime>> =
@@ -65,28 +67,30 @@ pub(super) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<boo
 
 /// Decides equations that must hold together.
 pub(super) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
+    let mut seen = true;
     for equation in equations {
         if equation.residual.entries.iter().any(|e| !e.is_valid()) {
             return Decision::Open("something is divided by zero".to_owned());
         }
         match passes_filter(theory, &equation.residual) {
-            Some(false) => return refuted(theory, equation),
+            Some(false) => return refuted(theory, equation, equations),
             // Not every number has a root in the prime field; the normal form may still vanish.
-            None if vanishes(theory, std::slice::from_ref(equation)) => {}
-            None => return Decision::Open("no values could be put in".to_owned()),
+            None => seen &= vanishes(theory, std::slice::from_ref(equation)),
             Some(true) => {}
         }
     }
-    match certify(theory, equations) {
-        Some(proof) => Decision::True(proof),
-        None => Decision::Open(
-            match std::mem::take(&mut theory.exhausted) {
-                true => reason::BUDGET,
-                false => reason::NO_PROOF,
-            }
-            .to_owned(),
-        ),
-    }
+    // Where relations are kept, a proof may be had though no world was found that satisfies them.
+    let proof = match seen || !theory.relations.kept.is_empty() {
+        true => certify(theory, equations),
+        false => None,
+    };
+    let reason = match (proof, std::mem::take(&mut theory.exhausted)) {
+        (Some(proof), _) => return Decision::True(proof),
+        _ if !seen => reason::NO_VALUES,
+        (None, true) => reason::BUDGET,
+        (None, false) => reason::NO_PROOF,
+    };
+    Decision::Open(reason.to_owned())
 }
 
 /// Whether equations hold exactly, where no proof is to be shown.
@@ -95,46 +99,56 @@ pub(super) fn vanishes(theory: &mut Theory, equations: &[Equation]) -> bool {
     let holds = residuals.all(|entry| {
         let normal = theory.normal(entry);
         theory.kernels_reduced(normal).is_zero()
-    });
+    }) || !theory.relations.kept.is_empty() && certify(theory, equations).is_some();
     holds && !std::mem::take(&mut theory.exhausted)
 }
 
-fn refuted(theory: &mut Theory, equation: &Equation) -> Decision {
-    if let Some(reason) = unfinished(theory, equation) {
-        return Decision::Open(reason);
+fn refuted(theory: &mut Theory, equation: &Equation, equations: &[Equation]) -> Decision {
+    if rests_on_a_name(theory, equation) {
+        return Decision::Open("it rests on a value that is only named here".to_owned());
     }
-    match counterexample(theory, equation) {
-        Some(found) => Decision::False(Box::new(found)),
-        None => Decision::FalseWithoutWitness,
+    if let Some(found) = counterexample(theory, equation) {
+        return Decision::False(Box::new(found));
+    }
+    let Some(name) = related(theory, equation) else {
+        return Decision::FalseWithoutWitness;
+    };
+    // The relations may hold on several branches, and the filter look at one where the line fails.
+    match certify(theory, equations) {
+        Some(proof) => Decision::True(proof),
+        None => Decision::Open(format!("{name} could not be solved for a symbol")),
     }
 }
 
-/// Why a difference that is not zero in the prime field may still be zero for the document: something in it has
-/// relations that are not used.
-fn unfinished(theory: &mut Theory, equation: &Equation) -> Option<String> {
-    let mut related: BTreeSet<u32> = BTreeSet::new();
-    let mut opaque = 0;
-    for entry in &equation.residual.entries {
-        for variable in theory.normal(entry).variables() {
-            let named = matches!(theory.atoms.atom(variable), Atom::Opaque { .. });
-            if named && !is_pi(&theory.atoms, variable) {
-                opaque += 1;
-            }
-            related.insert(variable);
-        }
-    }
-    if opaque > 0 {
-        return Some("it rests on a value that is only named here".to_owned());
-    }
-    let kept = theory
-        .relations
-        .iter()
-        .find(|(_, p)| p.variables().iter().any(|v| related.contains(v)));
-    kept.map(|(name, _)| format!("{name} could not be solved for a symbol"))
+/// Whether a difference that is not zero in the prime field may still be zero for the document: something in it is only
+/// named.
+fn rests_on_a_name(theory: &mut Theory, equation: &Equation) -> bool {
+    equation.residual.entries.iter().any(|entry| {
+        let variables = theory.normal(entry).variables();
+        let mut variables = variables.into_iter();
+        variables.any(|v| {
+            matches!(theory.atoms.atom(v), Atom::Opaque { .. }) && !is_pi(&theory.atoms, v)
+        })
+    })
+}
+
+/// The name of a relation that is kept and speaks of something in an equation.
+fn related(theory: &mut Theory, equation: &Equation) -> Option<Name> {
+    let kept = theory.relations.kept.clone();
+    let entries = equation.residual.entries.iter();
+    let inside: BTreeSet<u32> = entries.flat_map(|e| theory.normal(e).variables()).collect();
+    let mut speaks = |kept: &Kept| {
+        let variables = theory.normal(&kept.written).variables();
+        variables.iter().any(|v| inside.contains(v))
+    };
+    kept.into_iter()
+        .find_map(|kept| speaks(&kept).then_some(kept.name))
 }
 
 /// A small world, with a body that can exist, in which the sides differ.
 fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexample> {
+    theory.follow_rates(&equation.left.entries);
+    theory.follow_rates(&equation.right.entries);
     for seed in 1..=TRIES * 8 {
         let tensor = inertia(&mut theory.atoms, theory.setting.products);
         let mut world: World<Rational> = World::new(theory, seed);
@@ -177,6 +191,9 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
         for variable in variables {
             let value = world.variable(variable)?;
             symbols.push((variable, value.to_string()));
+        }
+        if !world.is_coherent() {
+            continue;
         }
         let symbols = symbols
             .into_iter()
@@ -251,7 +268,18 @@ pub(super) fn needed(theory: &mut Theory, equations: &[Equation], proof: &Proof)
 pub(super) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> {
     let mut open: Vec<u32> = fractions.iter().flat_map(Fraction::variables).collect();
     let (mut seen, mut names) = (BTreeSet::new(), BTreeSet::new());
-    while let Some(variable) = open.pop() {
+    let mut kept = theory.relations.kept.clone();
+    loop {
+        let Some(variable) = open.pop() else {
+            let speaks = |kept: &Kept| kept.written.variables().iter().any(|v| seen.contains(v));
+            let Some(place) = kept.iter().position(speaks) else {
+                break;
+            };
+            let relation = kept.remove(place);
+            open.extend(relation.written.variables());
+            names.insert(relation.name);
+            continue;
+        };
         if !seen.insert(variable) {
             continue;
         }

@@ -8,7 +8,7 @@ use crate::verify::line::Read;
 use crate::verify::news::lone;
 use crate::verify::quantity::Quantity;
 use crate::verify::reason;
-use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::symbol::{MAGNITUDE, Meaning, meaning};
 use crate::verify::usage::{inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
@@ -31,6 +31,14 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
+        let mut named = sides.iter().flat_map(symbols);
+        let tied = named.any(|symbol| match self.meaning_of(symbol) {
+            Meaning::Whole(entity) => self.theory.is_in_relation(entity),
+            _ => false,
+        });
+        if tied {
+            return false;
+        }
         let wheels = self.theory.setting.gyrostat && self.only_wheels(read);
         if wheels || self.is_news(first, read) || self.is_load(sides, read) {
             return true;
@@ -70,7 +78,7 @@ impl Checker<'_> {
             return role;
         }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if sides.iter().any(zero) || sides.iter().all(alone) {
+        if sides.iter().any(zero) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
             return role;
         }
         let alone_left = matches!(lone(left).kind, Kind::Symbol(_));
@@ -89,6 +97,19 @@ impl Checker<'_> {
             own && self.is_free(entity) && !self.is_tied(entity)
         });
         if new { role } else { Role::Claim }
+    }
+
+    /// Whether a line speaks of the magnitude of a vector, or of a symbol that a relation has: it may set an angle by it,
+    /// or a value, which no law determines.
+    fn sets_a_magnitude(&mut self, sides: &[Node]) -> bool {
+        sides.iter().flat_map(symbols).any(|symbol| {
+            let Meaning::Whole(entity) = self.meaning_of(symbol) else {
+                return false;
+            };
+            let owner = &self.theory.atoms.info(entity).owner;
+            matches!(owner, Owner::Quantity(_, variant) if variant == MAGNITUDE)
+                || self.theory.is_in_relation(entity)
+        })
     }
 
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it

@@ -108,10 +108,10 @@ impl Checker<'_> {
             finding.place = span.1;
             return;
         }
-        let role = self.role_by_content(role, &sides);
-        finding.role = role;
         self.note_origin(&sides);
         self.note_scalars(&sides);
+        let role = self.role_by_content(role, &sides);
+        finding.role = role;
         let settled = self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)

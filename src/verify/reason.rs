@@ -4,6 +4,7 @@ pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here dete
 pub(super) const RELATION: &str = "this relation is not decided";
 pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
+pub(super) const NO_VALUES: &str = "no values could be put in";
 pub(super) const BUDGET: &str =
     "budget: equal in every trial, and the proof grew beyond the terms allowed";
 

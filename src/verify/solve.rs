@@ -2,12 +2,92 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::verify::atoms::{Atom, Owner};
-use crate::verify::ledger::Source;
+use crate::verify::kept::{Kept, Relations};
+use crate::verify::ledger::{Ledger, Source};
 use crate::verify::quantity::Quantity;
-use crate::verify::theory::{MOMENTARY, Premise, Rule, Taken, Theory};
+use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
 use num_traits::Zero;
+use std::collections::BTreeSet;
+
+/// Terms of a relation that is tried again.
+const MOST_TERMS: usize = 12;
 
 impl Theory {
+    /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
+    pub(super) fn rebuild(&mut self) -> Taken {
+        self.rules.clear();
+        self.normals.clear();
+        self.relations = Relations::default();
+        self.sources.clear();
+        self.ledger = Ledger::default();
+        self.put_fixed();
+        let mut order: Vec<Premise> = self
+            .premises
+            .iter()
+            .filter(|p| !self.left_out.contains(&p.name))
+            .cloned()
+            .collect();
+        order.sort_by_key(|premise| {
+            let momentary = self.instants.contains(&premise.name);
+            (momentary, !premise.definition, self.highest_order(premise))
+        });
+        let mut worst = Taken::Solved;
+        for premise in &order {
+            match self.solve(premise) {
+                Taken::Contradiction => return Taken::Contradiction,
+                Taken::Kept => worst = Taken::Kept,
+                _ => {}
+            }
+        }
+        match worst {
+            Taken::Kept => self.solve_kept(&order),
+            _ => worst,
+        }
+    }
+
+    /// Tries again what was kept, where rules came after it: they may have simplified it.
+    fn solve_kept(&mut self, order: &[Premise]) -> Taken {
+        let rules = self.sources.len();
+        let simple =
+            |kept: &Kept| kept.rules < rules && kept.written.numerator().len() < MOST_TERMS;
+        let names: BTreeSet<Name> = self
+            .relations
+            .kept
+            .iter()
+            .filter(|kept| simple(kept))
+            .map(|kept| kept.name.clone())
+            .collect();
+        self.relations
+            .kept
+            .retain(|kept| !names.contains(&kept.name));
+        for premise in order.iter().filter(|p| names.contains(&p.name)) {
+            if self.solve(premise) == Taken::Contradiction {
+                return Taken::Contradiction;
+            }
+        }
+        match self.relations.kept.is_empty() {
+            true => Taken::Solved,
+            false => Taken::Kept,
+        }
+    }
+
+    /// The highest order of a rate in a premise; the moment counts as a rate, as it stands for one.
+    fn highest_order(&self, premise: &Premise) -> u8 {
+        let variables = premise
+            .residuals
+            .iter()
+            .flat_map(|r| r.numerator().variables());
+        let order = |variable| match self.atoms.atom(variable) {
+            Atom::Part { entity, order, .. } => match self.atoms.info(*entity).owner {
+                Owner::Quantity(Quantity::Moment, _) => 1,
+                _ => *order,
+            },
+            Atom::SpaceRate { .. } => 1,
+            Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
+        };
+        variables.map(order).max().unwrap_or(0)
+    }
+
     /// Solves the residuals of a premise one after the other, simplest first.
     pub(super) fn solve(&mut self, premise: &Premise) -> Taken {
         let mut left: Vec<(Fraction, &Fraction)> =
@@ -47,10 +127,12 @@ impl Theory {
         if left.is_empty() {
             return taken;
         }
-        let kept = left
-            .iter()
-            .map(|(r, _)| (premise.name.clone(), r.numerator().clone()));
-        self.relations.extend(kept);
+        let kept = left.iter().map(|(_, written)| Kept {
+            name: premise.name.clone(),
+            written: (*written).clone(),
+            rules: self.sources.len(),
+        });
+        self.relations.kept.extend(kept);
         Taken::Kept
     }
 
@@ -71,6 +153,7 @@ impl Theory {
             self.sources.insert(part, source);
             self.rules.insert(part, (order, rule));
             self.normals.clear();
+            self.relations.forget();
             self.forget_relations();
         }
     }

@@ -149,12 +149,13 @@ fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meani
         return Some(Meaning::Component(entity, component));
     }
     let latex = latex_name(&letter.name);
-    let owner = if matches!(quantity, Quantity::Momentum | Quantity::Moment) {
+    let length = matches!(quantity, Quantity::Momentum | Quantity::Moment);
+    let owner = if length {
         Owner::Quantity(quantity, MAGNITUDE.to_owned())
     } else {
         Owner::Symbol(format!("{} number", letter.name))
     };
-    let constant = !reading.usage.get(letter).moving;
+    let constant = !length && !reading.usage.get(letter).moving;
     Some(Meaning::Whole(atoms.entity(
         &owner,
         Shape::Scalar,

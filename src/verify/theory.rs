@@ -5,12 +5,12 @@
 
 use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
-use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
+use crate::verify::atoms::{Atom, Atoms, Entity, variable_fraction};
 use crate::verify::attitude_law::{UNIT, square_of_scalar_part};
 use crate::verify::figures::Alternative;
+use crate::verify::kept::Relations;
 use crate::verify::law::{Setting, law};
 use crate::verify::ledger::{Ledger, Source};
-use crate::verify::quantity::Quantity;
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -79,8 +79,8 @@ pub(super) struct Theory {
     /// Premises that say what something is at one instant: nothing follows from them for its rate.
     pub(super) instants: BTreeSet<Name>,
     /// Relations that could not be solved for a symbol.
-    pub relations: Vec<(Name, Polynomial)>,
-    premises: Vec<Premise>,
+    pub(super) relations: Relations,
+    pub(super) premises: Vec<Premise>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
     /// Where the rules come from.
@@ -103,7 +103,7 @@ impl Theory {
             left_out: BTreeSet::new(),
             fixed: vec![],
             instants: BTreeSet::new(),
-            relations: vec![],
+            relations: Relations::default(),
             premises: vec![],
             rules: HashMap::new(),
             normals: HashMap::new(),
@@ -182,52 +182,6 @@ impl Theory {
             }
             taken => taken,
         }
-    }
-
-    /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
-    pub(super) fn rebuild(&mut self) -> Taken {
-        self.rules.clear();
-        self.normals.clear();
-        self.relations.clear();
-        self.sources.clear();
-        self.ledger = Ledger::default();
-        self.put_fixed();
-        let mut order: Vec<Premise> = self
-            .premises
-            .iter()
-            .filter(|p| !self.left_out.contains(&p.name))
-            .cloned()
-            .collect();
-        order.sort_by_key(|premise| {
-            let momentary = self.instants.contains(&premise.name);
-            (momentary, !premise.definition, self.highest_order(premise))
-        });
-        let mut worst = Taken::Solved;
-        for premise in order {
-            match self.solve(&premise) {
-                Taken::Contradiction => return Taken::Contradiction,
-                Taken::Kept => worst = Taken::Kept,
-                _ => {}
-            }
-        }
-        worst
-    }
-
-    /// The highest order of a rate in a premise; the moment counts as a rate, as it stands for one.
-    fn highest_order(&self, premise: &Premise) -> u8 {
-        let variables = premise
-            .residuals
-            .iter()
-            .flat_map(|r| r.numerator().variables());
-        let order = |variable| match self.atoms.atom(variable) {
-            Atom::Part { entity, order, .. } => match self.atoms.info(*entity).owner {
-                Owner::Quantity(Quantity::Moment, _) => 1,
-                _ => *order,
-            },
-            Atom::SpaceRate { .. } => 1,
-            Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
-        };
-        variables.map(order).max().unwrap_or(0)
     }
 
     /// The value of a variable by a premise or a law, one step down; `None` for a free one.

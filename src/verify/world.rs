@@ -6,6 +6,7 @@ use crate::scalar::{Field, Prime};
 use crate::verify::atoms::{Atom, Entity, Owner};
 use crate::verify::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
 use crate::verify::figures::is_pi;
+use crate::verify::kept::{Point, Relations};
 use crate::verify::quantity::Quantity;
 use crate::verify::theory::Theory;
 use std::collections::BTreeSet;
@@ -18,6 +19,14 @@ pub(super) trait Substance: Field {
     fn root(&self) -> Option<Self>;
     /// A value for a free variable; `kind` tells what range suits it.
     fn draw(kind: Kind, chance: u64) -> Self;
+    /// Whether it is below zero, where that has a meaning.
+    fn is_negative(&self) -> bool;
+    /// The point of a variety that was found for a seed, if points of this kind are remembered.
+    fn recall(_: &Relations, _: (usize, u64)) -> Option<Point<Self>> {
+        None
+    }
+    /// Remembers a point of a variety, if points of this kind are.
+    fn remember(_: &mut Relations, _: (usize, u64), _: &Point<Self>) {}
 }
 
 /// What a free variable is, as far as a sensible value for it goes.
@@ -29,6 +38,8 @@ pub(super) enum Kind {
     Small,
     /// Anything else.
     Any,
+    /// A small multiple of one over this.
+    Over(i64),
 }
 
 impl Substance for Prime {
@@ -42,6 +53,15 @@ impl Substance for Prime {
     }
     fn draw(_: Kind, chance: u64) -> Self {
         Self::new(chance)
+    }
+    fn is_negative(&self) -> bool {
+        false
+    }
+    fn recall(relations: &Relations, key: (usize, u64)) -> Option<Point<Self>> {
+        relations.points.get(&key).cloned()
+    }
+    fn remember(relations: &mut Relations, key: (usize, u64), point: &Point<Self>) {
+        relations.points.insert(key, point.clone());
     }
 }
 
@@ -58,17 +78,33 @@ impl Substance for Rational {
             Kind::Positive => 4 + below(4),
             Kind::Small => [-1, 1][below(2) as usize],
             Kind::Any => [1, 2, -1, 3, -2, 5][below(6) as usize],
+            // A zero lets many a root be rational.
+            Kind::Over(_) if chance & 1 == 0 => 0,
+            Kind::Over(whole) => {
+                let part = below(2 * whole.unsigned_abs() + 1) - whole;
+                return Self::from((part, whole));
+            }
         })
+    }
+    fn is_negative(&self) -> bool {
+        *self < Self::from(0)
     }
 }
 
 /// A value for every variable that is asked for.
 pub(super) struct World<'a, T> {
-    theory: &'a mut Theory,
+    pub(super) theory: &'a mut Theory,
     /// By variable.
     values: Vec<Option<T>>,
     open: BTreeSet<Variable>,
     state: u64,
+    pub(super) seed: u64,
+    /// Varieties that the world was put on, by their place.
+    pub(super) settled: BTreeSet<usize>,
+    /// Variables that relations gave.
+    pub(super) solved: BTreeSet<Variable>,
+    /// Whether some variety was missed.
+    pub(super) lost: bool,
 }
 
 impl<'a, T: Substance> World<'a, T> {
@@ -80,6 +116,10 @@ impl<'a, T: Substance> World<'a, T> {
             values: vec![],
             open: BTreeSet::new(),
             state,
+            seed,
+            settled: BTreeSet::new(),
+            solved: BTreeSet::new(),
+            lost: false,
         }
     }
 
@@ -92,7 +132,7 @@ impl<'a, T: Substance> World<'a, T> {
         Some(self.polynomial(fraction.numerator())? / bottom)
     }
 
-    fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
+    pub(super) fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
         let mut sum = T::zero();
         for (monomial, coefficient) in polynomial.terms() {
             let mut product = T::lift(coefficient)?;
@@ -119,10 +159,10 @@ impl<'a, T: Substance> World<'a, T> {
         };
         let value = match ruled {
             Some(rule) => self.fraction(&rule.value),
-            None => self.free(variable),
+            None => self.on_variety(variable),
         };
         self.open.remove(&variable);
-        if self.theory.exhausted {
+        if self.theory.exhausted || self.lost {
             return None;
         }
         let value = value?;
@@ -130,7 +170,16 @@ impl<'a, T: Substance> World<'a, T> {
         Some(value)
     }
 
-    fn keep(&mut self, variable: Variable, value: T) {
+    /// The value that a variable has by now.
+    pub(super) fn value(&self, variable: Variable) -> Option<T> {
+        self.values.get(variable as usize).cloned().flatten()
+    }
+
+    pub(super) fn is_known(&self, variable: Variable) -> bool {
+        matches!(self.values.get(variable as usize), Some(Some(_)))
+    }
+
+    pub(super) fn keep(&mut self, variable: Variable, value: T) {
         let place = variable as usize;
         if self.values.len() <= place {
             self.values.resize(place + 1, None);
@@ -138,39 +187,49 @@ impl<'a, T: Substance> World<'a, T> {
         self.values[place] = Some(value);
     }
 
-    fn free(&mut self, variable: Variable) -> Option<T> {
+    fn on_variety(&mut self, variable: Variable) -> Option<T> {
+        self.settle(variable)?;
+        self.value(variable).or_else(|| self.free(variable))
+    }
+
+    /// A value for a variable that nothing rules.
+    pub(super) fn free(&mut self, variable: Variable) -> Option<T> {
         match self.theory.atoms.atom(variable).clone() {
             Atom::Kernel {
                 function: Function::Sin | Function::Cos,
                 argument,
             } => {
                 self.circle(argument);
-                self.values.get(variable as usize).cloned().flatten()
+                self.value(variable)
             }
             Atom::Kernel {
                 function: Function::Sqrt,
                 argument,
             } => self.fraction(&argument)?.root(),
             Atom::Part { .. } if self.draws_quaternion(variable) => self.quaternion(variable),
-            Atom::Part {
-                entity,
-                component,
-                order,
-            } => {
-                let kind = match self.theory.atoms.info(entity).owner {
-                    Owner::Quantity(Quantity::Inertia, _) if component >= 3 => Kind::Small,
-                    Owner::Quantity(Quantity::Inertia | Quantity::Mass, _) if order == 0 => {
-                        Kind::Positive
-                    }
-                    _ => Kind::Any,
-                };
-                Some(T::draw(kind, self.chance()))
-            }
+            Atom::Part { .. } => Some(T::draw(self.kind(variable), self.chance())),
             // No polynomial in π vanishes unless it is zero, so any value shows a difference; this one is close.
             Atom::Opaque { .. } if is_pi(&self.theory.atoms, variable) => {
                 T::lift(&Rational::from((355, 113)))
             }
             _ => Some(T::draw(Kind::Any, self.chance())),
+        }
+    }
+
+    /// What a free variable is.
+    pub(super) fn kind(&self, variable: Variable) -> Kind {
+        let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.theory.atoms.atom(variable)
+        else {
+            return Kind::Any;
+        };
+        match self.theory.atoms.info(entity).owner {
+            Owner::Quantity(Quantity::Inertia, _) if component >= 3 => Kind::Small,
+            Owner::Quantity(Quantity::Inertia | Quantity::Mass, _) if order == 0 => Kind::Positive,
+            _ => Kind::Any,
         }
     }
 
@@ -239,7 +298,7 @@ impl<'a, T: Substance> World<'a, T> {
     }
 
     /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).
-    fn chance(&mut self) -> u64 {
+    pub(super) fn chance(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
