@@ -175,3 +175,9 @@ fn what_is_only_text_gives_no_formula() {
         assert_eq!(document(text, Format::Text), "", "{text}");
     }
 }
+
+#[test]
+fn a_typeset_minus_before_a_number_is_a_sign() {
+    assert_eq!(plain("a = −2 b"), plain("a = -2 b"));
+    assert_eq!(plain("a = b ×3"), plain("a = b × 3"));
+}

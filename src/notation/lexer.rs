@@ -216,7 +216,9 @@ impl<'a> Lexer<'a> {
         match lexeme {
             Some(lexeme) => {
                 self.accented(lexeme, &marks, start);
-                self.number_of_letter(start);
+                if base.is_alphabetic() {
+                    self.number_of_letter(start);
+                }
             }
             None if c.is_alphabetic() => self.accented(Lexeme::Letter(c), &marks, start),
             // Marks of direction and zero-width spaces are invisible, so they must not change a meaning.
