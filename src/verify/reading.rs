@@ -42,6 +42,8 @@ pub(super) struct Reading {
     pub(super) speaks_of_no_torque: bool,
     speaks_of_force: bool,
     speaks_of_roll: bool,
+    /// Letters that stand alone on the left of a line.
+    left_sides: BTreeSet<Letter>,
 }
 
 /// Bytes before a formula in which words may name it.
@@ -184,6 +186,11 @@ impl Reading {
                             );
                         }
                     }
+                    let lines = formula
+                        .rows
+                        .iter()
+                        .filter(|row| matches!(row, Row::Line(_)));
+                    self.left_sides.extend(lines.flat_map(named_letters));
                     last = named;
                     near = !formula.display;
                     if formula.display {
@@ -237,7 +244,8 @@ impl Reading {
             }
         }
         let forces = ["X", "Y", "Z"].map(Letter::plain);
-        if self.speaks_of_force && forces.iter().all(|l| self.usage.get(l).bare > 0) {
+        let given = forces.iter().all(|l| self.left_sides.contains(l));
+        if self.speaks_of_force && given {
             self.take_components(forces, Quantity::Force);
         }
         let moments = ["A", "B", "C"].map(Letter::plain);
