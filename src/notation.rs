@@ -37,6 +37,9 @@ pub const MANUAL: &str = include_str!("notation/manual.md");
 /// A formula longer than this is not read: nobody writes one, and a proof of it would not end.
 const LONGEST_FORMULA: usize = 50_000;
 
+/// What the macros of a formula that is read anew may expand to.
+const LONGEST_REREAD: usize = 10_000;
+
 impl Format {
     /// The format that the name of a file promises; Markdown where it promises none.
     pub fn of_path(path: &Path) -> Self {
@@ -67,6 +70,7 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
             source: Source::new(name, text),
             cells: vec![],
             front_matter: document::FrontMatter::default(),
+            macros: Macros::default(),
             items: vec![],
         },
     };
@@ -74,10 +78,13 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
         Format::Notebook => {}
         Format::Markdown => {
             let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
-            document.items = markdown::items(&text[body..], body, &Macros::collect(&text[body..]));
+            document.macros = Macros::collect(&text[body..]);
+            document.items = markdown::items(&text[body..], body, &document.macros);
         }
         Format::Latex => {
-            document.items = latex::items(text, &mut document.front_matter, &mut troubles)
+            document.macros = Macros::collect(text);
+            let front = &mut document.front_matter;
+            document.items = latex::items(text, &document.macros, front, &mut troubles)
         }
         Format::Text => {
             let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
@@ -130,25 +137,23 @@ fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
         return unreadable("a macro that expands without end", None, span);
     };
     let mut tokens = lexer::tokens(&expanded, 0, Letters::Single);
-    let place = |at: u32| {
-        origin
-            .get(at as usize)
-            .copied()
-            .map_or(text.len(), |b| b as usize)
-    };
+    let end_of_text = Span::new(text.len(), text.len());
+    let came_from = |at: u32| origin.get(at as usize).copied().unwrap_or(end_of_text);
     for token in &mut tokens {
-        let start = place(token.span.start);
-        let end = place(token.span.end.saturating_sub(1)) + 1;
-        token.span = Span::new(offset + start, offset + end.max(start + 1).min(text.len()));
+        let last = token.span.end.saturating_sub(1).max(token.span.start);
+        token.span = came_from(token.span.start)
+            .to(came_from(last))
+            .shifted(offset);
     }
     parse::rows::rows(&tokens)
 }
 
-/// Reads a formula of a document of some format anew, spans counted from its own first byte.
-pub fn reread(format: Format, text: &str) -> Vec<Row> {
-    match format {
+/// Reads a formula as if it stood in a document, spans counted from its own first byte.
+pub fn reread(document: &Document, text: &str) -> Vec<Row> {
+    document.macros.allow(LONGEST_REREAD);
+    match document.format {
         Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)).rows,
-        _ => read_formula(text, 0, &Macros::default()),
+        _ => read_formula(text, 0, &document.macros),
     }
 }
 

@@ -4,7 +4,7 @@
 mod outline;
 
 use outline::document;
-use polhode::notation::document::{Document, Format, Item};
+use polhode::notation::document::{Document, Format, Item, Row};
 use polhode::notation::read;
 
 fn prose(document: &Document) -> String {
@@ -105,6 +105,26 @@ fn words_keep_their_order_around_formulas() {
 }
 
 #[test]
+fn what_a_macro_stands_for_has_the_place_of_its_call() {
+    let text =
+        r"\newcommand{\om}{\boldsymbol\omega}\newcommand{\dd}[1]{\frac{d#1}{dt}} $\dd{L} = J\om$";
+    let (document, _) = read("a.tex", text, Format::Latex);
+    let lines = document.items.iter().find_map(|item| match item {
+        Item::Formula(formula) => Some(&formula.rows),
+        _ => None,
+    });
+    let Some([Row::Line(line)]) = lines.map(Vec::as_slice) else {
+        panic!("one line stands there");
+    };
+    let sides: Vec<&str> = line
+        .sides
+        .iter()
+        .map(|side| document.source.slice(side.span))
+        .collect();
+    assert_eq!(sides, [r"\dd{L}", r"J\om"]);
+}
+
+#[test]
 fn a_latex_file_is_read_with_its_own_macros() {
     let text = r"\documentclass{article}
 % polhode: products: entries
@@ -178,7 +198,7 @@ fn a_row_begins_where_its_first_sign_stands() {
     for item in &read.items {
         if let Item::Formula(formula) = item {
             for row in &formula.rows {
-                if let polhode::notation::document::Row::Line(line) = row {
+                if let Row::Line(line) = row {
                     lines.push(read.source.line_column(line.span.start));
                 }
             }

@@ -1,6 +1,7 @@
 //! A document as the verifier sees it: headings, prose and formulas in the order in which they stand.
 
 use crate::notation::ast::Line;
+use crate::notation::macros::Macros;
 use crate::source::{Source, Span};
 use std::collections::BTreeMap;
 
@@ -29,6 +30,8 @@ pub struct Document {
     pub cells: Vec<Cell>,
     /// What the author set before the text began.
     pub front_matter: FrontMatter,
+    /// The macros that it defines for itself.
+    pub macros: Macros,
     /// Everything that stands in the document.
     pub items: Vec<Item>,
 }

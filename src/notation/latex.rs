@@ -58,10 +58,10 @@ const LONGEST_ARGUMENT: usize = 1000;
 /// The items of a file.
 pub(crate) fn items(
     text: &str,
+    macros: &Macros,
     front: &mut FrontMatter,
     troubles: &mut Vec<Diagnostic>,
 ) -> Vec<Item> {
-    let macros = Macros::collect(text);
     let begin = "\\begin{document}";
     let start = text.find(begin).map_or(0, |i| i + begin.len());
     let end = text[start..]
@@ -89,7 +89,7 @@ pub(crate) fn items(
             continue;
         }
         let inner = &text[start..end][region.inner.clone()];
-        let found = formula(inner, start, &region, &macros);
+        let found = formula(inner, start, &region, macros);
         reader.items.extend(found);
     }
     reader.words(at, end);

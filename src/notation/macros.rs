@@ -1,6 +1,7 @@
 //! Macros that a document defines for itself: `\newcommand`, `\def`, `\DeclareMathOperator`.
 
 use crate::notation::token::{beginning, matching_brace};
+use crate::source::Span;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -77,9 +78,14 @@ impl Macros {
         self.defined.is_empty()
     }
 
-    /// The text with all macros expanded, and for each byte of it the byte of the text that it came from. `None` if the
-    /// expansion has no end.
-    pub(crate) fn expand(&self, text: &str) -> Option<(String, Vec<u32>)> {
+    /// Lets the expansions to come have at least so many bytes together.
+    pub(crate) fn allow(&self, bytes: usize) {
+        self.left.set(self.left.get().max(bytes));
+    }
+
+    /// The text with all macros expanded, and for each byte of it what it came from: a byte of the text, or the call of
+    /// a macro. `None` if the expansion has no end.
+    pub(crate) fn expand(&self, text: &str) -> Option<(String, Vec<Span>)> {
         let mut out = String::with_capacity(text.len());
         let mut origin = Vec::with_capacity(text.len());
         let allowed = LONGEST.min(self.left.get());
@@ -92,10 +98,10 @@ impl Macros {
     fn expand_into(
         &self,
         text: &str,
-        place: Option<u32>,
+        call: Option<Span>,
         depth: usize,
         out: &mut String,
-        origin: &mut Vec<u32>,
+        origin: &mut Vec<Span>,
         budget: &mut usize,
     ) -> Option<()> {
         if depth > 20 {
@@ -105,13 +111,13 @@ impl Macros {
         let mut at = 0;
         while at < text.len() {
             let rest = &text[at..];
-            let here = place.unwrap_or(u32::try_from(at).unwrap_or(u32::MAX));
             if self.endless.borrow().contains(name(rest)) {
                 return None;
             }
             if let Some((after, expansion)) = self.call(text, at, &braces) {
                 *budget = budget.checked_sub(expansion.len() + 1)?;
-                let done = self.expand_into(&expansion, Some(here), depth + 1, out, origin, budget);
+                let call = call.unwrap_or(Span::new(at, after));
+                let done = self.expand_into(&expansion, Some(call), depth + 1, out, origin, budget);
                 if done.is_none() && depth == 0 {
                     self.endless.borrow_mut().insert(name(rest).to_owned());
                 }
@@ -128,10 +134,7 @@ impl Macros {
                 rest.chars().next().map_or(1, char::len_utf8)
             };
             out.push_str(&rest[..step]);
-            for k in 0..step {
-                let k = u32::try_from(k).unwrap_or(0);
-                origin.push(if place.is_some() { here } else { here + k });
-            }
+            origin.extend((at..at + step).map(|k| call.unwrap_or(Span::new(k, k + 1))));
             at += step;
         }
         Some(())

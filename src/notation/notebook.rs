@@ -47,6 +47,7 @@ pub(crate) fn read(name: &str, text: &str, troubles: &mut Vec<Diagnostic>) -> Do
         source: Source::new(name, joined),
         cells,
         front_matter: front,
+        macros,
         items,
     }
 }

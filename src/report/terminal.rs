@@ -3,6 +3,7 @@
 //! A line that is refuted, undecided or unreadable gets a drawing of its place; the others stand in a list.
 
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::notation::Macros;
 use crate::notation::document::{Document, Format, FrontMatter};
 use crate::report::Checked;
 use crate::report::terminal::drawing::{Drawing, draw};
@@ -57,6 +58,7 @@ pub fn diagnostics(source: &Source, diagnostics: &[Diagnostic]) -> String {
         source: source.clone(),
         cells: vec![],
         front_matter: FrontMatter::default(),
+        macros: Macros::default(),
         items: vec![],
     };
     diagnostics

@@ -6,6 +6,7 @@ use crate::verify::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::check::Checker;
 use crate::verify::frame::Frame;
 use crate::verify::lower::{FunctionOf, TroubleKind};
+use crate::verify::names;
 use crate::verify::quantity::Shape;
 use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::{Premise, Taken};
@@ -41,6 +42,12 @@ impl Checker<'_> {
         }
         if line.continues {
             return false;
+        }
+        if role == Role::Claim && self.is_in_doubt(entity) {
+            let symbol = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
+            let name = names::latex(&self.theory.atoms, symbol);
+            finding.reason = Some(format!("a line about `{name}` was left open before"));
+            return true;
         }
         // What is said of a symbol that earlier lines have already may follow from them, or not.
         if role == Role::Claim && self.is_tied(entity) && !self.is_new_fact(sides) {

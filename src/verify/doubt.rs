@@ -66,6 +66,11 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether a line that was left open speaks of an entity.
+    pub(super) fn is_in_doubt(&self, entity: Entity) -> bool {
+        self.doubts.symbols.contains(&entity.0)
+    }
+
     /// Why a difference need not be a mistake of this line; `None` where it must be one.
     pub(super) fn doubt(&mut self, read: &Read) -> Option<String> {
         if let Some(name) = self.untied(read) {

@@ -271,7 +271,7 @@ impl Checker<'_> {
                 &[&edit],
             );
             let Some(text) = text else { continue };
-            let rows = reread(self.document.format, &text);
+            let rows = reread(self.document, &text);
             let [Row::Line(changed)] = rows.as_slice() else {
                 continue;
             };

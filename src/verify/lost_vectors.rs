@@ -71,7 +71,7 @@ impl Checker<'_> {
             .flat_map(|l| &l.sides)
             .for_each(|side| visit(side, &mut keep));
         let own = self.moving_rate().and_then(|text| {
-            let node = expression(self.document.format, &text)?;
+            let node = expression(self.document, &text)?;
             Some((text, node))
         });
         texts.extend(own);

@@ -26,7 +26,12 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
     (Some(Quantity::LinearMomentum), &["linear momentum"]),
     (
         Some(Quantity::Energy),
-        &["kinetic energy", "rotational energy", "energy"],
+        &[
+            "kinetic energy",
+            "rotational energy",
+            "energy",
+            "hamiltonian",
+        ],
     ),
     (
         Some(Quantity::Inertia),

@@ -196,7 +196,7 @@ impl Checker<'_> {
 
     /// Whether a part of the text vanishes that does not in the line as it stands.
     fn empties(&mut self, text: &str, line: &Line) -> bool {
-        let rows = reread(self.document.format, text);
+        let rows = reread(self.document, text);
         match rows.as_slice() {
             [Row::Line(new)] => self.hollow(&new.sides) > self.hollow(&line.sides),
             _ => true,
@@ -211,7 +211,7 @@ impl Checker<'_> {
 
     /// The equations of a text that stands in the place of the line.
     pub(super) fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
-        let rows = reread(self.document.format, text);
+        let rows = reread(self.document, text);
         let [Row::Line(line)] = rows.as_slice() else {
             return None;
         };

@@ -278,16 +278,8 @@ impl Usage {
                 self.node(operand);
             }
             Kind::Product(factors) => {
-                for (i, factor) in factors.iter().enumerate() {
-                    let crossed = factor.operator == Operator::Cross
-                        || factors
-                            .get(i + 1)
-                            .is_some_and(|next| next.operator == Operator::Cross);
-                    if crossed {
-                        self.vector_operand(&factor.node);
-                    }
-                    self.node(&factor.node);
-                }
+                self.crossed(factors);
+                factors.iter().for_each(|factor| self.node(&factor.node));
             }
             _ => node
                 .children()
@@ -300,6 +292,27 @@ impl Usage {
         if let Kind::Symbol(symbol) = &inner(operand).kind {
             self.letters.entry(Letter::of(symbol)).or_default().moving = true;
             self.moving.insert(worn(symbol));
+        }
+    }
+
+    /// The factors beside a × are vectors, other than the ℓ of `\mathbf k\times\ell\,\mathbf i`.
+    fn crossed(&mut self, factors: &[Factor]) {
+        let operands: Vec<&[Factor]> = factors
+            .chunk_by(|_, next| next.operator != Operator::Cross)
+            .collect();
+        for (i, operand) in operands.iter().enumerate() {
+            let marked = |f: &Factor| matches!(&inner(&f.node).kind, Kind::Symbol(s) if s.style.vector || s.style.hat);
+            // What stands behind a ∇ is no vector either.
+            let directed = |f: &Factor| marked(f) || matches!(f.node.kind, Kind::Error(_));
+            let ends = [
+                operand.first().filter(|_| i > 0),
+                operand.last().filter(|_| i + 1 < operands.len()),
+            ];
+            for end in ends.into_iter().flatten() {
+                if marked(end) || !operand.iter().any(directed) {
+                    self.vector_operand(&end.node);
+                }
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node, Symbol};
-use crate::notation::document::{Format, Row};
+use crate::notation::document::{Document, Row};
 use crate::notation::reread;
 use crate::verify::atoms::Entity;
 use crate::verify::check::Checker;
@@ -72,7 +72,7 @@ impl Checker<'_> {
     }
 
     fn word(&mut self, text: String) -> Option<Word> {
-        let node = expression(self.document.format, &text)?;
+        let node = expression(self.document, &text)?;
         let (symbol, order) = symbol(&node)?;
         let value = self.lowering(Frame::Moving).value(&node).ok()?;
         let [value] = value.entries.as_slice() else {
@@ -94,8 +94,8 @@ impl Checker<'_> {
 }
 
 /// The expression that a text holds.
-pub(super) fn expression(format: Format, text: &str) -> Option<Node> {
-    let rows = reread(format, &format!("{text} = 0"));
+pub(super) fn expression(document: &Document, text: &str) -> Option<Node> {
+    let rows = reread(document, &format!("{text} = 0"));
     match rows.as_slice() {
         [Row::Line(line)] => line.sides.first().cloned(),
         _ => None,

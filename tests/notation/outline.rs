@@ -16,7 +16,8 @@ pub(crate) fn latex(text: &str) -> String {
 /// The rows of a formula in plain text.
 #[allow(dead_code, reason = "each test file uses what it needs")]
 pub(crate) fn plain(text: &str) -> String {
-    rows(&reread(Format::Text, text))
+    let (empty, _) = read("test", "", Format::Text);
+    rows(&reread(&empty, text))
 }
 
 /// The formulas of a document, each row as a line of text.
