@@ -26,6 +26,7 @@ mod define;
 mod digits;
 mod doubt;
 mod edit;
+mod entities;
 mod euler_rates;
 mod figures;
 mod forward;

@@ -2,14 +2,12 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Node;
-use crate::verify::atoms::{Atom, Entity};
+use crate::verify::atoms::Entity;
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
 use crate::verify::lower::TroubleKind;
-use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::{Premise, Taken};
-use crate::verify::usage::symbols;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
 impl Checker<'_> {
@@ -94,25 +92,16 @@ impl Checker<'_> {
         fits
     }
 
-    pub(super) fn now_known(&mut self, sides: &[Node]) {
-        for symbol in sides.iter().flat_map(symbols) {
-            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
-                meaning(symbol, &self.reading, &mut self.theory.atoms)
-            {
-                self.known.insert(entity.0);
-            }
-        }
-    }
-
     /// Whether some accepted line has a symbol in it.
     pub(super) fn is_tied(&self, entity: Entity) -> bool {
-        let of = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, .. } if *e == entity);
+        let atoms = &self.theory.atoms;
+        let of = |v: Variable| atoms.entity_of(v) == Some(entity);
         let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
         residuals.any(|r| {
             let mut inside = r
                 .variables()
                 .into_iter()
-                .flat_map(|v| self.with_arguments(v));
+                .flat_map(|v| atoms.with_arguments(v));
             inside.any(of)
         })
     }

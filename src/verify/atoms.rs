@@ -139,6 +139,32 @@ impl Atoms {
         &mut self.entities[entity.0 as usize]
     }
 
+    /// The entity that a variable is a component of, or a rate of one.
+    pub(super) fn entity_of(&self, variable: Variable) -> Option<Entity> {
+        match *self.atom(variable) {
+            Atom::Part { entity, .. } => Some(entity),
+            _ => None,
+        }
+    }
+
+    /// Whose value a variable is a part of.
+    pub(super) fn owner(&self, variable: Variable) -> Option<&Owner> {
+        let entity = self.entity_of(variable)?;
+        Some(&self.info(entity).owner)
+    }
+
+    /// A variable, or the variables of the argument of a kernel.
+    pub(super) fn with_arguments(&self, variable: Variable) -> Vec<Variable> {
+        match self.atom(variable) {
+            Atom::Kernel { argument, .. } => argument
+                .variables()
+                .into_iter()
+                .flat_map(|v| self.with_arguments(v))
+                .collect(),
+            _ => vec![variable],
+        }
+    }
+
     /// The number of variables.
     pub(super) fn count(&self) -> usize {
         self.atoms.len()

@@ -3,6 +3,7 @@
 use crate::notation::ast::Node;
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
+use crate::verify::atoms::Entity;
 use crate::verify::carried::Slip;
 use crate::verify::convention::convention;
 use crate::verify::doubt::Doubts;
@@ -19,9 +20,7 @@ use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::role::{asserts, constrained, firm, role};
 use crate::verify::spelling::spell;
-use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::theory::Theory;
-use crate::verify::usage::symbols;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use std::collections::{BTreeSet, HashMap};
 
@@ -86,9 +85,9 @@ pub(super) struct Checker<'a> {
     pub(super) theory: Theory,
     pub(super) functions: HashMap<String, FunctionOf>,
     /// Entities that the words or an accepted line have given a meaning.
-    pub(super) known: BTreeSet<u32>,
+    pub(super) known: BTreeSet<Entity>,
     /// Symbols that say how moments and forces act: the c of `M = -cω`.
-    pub(super) loads: BTreeSet<u32>,
+    pub(super) loads: BTreeSet<Entity>,
     /// Whether the words fix what a dot without a frame means.
     pub(super) dots: Option<Frame>,
     /// The last side of the line before, for lines that go on.
@@ -118,7 +117,7 @@ pub(super) struct Checker<'a> {
     /// Whether a definition stood behind the first use of its symbol.
     pub(super) looked_ahead: bool,
     /// Symbols that their first use defines.
-    pub(super) implicit: BTreeSet<u32>,
+    pub(super) implicit: BTreeSet<Entity>,
     /// Whether a paragraph ended since the last words or formula.
     broken: bool,
     mark: Option<Role>,
@@ -339,13 +338,7 @@ impl<'a> Checker<'a> {
 
     /// An expression that stands alone names its symbols.
     fn expression(&mut self, node: &Node) {
-        for symbol in symbols(node) {
-            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
-                meaning(symbol, &self.reading, &mut self.theory.atoms)
-            {
-                self.known.insert(entity.0);
-            }
-        }
+        self.now_known([node]);
         let (source_line, _, cell) = self.place(node.span.start);
         self.passed.push(Passed {
             span: node.span,

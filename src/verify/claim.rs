@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Kind, Node, Relation};
-use crate::verify::atoms::{Entity, Owner};
+use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
 use crate::verify::decide::{Decision, decide, needed};
 use crate::verify::frame::Frame;
@@ -10,7 +10,7 @@ use crate::verify::line::Read;
 use crate::verify::lower::{Trouble, TroubleKind};
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
-use crate::verify::symbol::{MAGNITUDE, Meaning, meaning};
+use crate::verify::symbol::{MAGNITUDE, Meaning};
 use crate::verify::usage::{axes, axis, symbols};
 use crate::verify::verdict::{Finding, Verdict};
 
@@ -163,7 +163,7 @@ impl Checker<'_> {
             let index = symbol.subscripts.iter().any(|s| axis(s).is_some() || axes(s).is_some());
             let marked = symbol.style.vector || index;
             marked || !matches!(
-                meaning(symbol, &self.reading, &mut self.theory.atoms),
+                self.meaning_of(symbol),
                 Meaning::Whole(entity) if !matches!(self.theory.atoms.info(entity).shape, Shape::Scalar)
             )
         })
@@ -173,9 +173,7 @@ impl Checker<'_> {
     /// determines.
     pub(super) fn unknown(&mut self, sides: &[Node]) -> Option<String> {
         for symbol in sides.iter().flat_map(symbols) {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) =
-                meaning(symbol, &self.reading, &mut self.theory.atoms)
-            else {
+            let Some(entity) = self.entity_named(symbol) else {
                 continue;
             };
             let info = self.theory.atoms.info(entity).clone();
@@ -187,16 +185,11 @@ impl Checker<'_> {
                         && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
                 }
             };
-            if strange && !self.known.contains(&entity.0) && self.is_free(entity) {
+            if strange && !self.known.contains(&entity) && self.is_free(entity) {
                 return Some(format!("`{}`", symbol.name));
             }
         }
         None
-    }
-
-    pub(super) fn is_free(&mut self, entity: Entity) -> bool {
-        let variable = self.theory.atoms.part(entity, 0, 0);
-        self.theory.rule(variable).is_none()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::source::Span;
-use crate::verify::atoms::{Atom, Owner};
+use crate::verify::atoms::Owner;
 use crate::verify::check::{Checker, keep_end};
 use crate::verify::frame::Frame;
 use crate::verify::theory::{Premise, Taken};
@@ -76,12 +76,7 @@ impl Checker<'_> {
             .iter()
             .filter_map(|e| e.as_variable())
             .collect();
-        let own = |v: &u32| match self.theory.atoms.atom(*v) {
-            Atom::Part { entity, .. } => {
-                matches!(self.theory.atoms.info(*entity).owner, Owner::Symbol(_))
-            }
-            _ => false,
-        };
+        let own = |&v: &u32| matches!(self.theory.atoms.owner(v), Some(Owner::Symbol(_)));
         if parts.is_empty() || parts.len() != value.entries.len() || !parts.iter().all(own) {
             return;
         }

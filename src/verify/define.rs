@@ -8,7 +8,7 @@ use crate::verify::frame::Frame;
 use crate::verify::lower::{FunctionOf, TroubleKind};
 use crate::verify::names;
 use crate::verify::quantity::Shape;
-use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::symbol::Meaning;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::usage::{Letter, inner, symbols};
 use crate::verify::value::Value;
@@ -37,10 +37,7 @@ impl Checker<'_> {
                 && (self.defines_entries(left, right, finding)
                     || self.defines_power(sides, finding));
         };
-        if symbols(right).into_iter().any(|s| matches!(meaning(s, &self.reading, &mut self.theory.atoms), Meaning::Whole(e) | Meaning::Component(e, _) if e == entity)) {
-            return false;
-        }
-        if line.continues {
+        if self.entities([right]).contains(&entity) || line.continues {
             return false;
         }
         if role == Role::Claim && self.is_in_doubt(entity) {
@@ -63,7 +60,7 @@ impl Checker<'_> {
             Err(trouble) => {
                 if trouble.kind == TroubleKind::Unsupported && role != Role::Claim {
                     finding.verdict = Verdict::Accepted;
-                    self.known.insert(entity.0);
+                    self.known.insert(entity);
                 } else {
                     self.troubled(sides, trouble, finding);
                 }
@@ -89,7 +86,7 @@ impl Checker<'_> {
             return false;
         }
         self.keep(&name, definition);
-        self.known.insert(entity.0);
+        self.known.insert(entity);
         finding.verdict = Verdict::Accepted;
         if role == Role::Claim {
             finding.role = Role::Define;
@@ -122,7 +119,7 @@ impl Checker<'_> {
         let Some((entity, None)) = self.new_symbol(base) else {
             return false;
         };
-        if self.known.contains(&entity.0) || self.is_tied(entity) {
+        if self.known.contains(&entity) || self.is_tied(entity) {
             return false;
         }
         let mut others = sides[1..].iter().flat_map(symbols);
@@ -150,7 +147,7 @@ impl Checker<'_> {
                 _ => entry,
             };
             match self.new_symbol(entry) {
-                Some((entity, None)) if !self.known.contains(&entity.0) => new.push(entity),
+                Some((entity, None)) if !self.known.contains(&entity) => new.push(entity),
                 _ => return false,
             }
         }
@@ -182,7 +179,7 @@ impl Checker<'_> {
             return false;
         }
         self.keep(&name, true);
-        self.known.extend(new.iter().map(|entity| entity.0));
+        self.known.extend(new);
         finding.verdict = Verdict::Accepted;
         finding.role = Role::Define;
         true
@@ -193,7 +190,7 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(node).kind else {
             return None;
         };
-        let (entity, place) = match meaning(symbol, &self.reading, &mut self.theory.atoms) {
+        let (entity, place) = match self.meaning_of(symbol) {
             Meaning::Whole(entity) => (entity, None),
             Meaning::Component(entity, component) => (entity, Some(component)),
             _ => return None,
@@ -285,7 +282,7 @@ impl Checker<'_> {
         });
         self.keep(&line, true);
         self.functions.insert(name, FunctionOf { parameter, value });
-        self.known.insert(entity.0);
+        self.known.insert(entity);
         finding.verdict = Verdict::Accepted;
         finding.role = Role::Define;
         true

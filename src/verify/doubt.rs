@@ -8,8 +8,7 @@ use crate::verify::line::Read;
 use crate::verify::names;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::reason::leaves_no_doubt;
-use crate::verify::symbol::Meaning;
-use crate::verify::usage::{Letter, inner, symbols};
+use crate::verify::usage::{Letter, inner};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
@@ -17,7 +16,7 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Doubts {
     /// Symbols of the document in lines that were left open.
-    symbols: BTreeSet<u32>,
+    symbols: BTreeSet<Entity>,
     /// The line that sets the body or its motion up, and was left open.
     setting: Option<String>,
 }
@@ -45,18 +44,13 @@ impl Checker<'_> {
         let mut sets_up = finding.role != Role::Claim;
         for side in &line.sides {
             let lone = matches!(inner(side).kind, Kind::Symbol(_));
-            for symbol in symbols(side) {
-                let (Meaning::Whole(entity) | Meaning::Component(entity, _)) =
-                    self.meaning_of(symbol)
-                else {
-                    continue;
-                };
+            for entity in self.entities([side]) {
                 match &self.theory.atoms.info(entity).owner {
                     Owner::Quantity(quantity, variant) if variant.is_empty() => {
                         sets_up |= lone && SETTING.contains(quantity);
                     }
                     _ => {
-                        self.doubts.symbols.insert(entity.0);
+                        self.doubts.symbols.insert(entity);
                     }
                 }
             }
@@ -68,7 +62,7 @@ impl Checker<'_> {
 
     /// Whether a line that was left open speaks of an entity.
     pub(super) fn is_in_doubt(&self, entity: Entity) -> bool {
-        self.doubts.symbols.contains(&entity.0)
+        self.doubts.symbols.contains(&entity)
     }
 
     /// Why a difference need not be a mistake of this line; `None` where it must be one.
@@ -78,16 +72,12 @@ impl Checker<'_> {
         }
         for entry in read.residuals() {
             for variable in self.theory.normal(entry).variables() {
-                for entity in self
-                    .with_arguments(variable)
-                    .iter()
-                    .filter_map(|&v| self.entity_of(v))
-                {
+                for entity in self.entities_in(variable) {
                     if self.doubts.symbols.contains(&entity) {
                         let name = names::latex(&self.theory.atoms, variable);
                         return Some(format!("a line about `{name}` was left open before"));
                     }
-                    let owner = &self.theory.atoms.info(Entity(entity)).owner;
+                    let owner = &self.theory.atoms.info(entity).owner;
                     if let (Owner::Quantity(..), Some(line)) = (owner, &self.doubts.setting) {
                         return Some(format!("{line}, which sets the motion up, was left open"));
                     }
@@ -105,7 +95,7 @@ impl Checker<'_> {
         let tied = self.tied();
         for entry in read.residuals() {
             for variable in self.theory.normal(entry).variables() {
-                for variable in self.with_arguments(variable) {
+                for variable in self.theory.atoms.with_arguments(variable) {
                     let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
                         continue;
                     };
@@ -123,7 +113,7 @@ impl Checker<'_> {
                                 .then(|| names::latex(&self.theory.atoms, variable))
                                 .or(loose);
                         }
-                        _ if tied.contains(&entity.0) => {}
+                        _ if tied.contains(&entity) => {}
                         _ if info.shape != Shape::Vector => {
                             loose = Some(names::latex(&self.theory.atoms, variable));
                         }
@@ -134,10 +124,8 @@ impl Checker<'_> {
         }
         // The law of a force speaks of a particle; how it makes a moment is not known here.
         let owned = |v: u32, quantity: Quantity| {
-            self.entity_of(v).is_some_and(|entity| {
-                let owner = &self.theory.atoms.info(Entity(entity)).owner;
-                matches!(owner, Owner::Quantity(found, _) if *found == quantity)
-            })
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(found, _)) if *found == quantity)
         };
         let of = |quantity: Quantity| {
             let mut variables = read.residuals().flat_map(Fraction::variables);
@@ -150,21 +138,16 @@ impl Checker<'_> {
     }
 
     /// Entities that accepted lines connect with a quantity of the theory, however long the way.
-    fn tied(&self) -> BTreeSet<u32> {
-        let groups: Vec<BTreeSet<u32>> = self
+    fn tied(&self) -> BTreeSet<Entity> {
+        let groups: Vec<BTreeSet<Entity>> = self
             .theory
             .premises()
             .iter()
             .map(|p| p.residuals.iter().flat_map(Fraction::variables))
-            .map(|variables| {
-                variables
-                    .flat_map(|v| self.with_arguments(v))
-                    .filter_map(|v| self.entity_of(v))
-                    .collect()
-            })
+            .map(|variables| variables.flat_map(|v| self.entities_in(v)).collect())
             .collect();
-        let mechanical = |e: &u32| matches!(&self.theory.atoms.info(Entity(*e)).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
-        let mut tied: BTreeSet<u32> = groups
+        let mechanical = |&e: &Entity| matches!(&self.theory.atoms.info(e).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
+        let mut tied: BTreeSet<Entity> = groups
             .iter()
             .flatten()
             .copied()
@@ -206,22 +189,10 @@ impl Checker<'_> {
             .any(|r| r.variables().into_iter().any(rate))
     }
 
-    fn entity_of(&self, variable: u32) -> Option<u32> {
-        match self.theory.atoms.atom(variable) {
-            Atom::Part { entity, .. } => Some(entity.0),
-            _ => None,
-        }
-    }
-
-    /// A variable, or the variables of the argument of a kernel.
-    pub(super) fn with_arguments(&self, variable: u32) -> Vec<u32> {
-        match self.theory.atoms.atom(variable) {
-            Atom::Kernel { argument, .. } => argument
-                .variables()
-                .into_iter()
-                .flat_map(|v| self.with_arguments(v))
-                .collect(),
-            _ => vec![variable],
-        }
+    /// The entity of a variable, or those in the argument of a kernel.
+    fn entities_in(&self, variable: u32) -> Vec<Entity> {
+        let atoms = &self.theory.atoms;
+        let inside = atoms.with_arguments(variable).into_iter();
+        inside.filter_map(|v| atoms.entity_of(v)).collect()
     }
 }

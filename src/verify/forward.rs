@@ -2,10 +2,8 @@
 
 use crate::notation::ast::{Line, Node};
 use crate::notation::document::{Item, Row};
-use crate::verify::atoms::Owner;
+use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
-use crate::verify::symbol::Meaning;
-use crate::verify::usage::symbols;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
@@ -19,13 +17,13 @@ impl<'a> Checker<'a> {
         let Some(Item::Formula(formula)) = self.document.items.get(at) else {
             return;
         };
-        let mut used: BTreeSet<u32> = BTreeSet::new();
+        let mut used: BTreeSet<Entity> = BTreeSet::new();
         for row in &formula.rows {
             if let Row::Line(line) = row {
                 self.defined_behind(line, &used);
                 let own = line.sides.first().and_then(|side| self.new_symbol(side));
                 let strangers = self.strangers(&line.sides);
-                let own = |e: &u32| own.is_some_and(|(entity, _)| entity.0 == *e);
+                let own = |e: &Entity| own.is_some_and(|(entity, _)| entity == *e);
                 used.extend(strangers.into_iter().filter(|e| !own(e)));
             }
         }
@@ -38,15 +36,15 @@ impl<'a> Checker<'a> {
     }
 
     /// A line that says what a symbol is that was used before.
-    fn defined_behind(&mut self, line: &'a Line, used: &BTreeSet<u32>) {
+    fn defined_behind(&mut self, line: &'a Line, used: &BTreeSet<Entity>) {
         let [left, right] = line.sides.as_slice() else {
             return;
         };
         let Some((entity, None)) = self.new_symbol(left) else {
             return;
         };
-        let known = self.known.contains(&entity.0) || self.is_tied(entity);
-        if known || !used.contains(&entity.0) || line.continues {
+        let known = self.known.contains(&entity) || self.is_tied(entity);
+        if known || !used.contains(&entity) || line.continues {
             return;
         }
         // What it is made of must be known already.
@@ -55,23 +53,19 @@ impl<'a> Checker<'a> {
         }
         self.looked_ahead = true;
         if self.reading.by_use {
-            self.implicit.insert(entity.0);
+            self.implicit.insert(entity);
         } else if self.done.insert(line.span.start) {
             self.line(line, Role::Define);
         }
     }
 
     /// Symbols of the document that nothing is known of.
-    fn strangers(&mut self, sides: &[Node]) -> BTreeSet<u32> {
+    fn strangers(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
         let mut found = BTreeSet::new();
-        for symbol in sides.iter().flat_map(symbols) {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-            else {
-                continue;
-            };
+        for entity in self.entities(sides) {
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-            if own && !self.known.contains(&entity.0) && !self.is_tied(entity) {
-                found.insert(entity.0);
+            if own && !self.known.contains(&entity) && !self.is_tied(entity) {
+                found.insert(entity);
             }
         }
         found

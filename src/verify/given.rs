@@ -1,14 +1,14 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
-use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::atoms::{Atom, Owner};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
 use crate::verify::news::lone;
 use crate::verify::quantity::Quantity;
 use crate::verify::reason;
-use crate::verify::symbol::{MAGNITUDE, Meaning, meaning};
+use crate::verify::symbol::{MAGNITUDE, Meaning};
 use crate::verify::usage::{inner, symbols};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
@@ -89,8 +89,7 @@ impl Checker<'_> {
             return role;
         }
         let new = rest.iter().chain([left]).flat_map(symbols).any(|symbol| {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-            else {
+            let Some(entity) = self.entity_named(symbol) else {
                 return false;
             };
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
@@ -115,13 +114,8 @@ impl Checker<'_> {
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
     /// that is no input.
     fn hands_over(&mut self, side: &Node) -> Option<bool> {
-        let symbols = symbols(side);
-        let mut foreign = symbols.is_empty();
-        for symbol in symbols {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-            else {
-                continue;
-            };
+        let mut foreign = symbols(side).is_empty();
+        for entity in self.entities([side]) {
             match &self.theory.atoms.info(entity).owner {
                 Owner::Symbol(_) => foreign |= self.is_free(entity),
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
@@ -136,12 +130,11 @@ impl Checker<'_> {
 
     /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over.
     fn only_wheels(&mut self, read: &Read) -> bool {
-        let wheels = |checker: &Self, v: u32| match checker.theory.atoms.atom(v) {
-            Atom::Part { entity, .. } => matches!(
-                checker.theory.atoms.info(*entity).owner,
-                Owner::Symbol(_) | Owner::Quantity(Quantity::RelativeMomentum, _)
-            ),
-            _ => false,
+        let wheels = |checker: &Self, v: u32| {
+            matches!(
+                checker.theory.atoms.owner(v),
+                Some(Owner::Symbol(_) | Owner::Quantity(Quantity::RelativeMomentum, _))
+            )
         };
         read.residuals().all(|entry| {
             let variables = self.theory.normal(entry).variables();
@@ -205,9 +198,5 @@ impl Checker<'_> {
             finding.role = Role::Given;
             finding.remarks.push("taken as given".to_owned());
         }
-    }
-
-    pub(super) fn meaning_of(&mut self, symbol: &Symbol) -> Meaning {
-        meaning(symbol, &self.reading, &mut self.theory.atoms)
     }
 }

@@ -83,8 +83,10 @@ impl Theory {
         self.relations.kept.clone().into_iter().any(|kept| {
             let mut variables = self.normal(&kept.written).variables();
             variables.extend(kept.written.variables());
-            let is_it = |&v: &Variable| matches!(self.atoms.atom(v), Atom::Part { entity: e, .. } if *e == entity);
-            variables.iter().any(is_it)
+            let mut entities = variables
+                .into_iter()
+                .filter_map(|v| self.atoms.entity_of(v));
+            entities.any(|found| found == entity)
         })
     }
 

@@ -10,7 +10,6 @@ use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::spatial::all_in_space;
-use crate::verify::symbol::{Meaning, meaning};
 use crate::verify::usage::{Letter, axes, axis, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -161,17 +160,13 @@ impl Checker<'_> {
 
     /// A velocity of the origin that the document speaks of is not zero.
     fn note_origin(&mut self, sides: &[Node]) {
-        for symbol in sides.iter().flat_map(symbols) {
-            if let Meaning::Whole(entity) | Meaning::Component(entity, _) =
-                meaning(symbol, &self.reading, &mut self.theory.atoms)
-                && matches!(
-                    self.theory.atoms.info(entity).owner,
-                    Owner::Quantity(Quantity::OriginVelocity, _)
-                )
-                && !self.theory.setting.origin_moves
-            {
-                self.theory.set(|setting| setting.origin_moves = true);
-            }
+        let entities = self.entities(sides);
+        let of_origin = |&entity: &_| {
+            let owner = &self.theory.atoms.info(entity).owner;
+            matches!(owner, Owner::Quantity(Quantity::OriginVelocity, _))
+        };
+        if !self.theory.setting.origin_moves && entities.iter().any(of_origin) {
+            self.theory.set(|setting| setting.origin_moves = true);
         }
     }
 

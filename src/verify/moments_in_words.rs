@@ -287,7 +287,7 @@ impl Checker<'_> {
             if own != inertia {
                 self.theory.atoms.info_mut(own).constant = true;
             }
-            self.known.insert(own.0);
+            self.known.insert(own);
             self.theory.assume(Premise {
                 name,
                 residuals: parts

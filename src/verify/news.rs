@@ -2,13 +2,12 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
-use crate::verify::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::atoms::{Owner, variable_fraction};
 use crate::verify::check::Checker;
 use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
-use crate::verify::symbol::Meaning;
-use crate::verify::usage::{inner, symbols};
+use crate::verify::usage::inner;
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -65,8 +64,7 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };
-        let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-        else {
+        let Some(entity) = self.entity_named(symbol) else {
             return false;
         };
         let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
@@ -76,16 +74,11 @@ impl Checker<'_> {
             return false;
         }
         let mut new = vec![];
-        for symbol in symbols(right) {
-            let (Meaning::Whole(entity) | Meaning::Component(entity, _)) = self.meaning_of(symbol)
-            else {
-                continue;
-            };
-            let owner = &self.theory.atoms.info(entity).owner;
-            match owner {
+        for entity in self.entities([right]) {
+            match &self.theory.atoms.info(entity).owner {
                 Owner::Symbol(key) if key.ends_with(" number") => return false,
-                Owner::Symbol(_) if self.loads.contains(&entity.0) || !self.is_tied(entity) => {
-                    new.push(entity.0);
+                Owner::Symbol(_) if self.loads.contains(&entity) || !self.is_tied(entity) => {
+                    new.push(entity);
                 }
                 Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
                     return false;
@@ -102,15 +95,13 @@ impl Checker<'_> {
 
     /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
     fn is_own(&mut self, variable: u32) -> bool {
-        let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
-            return false;
-        };
-        let own = match &self.theory.atoms.info(entity).owner {
-            Owner::Symbol(_) => true,
-            Owner::Quantity(quantity, variant) => {
+        let own = match self.theory.atoms.owner(variable) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, variant)) => {
                 matches!(quantity, Quantity::Force | Quantity::OriginVelocity)
                     || *quantity == Quantity::Velocity && !variant.is_empty()
             }
+            None => false,
         };
         own && self
             .theory
@@ -122,13 +113,12 @@ impl Checker<'_> {
     /// Whether a difference says what a variable is, or what the acceleration is that a force gives.
     fn is_solved_by_own(&mut self, difference: &Fraction, variable: u32) -> bool {
         let value = self.theory.normal(&variable_fraction(variable));
-        let Some(own) = value.variables().into_iter().find(|&v| {
-            let Atom::Part { entity, .. } = *self.theory.atoms.atom(v) else {
-                return false;
-            };
-            let owner = &self.theory.atoms.info(entity).owner;
-            v == variable || matches!(owner, Owner::Quantity(Quantity::Acceleration, _))
-        }) else {
+        let acceleration = |v: u32| {
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(Quantity::Acceleration, _)))
+        };
+        let mut variables = value.variables().into_iter();
+        let Some(own) = variables.find(|&v| v == variable || acceleration(v)) else {
             return false;
         };
         let above = difference.numerator();

@@ -46,10 +46,8 @@ impl<T: Substance> World<'_, T> {
     }
 
     fn is_missed(&self, variety: &Variety, variable: Variable) -> bool {
-        match self.theory.atoms.atom(variable) {
-            Atom::Part { entity, .. } => variety.missed.contains(entity),
-            _ => false,
-        }
+        let entity = self.theory.atoms.entity_of(variable);
+        entity.is_some_and(|entity| variety.missed.contains(&entity))
     }
 
     /// A point of a variety, the same for a seed wherever the world comes to need it.

@@ -25,6 +25,16 @@ pub(super) enum Meaning {
     Quaternion(Entity, Part),
 }
 
+impl Meaning {
+    /// What it is, or is a component of, where that has a value of its own.
+    pub(super) fn entity(&self) -> Option<Entity> {
+        match *self {
+            Self::Whole(entity) | Self::Component(entity, _) => Some(entity),
+            _ => None,
+        }
+    }
+}
+
 /// The variant of a vector quantity that is its length.
 pub(super) const MAGNITUDE: &str = "magnitude";
 

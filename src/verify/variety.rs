@@ -126,10 +126,7 @@ impl Theory {
     }
 
     fn entities(&self, variables: &BTreeSet<Variable>) -> BTreeSet<Entity> {
-        let entity = |&v: &Variable| match self.atoms.atom(v) {
-            Atom::Part { entity, .. } => Some(*entity),
-            _ => None,
-        };
+        let entity = |&v: &Variable| self.atoms.entity_of(v);
         variables.iter().filter_map(entity).collect()
     }
 

@@ -9,7 +9,7 @@ use crate::verify::check::Checker;
 use crate::verify::edit::{dotted, other_axis, replaced_index, undotted};
 use crate::verify::frame::Frame;
 use crate::verify::repair::lines;
-use crate::verify::symbol::{Meaning, meaning};
+use crate::verify::symbol::Meaning;
 use crate::verify::usage::{Letter, axis};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -78,7 +78,7 @@ impl Checker<'_> {
         let [value] = value.entries.as_slice() else {
             return None;
         };
-        let of = match meaning(symbol, &self.reading, &mut self.theory.atoms) {
+        let of = match self.meaning_of(symbol) {
             Meaning::Component(entity, _) => Some(entity),
             _ => None,
         };
