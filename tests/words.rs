@@ -1,22 +1,10 @@
 //! What words and the content of a line make of it, in small documents.
 #![cfg(feature = "verify")]
 
-use polhode::notation::{document::Format, read};
-use polhode::verify::{Verdict, check};
+#[path = "outcome/verdicts.rs"]
+mod outcome;
 
-/// The verdicts of a document's lines, in order: p, a, r, u, and ? for unreadable.
-fn verdicts(text: &str) -> String {
-    let (document, _) = read("a document", text, Format::Markdown);
-    let letter = |verdict: &Verdict| match verdict {
-        Verdict::Proved(_) => 'p',
-        Verdict::Accepted => 'a',
-        Verdict::Refuted => 'r',
-        Verdict::Undecided => 'u',
-        Verdict::Unreadable => '?',
-    };
-    let report = check(&document);
-    report.findings.iter().map(|f| letter(&f.verdict)).collect()
-}
+use outcome::verdicts;
 
 #[test]
 fn moments_named_in_words_are_components() {

@@ -185,7 +185,11 @@ impl Checker<'_> {
                         && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
                 }
             };
-            if strange && !self.known.contains(&entity) && self.is_free(entity) {
+            // The arrow from one point to another says itself what it is.
+            let arrow = symbol.style.vector
+                && symbol.name.len() > 1
+                && symbol.name.chars().all(|c| c.is_ascii_uppercase());
+            if strange && !arrow && !self.known.contains(&entity) && self.is_free(entity) {
                 return Some(format!("`{}`", symbol.name));
             }
         }

@@ -1,6 +1,6 @@
 //! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Monomial, Rational};
 use crate::notation::ast::{Kind, Line};
 use crate::verify::atoms::{Atom, Entity, Owner};
 use crate::verify::check::Checker;
@@ -122,6 +122,9 @@ impl Checker<'_> {
                 }
             }
         }
+        if let Some(point) = self.may_rest(read) {
+            return Some(point);
+        }
         // The law of a force speaks of a particle; how it makes a moment is not known here.
         let owned = |v: u32, quantity: Quantity| {
             let owner = self.theory.atoms.owner(v);
@@ -135,6 +138,44 @@ impl Checker<'_> {
             return Some("the force".to_owned());
         }
         loose.filter(|_| mechanical)
+    }
+
+    /// The rate of a position that alone makes the difference: the point may be one of the body, and nothing says so.
+    fn may_rest(&mut self, read: &Read) -> Option<String> {
+        let written = |v: u32| {
+            self.is_rate_of_a_point(v)
+                || matches!(self.theory.atoms.atom(v), Atom::SpaceRate { .. })
+        };
+        if !read.residuals().flat_map(Fraction::variables).any(written) {
+            return None;
+        }
+        let mut rate = None;
+        for entry in read.residuals() {
+            let rest = self.theory.normal(entry);
+            let rates: Vec<u32> = rest
+                .variables()
+                .into_iter()
+                .filter(|&v| self.is_rate_of_a_point(v))
+                .collect();
+            let without = |(monomial, _): &(Monomial, Rational)| {
+                rates.iter().all(|&v| monomial.exponent(v) == 0)
+            };
+            if rest.numerator().terms().iter().any(without) {
+                return None;
+            }
+            rate = rate.or(rates.first().copied());
+        }
+        rate.map(|v| names::latex(&self.theory.atoms, v))
+    }
+
+    fn is_rate_of_a_point(&self, variable: u32) -> bool {
+        let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+            return false;
+        };
+        let owner = &self.theory.atoms.info(entity).owner;
+        order > 0
+            && matches!(owner, Owner::Quantity(Quantity::Position, _))
+            && !self.rate_is_tied(entity)
     }
 
     /// Entities that accepted lines connect with a quantity of the theory, however long the way.

@@ -91,7 +91,11 @@ impl Lowering<'_> {
                 if self.in_space {
                     meaning = in_space(meaning, &mut self.theory.atoms);
                 }
-                Ok(self.meaning_value(meaning, 0))
+                let value = self.meaning_value(meaning, 0);
+                if self.reading.marks_skew(symbol) {
+                    return value.skew().map_err(ill);
+                }
+                Ok(value)
             }
             Kind::Negate(a) => Ok(self.value(a)?.negated()),
             Kind::Group(_, a) => self.value(a),

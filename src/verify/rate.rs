@@ -3,7 +3,7 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::{FrameLabel, Kind, Node};
 use crate::verify::atoms::{Atom, variable_fraction};
-use crate::verify::frame::{Frame, frame};
+use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowered, Lowering, TroubleKind, trouble};
 use crate::verify::usage::inner;
 use crate::verify::value::Value;
@@ -18,7 +18,7 @@ impl Lowering<'_> {
         let written_out = matches!(&inner(operand).kind, Kind::Matrix(_) | Kind::Tuple(_));
         let mut value = self.value(operand)?;
         let at = match label {
-            Some(label) => frame(label).ok_or_else(|| {
+            Some(label) => self.reading.frames.of_label(label).ok_or_else(|| {
                 trouble(
                     TroubleKind::Unsupported,
                     label.span,

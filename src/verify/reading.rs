@@ -3,14 +3,15 @@
 //! The words beside a letter come first ("the angular momentum $\mathbf h$"), then what letters usually mean
 //! in this field, given how they are used.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::check::keep_end;
+use crate::verify::frame::Frames;
 use crate::verify::moments_in_words::NamedMoment;
 use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
 use crate::verify::prose::{Said, said};
-use crate::verify::quantity::Quantity;
+use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,6 +24,8 @@ pub(super) struct Reading {
     pub components: BTreeMap<Letter, (Quantity, u8)>,
     /// How letters are used.
     pub usage: Usage,
+    /// The frames that labels name.
+    pub frames: Frames,
     /// The attitude matrix and the quaternion.
     pub attitude: AttitudeReading,
     /// Letters of vectors that are numbers in the line that is being read.
@@ -54,6 +57,7 @@ impl Reading {
     pub(super) fn of(document: &Document) -> Self {
         let mut reading = Self {
             usage: Usage::of(document),
+            frames: Frames::of(document),
             ..Self::default()
         };
         reading.listen(document);
@@ -111,6 +115,17 @@ impl Reading {
     pub(super) fn is_scalar(&self, letter: &Letter) -> bool {
         let named = self.usage.components_named.contains_key(letter);
         self.scalars.contains(letter) || (named && self.usage.get(letter).crossed_bare == 0)
+    }
+
+    /// Whether a tilde makes a vector the matrix of its cross product: the `[\tilde\omega]` beside a vector ω.
+    pub(super) fn marks_skew(&self, symbol: &Symbol) -> bool {
+        let letter = Letter::of(symbol);
+        let quantity = self.quantities.get(&letter);
+        symbol.style.tilde
+            && symbol.subscripts.iter().all(|s| axis(s).is_none())
+            && (self.usage.is_vector(&letter)
+                || quantity.is_some_and(|q| q.shape() == Shape::Vector))
+            && !self.usage.apart_under_tilde.contains(&letter)
     }
 
     /// The letters of the attitude, those apart that stand for something else.

@@ -8,7 +8,7 @@ use crate::verify::check::Checker;
 use crate::verify::convention_slips::sign_flips;
 use crate::verify::decide::{passes_filter, vanishes};
 use crate::verify::edit::{Edit, edited};
-use crate::verify::frame::{Frame, frame};
+use crate::verify::frame::{Frame, labels};
 use crate::verify::line::Read;
 use crate::verify::slips::Slips;
 use crate::verify::value::Value;
@@ -265,7 +265,7 @@ impl Checker<'_> {
     pub(super) fn frame_labels(&self) -> [String; 2] {
         let mut found: [Option<String>; 2] = [None, None];
         let mut look = |label: &FrameLabel| {
-            let slot = match frame(label) {
+            let slot = match self.reading.frames.of_label(label) {
                 Some(Frame::Space) => &mut found[0],
                 Some(Frame::Moving) => &mut found[1],
                 None => return,
@@ -330,19 +330,6 @@ pub(super) fn lines(document: &Document) -> impl Iterator<Item = &Line> {
         Row::Line(line) => Some(line),
         _ => None,
     })
-}
-
-fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
-    match &node.kind {
-        Kind::TimeDerivative {
-            frame: Some(label), ..
-        }
-        | Kind::InFrame(_, label) => look(label),
-        _ => {}
-    }
-    node.children()
-        .into_iter()
-        .for_each(|child| labels(child, look));
 }
 
 pub(super) fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {

@@ -25,6 +25,8 @@ const ASSUME: &[&str] = &[
     "impose",
     "with",
     "for",
+    "by assumption",
+    "by hypothesis",
 ];
 /// Phrases that introduce a definition.
 const DEFINE: &[&str] = &[

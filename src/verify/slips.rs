@@ -3,7 +3,7 @@
 use crate::notation::ast::{FrameLabel, Kind, Node, Operator, Symbol, Term};
 use crate::source::{Source, Span};
 use crate::verify::edit::{Edit, dotted, other_axis, replaced_index, undotted};
-use crate::verify::frame::{Frame, frame};
+use crate::verify::frame::Frame;
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::usage::{Letter, axes, axis};
@@ -129,7 +129,7 @@ impl<'a> Slips<'a> {
                     self.push(node.span, text, "extra-dot", 14, "a dot too many");
                 }
                 if let Some(label) = label {
-                    let now = frame(label);
+                    let now = self.reading.frames.of_label(label);
                     let text = self.other_label(label, now);
                     let message = format!("the frame should be {text}");
                     self.push(label.span, text, "frame", 10, message);
@@ -201,7 +201,7 @@ impl<'a> Slips<'a> {
             text: turned.clone(),
             span: label.span,
         };
-        match (frame(&other), now) {
+        match (self.reading.frames.of_label(&other), now) {
             (Some(found), Some(now)) if found != now && !text.contains('\\') => turned,
             (_, Some(Frame::Space)) => self.labels[1].clone(),
             _ => self.labels[0].clone(),

@@ -115,6 +115,11 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         let meaning = meaning(&bare, reading, atoms);
         return in_space(meaning, atoms);
     }
+    if reading.marks_skew(symbol) {
+        let mut vector = symbol.clone();
+        vector.style.tilde = false;
+        return meaning(&vector, reading, atoms);
+    }
     let sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
     let named = reading.usage.names_whole(symbol);
@@ -403,7 +408,8 @@ fn of_symbol(
 /// The LaTeX of a letter: a command where the name is one.
 pub(super) fn latex_name(name: &str) -> String {
     let one_letter = name.chars().count() == 1;
-    let greek = name.chars().all(|c| c.is_ascii_alphabetic());
+    let greek = name.chars().all(|c| c.is_ascii_alphabetic())
+        && name.chars().any(|c| c.is_ascii_lowercase());
     if one_letter || !greek {
         name.to_owned()
     } else {

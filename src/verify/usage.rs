@@ -70,6 +70,8 @@ pub(super) struct Usage {
     moving: BTreeSet<(Letter, Vec<String>, Vec<String>)>,
     /// Symbols with an index that name a matrix or a list: `A_2 = [[…]]`.
     named_wholes: BTreeSet<(Letter, Vec<String>)>,
+    /// Letters that are something else under a tilde: they stand alone or in a sum with it.
+    pub apart_under_tilde: BTreeSet<Letter>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }
@@ -203,11 +205,16 @@ impl Usage {
         for side in &line.sides {
             self.node(side);
         }
+        let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
+        if !line.sides.iter().any(square) {
+            line.sides.iter().for_each(|side| self.under_tilde(side));
+        }
         // What is set against a column is a vector, and against a square of numbers a tensor.
         for pair in line.sides.windows(2) {
             if let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
                 (&inner(&pair[0]).kind, &inner(&pair[1]).kind)
                 && rows.len() > 1
+                && !symbol.style.tilde
             {
                 let used = self.letters.entry(Letter::of(symbol)).or_default();
                 match rows.first().map_or(0, Vec::len) {
@@ -237,6 +244,17 @@ impl Usage {
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
             self.named_component(&pair[1], &pair[0]);
+        }
+    }
+
+    /// Notes letters with a tilde that are a side or a term.
+    fn under_tilde(&mut self, side: &Node) {
+        match &inner(side).kind {
+            Kind::Symbol(symbol) if symbol.style.tilde => {
+                self.apart_under_tilde.insert(Letter::of(symbol));
+            }
+            Kind::Sum(terms) => terms.iter().for_each(|term| self.under_tilde(&term.node)),
+            _ => {}
         }
     }
 

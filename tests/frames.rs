@@ -1,0 +1,88 @@
+//! Which frame a label means, from the words, from the other labels and by custom.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+/// The rule of the transport theorem with two labels, behind some words about them.
+fn transport(words: &str, still: &str, turning: &str) -> String {
+    verdicts(&format!(
+        "{words} The angular velocity of the latter in the former is $\\vec\\Omega$. For any vector $\\vec U$,\n\n\
+         $$ \\left.\\frac{{d\\vec U}}{{dt}}\\right|_{{{still}}} = \
+         \\left.\\frac{{d\\vec U}}{{dt}}\\right|_{{{turning}}} + \\vec\\Omega\\times\\vec U $$\n"
+    ))
+}
+
+#[test]
+fn words_say_which_frame_turns() {
+    assert_eq!(
+        transport("$P$ is an inertial frame, and $Q$ rotates.", "P", "Q"),
+        "p"
+    );
+    assert_eq!(
+        transport("$P$ is an inertial frame, and $Q$ rotates.", "Q", "P"),
+        "r"
+    );
+    assert_eq!(
+        transport(
+            "Take the inertial frame $B$ and the body frame $A$.",
+            "B",
+            "A"
+        ),
+        "p"
+    );
+    assert_eq!(
+        transport("$P$ is fixed in the body, $Q$ does not rotate.", "Q", "P"),
+        "p"
+    );
+}
+
+#[test]
+fn labels_say_it_by_custom_and_by_each_other() {
+    assert_eq!(transport("Take two frames.", "R_0", "R"), "p");
+    assert_eq!(transport("Take two frames.", "S", "S'"), "p");
+    assert_eq!(transport("Take two frames.", "N", "P"), "p");
+    assert_eq!(transport("Take two frames.", "P", "N"), "r");
+    assert_eq!(transport("Take two frames.", "P", "Q"), "u");
+}
+
+#[test]
+fn the_arrow_between_two_points_needs_no_introduction() {
+    let text = r"For any vectors,
+
+$$ \vec\Omega\wedge(\vec\Omega\wedge\overrightarrow{OM}) = (\vec\Omega\cdot\overrightarrow{OM})\,\vec\Omega + \Omega^2\,\overrightarrow{OM} $$
+";
+    assert_eq!(verdicts(text), "r");
+}
+
+#[test]
+fn a_tilde_makes_a_vector_the_matrix_of_its_cross_product() {
+    let text = r"With the inertia tensor $[J]$ and the torque $\vec T$,
+
+$$ [J]\dot{\vec\omega} = \vec T - [\tilde\omega][J]\vec\omega $$
+
+$$ [\tilde\omega] = \begin{bmatrix} 0 & -\omega_3 & \omega_2 \\ \omega_3 & 0 & -\omega_1 \\ -\omega_2 & \omega_1 & 0 \end{bmatrix} $$
+
+$$ [J]\dot{\vec\omega} = \vec T + [\tilde\omega][J]\vec\omega $$
+";
+    assert_eq!(verdicts(text), "ppr");
+}
+
+#[test]
+fn a_point_may_rest_in_the_body_and_no_word_says_so() {
+    let rate = |line: &str| {
+        verdicts(&format!(
+            "The body has the angular velocity $\\vec\\omega$; $\\vec r$ is a position.\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(
+        rate(r"\frac{{}^{N}d\vec r}{dt} = \vec\omega\times\vec r"),
+        "u"
+    );
+    assert_eq!(
+        rate(r"\frac{{}^{N}d\vec r}{dt} = \vec r\times\vec\omega"),
+        "r"
+    );
+}
