@@ -68,6 +68,7 @@ mod slips;
 mod solve;
 mod spatial;
 mod spelling;
+mod subscript;
 mod symbol;
 mod terms;
 mod theory;

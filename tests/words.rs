@@ -180,3 +180,21 @@ fn functions_of_functions_cost_no_more_than_their_length() {
     let text = r"$$x = \sin(\sin(\sin(\sin(\sin(\sin(\sin(\sin(x))))))))$$";
     assert_eq!(verdicts(text).len(), 1);
 }
+
+#[test]
+fn a_letter_is_a_mass_bare_and_a_moment_with_an_arrow() {
+    let body = |line: &str| {
+        verdicts(&format!(
+            "A body of mass $M$ moves with the velocity $\\vec v_G$ of its mass centre, and $\\vec M$ is the moment about \
+             it.\n\n$$ {line} $$\n\n$$ \\vec M = \\dot{{\\vec L}} + \\vec\\omega\\times\\vec L $$\n"
+        ))
+    };
+    assert_eq!(
+        body(r"T = \tfrac12 M\,\vec v_G\cdot\vec v_G + \tfrac12\,\vec\omega\cdot\vec L"),
+        "pp"
+    );
+    assert_eq!(
+        body(r"T = M\,\vec v_G\cdot\vec v_G + \tfrac12\,\vec\omega\cdot\vec L"),
+        "rp"
+    );
+}

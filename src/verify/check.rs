@@ -149,6 +149,7 @@ impl<'a> Checker<'a> {
             products,
             dynamics: Dynamics::Inverse,
             origin_moves: false,
+            translation: None,
             newton: !reading.usage.speaks_of_a_centre(),
             rigid: !inertia_changes(&reading),
             gyrostat: reading

@@ -8,7 +8,7 @@ use crate::verify::frame::Frame;
 use crate::verify::lower::{FunctionOf, TroubleKind};
 use crate::verify::names;
 use crate::verify::quantity::Shape;
-use crate::verify::symbol::Meaning;
+use crate::verify::symbol::{ANY_POINT, Meaning};
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::usage::{Letter, inner, symbols};
 use crate::verify::value::Value;
@@ -198,7 +198,7 @@ impl Checker<'_> {
         let owner = self.theory.atoms.info(entity).owner.clone();
         let strange = match &owner {
             Owner::Symbol(_) => true,
-            Owner::Quantity(_, variant) => !variant.is_empty() && variant != "any point",
+            Owner::Quantity(_, variant) => !variant.is_empty() && variant != ANY_POINT,
         };
         // τ_i with a running index is no new symbol but each component of a known one.
         let running = symbol

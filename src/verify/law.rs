@@ -45,6 +45,8 @@ pub(super) struct Setting {
     pub newton: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
     pub origin_moves: bool,
+    /// The velocity of the mass centre, where the kinetic energy has a part of it: T = ½ m v_G² + ½ ω·L (König).
+    pub translation: Option<Entity>,
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
 }
@@ -180,7 +182,14 @@ fn determined(
                 true => mechanics::angular_momentum(&inertia(atoms, setting.products), &omega),
                 false => vector(atoms, Momentum, 0),
             };
-            Some(("energy", half * omega.dot(&momentum)))
+            let turning = half.clone() * omega.dot(&momentum);
+            let Some(centre) = setting.translation else {
+                return Some(("energy", turning));
+            };
+            let velocity = Vector3::from(atoms.vector(centre, 0));
+            let mass = atoms.quantity(Mass);
+            let mass = atoms.value(mass, 0, 0);
+            Some(("koenig", half * mass * velocity.dot(&velocity) + turning))
         }
         Power => {
             let (omega, moment) = (vector(atoms, AngularVelocity, 0), vector(atoms, Moment, 0));

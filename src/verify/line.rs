@@ -3,13 +3,14 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Symbol};
 use crate::source::Span;
-use crate::verify::atoms::Owner;
+use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
 use crate::verify::decide::Equation;
 use crate::verify::frame::Frame;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::spatial::all_in_space;
+use crate::verify::symbol::ANY_POINT;
 use crate::verify::usage::{Letter, axes, axis, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -108,6 +109,7 @@ impl Checker<'_> {
             return;
         }
         self.note_origin(&sides);
+        self.note_translation(&sides);
         self.note_scalars(&sides);
         let role = self.role_by_content(role, &sides);
         finding.role = role;
@@ -167,6 +169,33 @@ impl Checker<'_> {
         };
         if !self.theory.setting.origin_moves && entities.iter().any(of_origin) {
             self.theory.set(|setting| setting.origin_moves = true);
+        }
+    }
+
+    /// A kinetic energy that is set against a mass, the velocity of a point and the turning of the body has both parts.
+    fn note_translation(&mut self, sides: &[Node]) {
+        let [left, right @ ..] = sides else { return };
+        if self.theory.setting.translation.is_some() {
+            return;
+        }
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let energy = self.entities([left]);
+        let met = self.entities(right);
+        let owner = |entity: &Entity| &self.theory.atoms.info(*entity).owner;
+        let has = |quantity| met.iter().any(|entity| *owner(entity) == whole(quantity));
+        let of_a_point = |owner: &Owner| matches!(owner, Owner::Quantity(Quantity::Velocity, point) if !matches!(point.as_str(), "" | ANY_POINT));
+        let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
+            return;
+        };
+        let turns = [
+            Quantity::AngularVelocity,
+            Quantity::Momentum,
+            Quantity::Inertia,
+        ];
+        let lone = matches!(energy.as_slice(), [one] if *owner(one) == whole(Quantity::Energy));
+        if lone && has(Quantity::Mass) && turns.into_iter().any(has) {
+            self.theory
+                .set(|setting| setting.translation = Some(centre));
         }
     }
 

@@ -63,6 +63,7 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
     (Some(Quantity::Moment), &["torque", "moment", "couple"]),
     (Some(Quantity::Force), &["force"]),
     (Some(Quantity::Power), &["power"]),
+    (Some(Quantity::Mass), &["mass"]),
     (Some(Quantity::Acceleration), &["acceleration"]),
     (
         None,
@@ -139,12 +140,18 @@ pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
     named
 }
 
+/// Whether "mass" is the end of "centre of mass".
+fn is_of_mass(before: &str, phrase: &str) -> bool {
+    let point = ["centre of ", "center of ", "element of "];
+    phrase == "mass" && point.iter().any(|words| before.ends_with(words))
+}
+
 /// The quantity that the words before a formula name, where they come close to it.
 pub(super) fn said_before(text: &str) -> Option<Quantity> {
     let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = text
             .rmatch_indices(phrase.as_str())
-            .find(|&(at, _)| is_word(text, at, phrase))?
+            .find(|&(at, _)| is_word(text, at, phrase) && !is_of_mass(&text[..at], phrase))?
             .0;
         Some((at + phrase.len(), phrase.len(), *quantity))
     };

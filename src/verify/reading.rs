@@ -22,6 +22,8 @@ pub(super) struct Reading {
     pub quantities: BTreeMap<Letter, Quantity>,
     /// Letters without index that are one component: p, q, r; A, B, C; L, M, N.
     pub components: BTreeMap<Letter, (Quantity, u8)>,
+    /// What a vector's letter is where it stands without mark and index: the mass M beside a moment **M**.
+    pub bare: BTreeMap<Letter, Quantity>,
     /// How letters are used.
     pub usage: Usage,
     /// The frames that labels name.
@@ -294,9 +296,22 @@ impl Reading {
             }
         }
         let chosen: Vec<_> = best.into_iter().map(|(l, (_, q))| (l.clone(), q)).collect();
+        let masses = self.votes.keys().filter(|(_, q)| *q == Quantity::Mass);
+        let apart = masses.map(|(letter, _)| letter.clone()).filter(|letter| {
+            let used = self.usage.get(letter);
+            used.bare > 0 && used.vector > 0 && self.is_mass(letter)
+        });
+        self.bare = apart.map(|letter| (letter, Quantity::Mass)).collect();
         for (letter, quantity) in chosen {
             self.quantities.entry(letter).or_insert(quantity);
         }
+    }
+
+    /// Whether a letter may be the body's mass: an m, or an M without an m beside it.
+    fn is_mass(&self, letter: &Letter) -> bool {
+        // The m of dm stands in integrals alone.
+        let other = self.votes_for(&Letter::plain("m"), Quantity::Mass) > 0;
+        letter.name == "m" || letter.name == "M" && !other
     }
 
     /// Whether a letter is used as such a quantity is.
@@ -314,6 +329,7 @@ impl Reading {
                 used.vector + used.component > 0
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
+            Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
             Quantity::Momentum if letter.name == "p" => false,
             // "The moment of F": the force is meant, and its own letter stays its own.
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {

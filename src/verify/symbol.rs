@@ -6,7 +6,10 @@ use crate::verify::attitude_reading::Part;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::reading::Reading;
 use crate::verify::spatial::{in_space, without_label};
-use crate::verify::usage::{Letter, axes, axis};
+use crate::verify::subscript::{
+    POINTS, Subscripts, another_point, is_main_point, step_index, subscripts,
+};
+use crate::verify::usage::Letter;
 
 /// What a symbol stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,72 +38,11 @@ impl Meaning {
     }
 }
 
+/// The variant of a velocity that may be any point's.
+pub(super) const ANY_POINT: &str = "any point";
+
 /// The variant of a vector quantity that is its length.
 pub(super) const MAGNITUDE: &str = "magnitude";
-
-/// The subscripts of a symbol, sorted by what they say.
-#[derive(Clone, Debug, Default)]
-struct Subscripts {
-    single: Option<u8>,
-    double: Option<(u8, u8)>,
-    /// What tells apart several entities of one letter: a step index, a word.
-    variant: String,
-}
-
-/// Letters for points about which moments are taken; they do not make another quantity.
-const POINTS: &[&str] = &[
-    "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
-];
-
-fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
-    let mut sorted = Subscripts::default();
-    if reading.usage.names_whole(symbol) {
-        sorted.variant = symbol.subscripts.join(",");
-        return sorted;
-    }
-    // Beside I_xx, an I_1 is a moment with a name of its own.
-    let letter = Letter::of(symbol);
-    let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
-        && reading.usage.has_lettered_entries(&letter);
-    for text in &symbol.subscripts {
-        let text = text.trim();
-        if named_apart && matches!(text, "1" | "2" | "3") {
-            sorted.variant.push_str(text);
-        } else if let Some(index) = axis(text) {
-            sorted.single = Some(index);
-        } else if let Some(pair) = axes(text) {
-            sorted.double = Some(pair);
-        } else if let Some((point, index)) = point_and_index(text) {
-            sorted.single = Some(index);
-            sorted.variant.push_str(point);
-        } else {
-            sorted.variant.push_str(text);
-        }
-    }
-    let told = !reading
-        .usage
-        .always_wears(&Letter::of(symbol), &symbol.superscripts);
-    for text in symbol
-        .superscripts
-        .iter()
-        .filter(|s| told && !POINTS.contains(&s.trim()))
-    {
-        sorted.variant.push('^');
-        sorted.variant.push_str(text.trim());
-    }
-    sorted.variant.push_str(&"'".repeat(symbol.primes.into()));
-    if symbol.variation {
-        sorted.variant.push('δ');
-    }
-    sorted
-}
-
-/// `Gx` is the x component about G.
-fn point_and_index(text: &str) -> Option<(&str, u8)> {
-    let (at, _) = text.char_indices().last()?;
-    let point = text[..at].trim();
-    Some((POINTS.contains(&point).then_some("")?, axis(&text[at..])?))
-}
 
 /// Decides what a symbol stands for.
 pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
@@ -137,6 +79,9 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
     }
     let about = sorted.variant.is_empty() || POINTS.contains(&sorted.variant.as_str());
     let lone = unmarked && about && !symbol.style.bar;
+    if lone && let Some(&quantity) = reading.bare.get(&letter) {
+        return of_quantity(quantity, &letter, &sorted, atoms);
+    }
     if lone && let Some(meaning) = scalar(&letter, reading, atoms) {
         return meaning;
     }
@@ -253,27 +198,6 @@ fn is_quantity(
     }
 }
 
-/// Whether a moment of inertia is about the point that the body turns about: O, or the only point there is.
-fn is_main_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
-    let met = reading.usage.subscripts.get(letter);
-    let only = met.is_some_and(|all| all.len() == 1);
-    POINTS.contains(&point) && (matches!(point, "O" | "o") || only)
-}
-
-/// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.
-fn another_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
-    let centre = |p: &str| matches!(p, "G" | "C" | "c" | "cm" | "CM" | "cg");
-    let met = reading.usage.subscripts.get(letter);
-    matches!(point, "O" | "o") && met.is_some_and(|all| all.iter().any(|s| centre(s)))
-}
-
-/// `k`, `k+1`, `n`: the index of an integration step.
-fn step_index(variant: &str) -> bool {
-    let mut characters = variant.chars();
-    matches!(characters.next(), Some('k' | 'n' | 'i' | 'j'))
-        && characters.all(|c| c.is_ascii_digit() || matches!(c, '+' | '-' | '/' | ' '))
-}
-
 fn quantity_variant(quantity: Quantity, variant: &str) -> String {
     if quantity == Quantity::RelativeMomentum {
         return String::new();
@@ -295,7 +219,7 @@ fn quantity_entity(quantity: Quantity, variant: &str, name: &str, atoms: &mut At
         _ if origin => (Quantity::OriginVelocity, ""),
         // The velocity of the moving point is the one that the law speaks of.
         Quantity::Velocity if matches!(variant, "P" | "p") => (Quantity::Velocity, ""),
-        Quantity::Velocity if variant.is_empty() => (Quantity::Velocity, "any point"),
+        Quantity::Velocity if variant.is_empty() => (Quantity::Velocity, ANY_POINT),
         _ => (quantity, variant),
     };
     let owner = Owner::Quantity(quantity, variant.to_owned());
