@@ -64,6 +64,7 @@ mod reason;
 mod repair;
 mod role;
 mod shown;
+mod sightings;
 mod slips;
 mod solve;
 mod spatial;

@@ -116,7 +116,8 @@ impl Reading {
     /// only that makes sense of a line.
     pub(super) fn is_scalar(&self, letter: &Letter) -> bool {
         let named = self.usage.components_named.contains_key(letter);
-        self.scalars.contains(letter) || (named && self.usage.get(letter).crossed_bare == 0)
+        let number = named || self.usage.lengths.contains(letter);
+        self.scalars.contains(letter) || (number && self.usage.get(letter).crossed_bare == 0)
     }
 
     /// Whether a tilde makes a vector the matrix of its cross product: the `[\tilde\omega]` beside a vector ω.

@@ -109,7 +109,8 @@ fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meani
         return Some(Meaning::Component(entity, component));
     }
     let latex = latex_name(&letter.name);
-    let length = matches!(quantity, Quantity::Momentum | Quantity::Moment);
+    let length = matches!(quantity, Quantity::Momentum | Quantity::Moment)
+        || reading.usage.lengths.contains(letter);
     let owner = if length {
         Owner::Quantity(quantity, MAGNITUDE.to_owned())
     } else {

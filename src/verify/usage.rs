@@ -1,6 +1,6 @@
 //! How the letters of a document are used: with marks of a vector, with indices, under a dot.
 
-use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -59,19 +59,21 @@ pub(super) struct Use {
 /// The uses of all letters.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Usage {
-    letters: BTreeMap<Letter, Use>,
+    pub(super) letters: BTreeMap<Letter, Use>,
     /// Subscripts met on each letter.
     pub subscripts: BTreeMap<Letter, BTreeSet<String>>,
     /// Letters with `(t)` behind them.
     pub functions_of_time: BTreeSet<Letter>,
     /// Superscripts met on each letter.
-    superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
+    pub(super) superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
     /// Letters with subscripts and superscripts that stand under a derivative in time.
-    moving: BTreeSet<(Letter, Vec<String>, Vec<String>)>,
+    pub(super) moving: BTreeSet<(Letter, Vec<String>, Vec<String>)>,
     /// Symbols with an index that name a matrix or a list: `A_2 = [[…]]`.
-    named_wholes: BTreeSet<(Letter, Vec<String>)>,
+    pub(super) named_wholes: BTreeSet<(Letter, Vec<String>)>,
     /// Letters that are something else under a tilde: they stand alone or in a sum with it.
     pub apart_under_tilde: BTreeSet<Letter>,
+    /// Letters that without mark or index are the length of their vector: `L = |L|`.
+    pub lengths: BTreeSet<Letter>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }
@@ -200,197 +202,10 @@ impl Usage {
             .get(letter)
             .is_some_and(|met| met.len() == 1 && met.iter().all(|s| s == superscripts))
     }
-
-    fn line(&mut self, line: &Line) {
-        for side in &line.sides {
-            self.node(side);
-        }
-        let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
-        if !line.sides.iter().any(square) {
-            line.sides.iter().for_each(|side| self.under_tilde(side));
-        }
-        // What is set against a column is a vector, and against a square of numbers a tensor.
-        for pair in line.sides.windows(2) {
-            if let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
-                (&inner(&pair[0]).kind, &inner(&pair[1]).kind)
-                && rows.len() > 1
-                && !symbol.style.tilde
-            {
-                let used = self.letters.entry(Letter::of(symbol)).or_default();
-                match rows.first().map_or(0, Vec::len) {
-                    1 => used.vector += 1,
-                    _ => used.tensor += 1,
-                }
-            }
-        }
-        if let [left, right, ..] = line.sides.as_slice()
-            && let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
-                (&inner(left).kind, &inner(right).kind)
-            && rows.len() > 1
-            && symbol.subscripts.iter().any(|s| axis(s).is_some())
-        {
-            self.named_wholes
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
-        }
-        if let [left, right, ..] = line.sides.as_slice()
-            && let Kind::Symbol(symbol) = &inner(left).kind
-            && symbol.style.vector
-            && symbol.subscripts.iter().any(|s| axis(s).is_some())
-            && is_directed(right, symbol)
-        {
-            self.named_wholes
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
-        }
-        for pair in line.sides.windows(2) {
-            self.named_component(&pair[0], &pair[1]);
-            self.named_component(&pair[1], &pair[0]);
-        }
-    }
-
-    /// Notes letters with a tilde that are a side or a term.
-    fn under_tilde(&mut self, side: &Node) {
-        match &inner(side).kind {
-            Kind::Symbol(symbol) if symbol.style.tilde => {
-                self.apart_under_tilde.insert(Letter::of(symbol));
-            }
-            Kind::Sum(terms) => terms.iter().for_each(|term| self.under_tilde(&term.node)),
-            _ => {}
-        }
-    }
-
-    /// `ω_z = ω`: the bare letter is that component.
-    fn named_component(&mut self, whole: &Node, part: &Node) {
-        let (Kind::Symbol(bare), Kind::Symbol(component)) = (&inner(whole).kind, &inner(part).kind)
-        else {
-            return;
-        };
-        let unmarked = !bare.style.vector && bare.subscripts.is_empty();
-        let index = component.subscripts.iter().find_map(|s| axis(s));
-        if let (true, Some(index)) = (unmarked && bare.name == component.name, index) {
-            self.components_named.insert(Letter::of(bare), index);
-        }
-    }
-
-    fn node(&mut self, node: &Node) {
-        match &node.kind {
-            Kind::Symbol(symbol) => self.symbol(symbol),
-            Kind::TimeDerivative { operand, .. } => {
-                self.moving(operand);
-                self.node(operand);
-            }
-            Kind::Call(head, arguments) => {
-                if arguments
-                    .iter()
-                    .any(|a| matches!(&a.kind, Kind::Symbol(s) if s.name == "t"))
-                {
-                    self.moving(head);
-                    if let Kind::Symbol(symbol) = &inner(head).kind {
-                        self.functions_of_time.insert(Letter::of(symbol));
-                    }
-                }
-                self.node(head);
-                arguments.iter().for_each(|a| self.node(a));
-            }
-            Kind::Skew(operand) => {
-                self.vector_operand(operand);
-                self.node(operand);
-            }
-            Kind::Product(factors) => {
-                self.crossed(factors);
-                factors.iter().for_each(|factor| self.node(&factor.node));
-            }
-            _ => node
-                .children()
-                .into_iter()
-                .for_each(|child| self.node(child)),
-        }
-    }
-
-    fn moving(&mut self, operand: &Node) {
-        if let Kind::Symbol(symbol) = &inner(operand).kind {
-            self.letters.entry(Letter::of(symbol)).or_default().moving = true;
-            self.moving.insert(worn(symbol));
-        }
-    }
-
-    /// The factors beside a × are vectors, other than the ℓ of `\mathbf k\times\ell\,\mathbf i`.
-    fn crossed(&mut self, factors: &[Factor]) {
-        let operands: Vec<&[Factor]> = factors
-            .chunk_by(|_, next| next.operator != Operator::Cross)
-            .collect();
-        for (i, operand) in operands.iter().enumerate() {
-            let marked = |f: &Factor| matches!(&inner(&f.node).kind, Kind::Symbol(s) if s.style.vector || s.style.hat);
-            // What stands behind a ∇ is no vector either.
-            let directed = |f: &Factor| marked(f) || matches!(f.node.kind, Kind::Error(_));
-            let ends = [
-                operand.first().filter(|_| i > 0),
-                operand.last().filter(|_| i + 1 < operands.len()),
-            ];
-            for end in ends.into_iter().flatten() {
-                if marked(end) || !operand.iter().any(directed) {
-                    self.vector_operand(&end.node);
-                }
-            }
-        }
-    }
-
-    fn vector_operand(&mut self, operand: &Node) {
-        if let Kind::Symbol(symbol) = &inner(operand).kind
-            && symbol.subscripts.iter().all(|s| axis(s).is_none())
-        {
-            let entry = self.letters.entry(Letter::of(symbol)).or_default();
-            entry.vector += 1;
-            entry.crossed_bare += usize::from(!symbol.style.vector && !symbol.style.bar);
-        }
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) {
-        let entry = self.letters.entry(Letter::of(symbol)).or_default();
-        let index = symbol.subscripts.iter().find_map(|s| axis(s));
-        let double = symbol.subscripts.iter().find_map(|s| axes(s));
-        if symbol.style.tensor {
-            entry.tensor += 1;
-        } else if double.is_some() {
-            entry.double += 1;
-        } else if index.is_some() {
-            entry.component += 1;
-        } else if symbol.style.vector || symbol.style.bar {
-            entry.vector += 1;
-            entry.hatted += usize::from(symbol.style.hat);
-        } else {
-            entry.bare += 1;
-            entry.hats += usize::from(symbol.style.hat);
-        }
-        entry.resultant += usize::from(symbol.resultant);
-        self.superscripts
-            .entry(Letter::of(symbol))
-            .or_default()
-            .insert(symbol.superscripts.clone());
-        let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
-        subscripts.extend(symbol.subscripts.iter().cloned());
-    }
-}
-
-/// Whether an expression is a vector by its unit vectors: `3\,\mathbf i + \mathbf j`, other than those of the letter itself.
-fn is_directed(node: &Node, of: &Symbol) -> bool {
-    match &node.kind {
-        Kind::Symbol(symbol) => {
-            let unit = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
-            unit && (symbol.style.vector || symbol.style.hat) && symbol.name != of.name
-        }
-        Kind::Group(_, inside) | Kind::Negate(inside) => is_directed(inside, of),
-        Kind::Quotient(above, _) => is_directed(above, of),
-        Kind::Sum(terms) => terms.iter().any(|term| is_directed(&term.node, of)),
-        Kind::Product(factors) => {
-            let scaled = |f: &Factor| f.operator == Operator::Juxtaposed;
-            factors.iter().all(scaled) && factors.iter().any(|f| is_directed(&f.node, of))
-        }
-        _ => false,
-    }
 }
 
 /// A letter with all that is written beside it.
-fn worn(symbol: &Symbol) -> (Letter, Vec<String>, Vec<String>) {
+pub(super) fn worn(symbol: &Symbol) -> (Letter, Vec<String>, Vec<String>) {
     (
         Letter::of(symbol),
         symbol.subscripts.clone(),
