@@ -66,6 +66,7 @@ mod role;
 mod shown;
 mod sightings;
 mod slips;
+mod small;
 mod solve;
 mod spatial;
 mod spelling;

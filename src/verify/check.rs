@@ -110,6 +110,8 @@ pub(super) struct Checker<'a> {
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
     pub(super) sentence: String,
+    /// What is called small.
+    pub(super) small: BTreeSet<Entity>,
     /// Expressions of a list that the words have named last.
     pub(super) named: Vec<Node>,
     /// Places of lines that were taken in ahead of their turn.
@@ -176,6 +178,7 @@ impl<'a> Checker<'a> {
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),
+            small: BTreeSet::new(),
             named: vec![],
             done: BTreeSet::new(),
             looked_ahead: false,

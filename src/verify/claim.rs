@@ -34,7 +34,8 @@ impl Checker<'_> {
         }
         if let Some((read, decision)) = failed {
             let open = matches!(decision, Decision::Open(_));
-            if (!open || self.is_in_numbers(&sides[1..])) && self.is_given(sides, &read) {
+            let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
+            if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);
             }
             if self.settled_by_numbers(sides, &read, open, finding)
@@ -54,6 +55,10 @@ impl Checker<'_> {
         finding.uses = needed(&mut self.theory, &read.equations, &proof);
         finding.conditions = self.conditions(&proof);
         finding.verdict = Verdict::Proved(proof);
+        if read.to_order {
+            let order = "to the order of small quantities to which it is written";
+            finding.remarks.push(order.to_owned());
+        }
         if read.ambiguous && self.dots.is_none() {
             let seen = match read.unlabelled {
                 Frame::Space => "a dot without a frame is read as the rate seen from space",
@@ -96,7 +101,7 @@ impl Checker<'_> {
             Decision::False(_) => self.doubt(read),
             _ => None,
         };
-        let approximate = self.figures.relations.contains(&Relation::Approximate);
+        let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);
         match decision {
             Decision::Open(reason) => finding.reason = Some(reason),
             _ if approximate => {

@@ -39,6 +39,7 @@ impl Checker<'_> {
         if BEFORE.iter().any(|words| before.ends_with(words)) {
             self.constant_in_words(node);
         }
+        self.small_before(node);
         self.named.push(node.clone());
     }
 
@@ -51,6 +52,7 @@ impl Checker<'_> {
             return;
         }
         let named = std::mem::take(&mut self.named);
+        self.small_behind(&text, &named);
         let derived = crate::verify::role::asserts(&self.sentence);
         if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.constant_in_words(node));

@@ -21,6 +21,8 @@ pub(super) struct Read {
     pub(super) equations: Vec<Equation>,
     pub(super) unlabelled: Frame,
     pub(super) ambiguous: bool,
+    /// Whether the line is taken to the order of small quantities to which it is written.
+    pub(super) to_order: bool,
 }
 
 impl Read {
@@ -247,17 +249,20 @@ impl Checker<'_> {
             equations,
             unlabelled,
             ambiguous,
+            to_order: false,
         })
     }
 
     /// The readings of a line, the likelier first.
     pub(super) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
         let spatial = all_in_space(sides, &self.reading);
-        let first = self.read_on(sides, Frame::Moving, spatial)?;
+        let mut first = self.read_on(sides, Frame::Moving, spatial)?;
+        first.to_order = self.keep_order(&mut first.equations);
         if !first.ambiguous || self.dots == Some(Frame::Moving) {
             return Ok(vec![first]);
         }
-        let second = self.read(sides, Frame::Space)?;
+        let mut second = self.read(sides, Frame::Space)?;
+        second.to_order = self.keep_order(&mut second.equations);
         if self.dots == Some(Frame::Space) {
             return Ok(vec![second]);
         }

@@ -63,8 +63,11 @@ pub(super) fn function(function: Function) -> &'static str {
     }
 }
 
-/// A letter with dots: `\dot L_x`, `\dot\omega_x`, `\dot{\mathcal{L}}`.
+/// A letter with dots: `\dot L_x`, `\dot\omega_x`, `\dot{\mathcal{L}}`, `\delta \dot\omega_x`.
 fn dotted(letter: &str, order: u8) -> String {
+    if let Some(varied) = letter.strip_prefix("\\delta ") {
+        return format!("\\delta {}", dotted(varied, order));
+    }
     let mark = match order {
         0 => return letter.to_owned(),
         1 => "\\dot",

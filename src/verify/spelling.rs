@@ -44,6 +44,9 @@ fn latex(symbol: &Symbol) -> String {
     if symbol.style.hat {
         text = format!("\\hat{{{text}}}");
     }
+    if symbol.variation {
+        text = format!("\\delta {text}");
+    }
     let index = symbol.subscripts.join(",");
     match index.chars().count() {
         0 => {}

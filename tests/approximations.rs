@@ -1,0 +1,56 @@
+//! Lines with an approximate sign and something small in them hold to the order to which they are written.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn small_angles_are_taken_to_the_order_written() {
+    let angle = |line: &str| {
+        verdicts(&format!(
+            "The angle $\\theta$ is small. Then\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(angle(r"\sin\theta \approx \theta"), "p");
+    assert_eq!(angle(r"\cos\theta \approx 1"), "p");
+    assert_eq!(angle(r"\cos\theta \approx 1 - \tfrac12\theta^2"), "p");
+    assert_eq!(angle(r"\cos\theta \approx 1 - \theta^2"), "r");
+    assert_eq!(angle(r"\sin\theta \approx \tfrac12\theta"), "r");
+}
+
+#[test]
+fn what_is_not_called_small_is_left_open() {
+    let text = "The angle $\\theta$ is given. Then\n\n$$ \\sin\\theta \\approx \\theta $$\n";
+    assert_eq!(verdicts(text), "u");
+}
+
+/// A spin about the third axis, disturbed a little, on principal axes without torque.
+fn disturbed(line: &str) -> String {
+    let text = format!(
+        "Without torque, on principal axes, let $\\omega_1 = \\delta\\omega_1$, $\\omega_2 = \\delta\\omega_2$ and \
+         $\\omega_3 = \\Omega + \\delta\\omega_3$ with a constant $\\Omega$.\n\nTo first order\n\n$$ {line} $$\n"
+    );
+    verdicts(&text).split_off(3)
+}
+
+#[test]
+fn a_disturbed_spin_is_linearised() {
+    assert_eq!(disturbed(r"I_3\,\delta\dot\omega_3 \approx 0"), "p");
+    assert_eq!(
+        disturbed(r"I_1\,\delta\dot\omega_1 \approx (I_2 - I_3)\,\Omega\,\delta\omega_2"),
+        "p"
+    );
+    assert_eq!(
+        disturbed(r"I_1\,\delta\dot\omega_1 \approx (I_3 - I_2)\,\Omega\,\delta\omega_2"),
+        "r"
+    );
+    assert_eq!(
+        disturbed(r"I_1\,\delta\dot\omega_1 = (I_2 - I_3)\,\Omega\,\delta\omega_2"),
+        "r"
+    );
+    let second =
+        r"I_1 I_2\,\delta\ddot\omega_1 \approx (I_2 - I_3)(I_3 - I_1)\,\Omega^2\,\delta\omega_1";
+    assert_eq!(disturbed(second), "p");
+}
