@@ -7,6 +7,7 @@
 mod accept;
 mod atoms;
 mod attitude_law;
+mod attitude_layouts;
 mod attitude_matrix;
 mod attitude_reading;
 mod attitude_words;
@@ -62,6 +63,7 @@ mod rate;
 mod reading;
 mod reason;
 mod repair;
+mod rivals;
 mod role;
 mod shown;
 mod sightings;

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::attitude_law::Convention;
+use crate::verify::attitude_layouts::{Layout, is_vector_part};
 use crate::verify::attitude_words::{Sentence, Way, rate_in_space, sentences, way};
 use crate::verify::repair::lines;
 use crate::verify::usage::{Letter, inner, symbols};
@@ -22,7 +23,7 @@ pub(super) enum Part {
 }
 
 /// A spelling: the letter, its subscripts, whether it is marked as a vector.
-type Spelling = (Letter, Vec<String>, bool);
+pub(super) type Spelling = (Letter, Vec<String>, bool);
 
 /// What is known of the attitude from the document as a whole.
 #[derive(Clone, Debug, Default)]
@@ -37,7 +38,9 @@ pub(super) struct AttitudeReading {
     pub convention: Convention,
     /// Whether words say so, for the matrix and for the quaternion.
     pub said: [bool; 2],
-    parts: BTreeMap<Spelling, Part>,
+    pub(super) parts: BTreeMap<Spelling, Part>,
+    /// Where the document goes on in another layout, and in which.
+    pub(super) layouts: Vec<Layout>,
 }
 
 /// Superscripts of a conjugate.
@@ -65,6 +68,7 @@ impl AttitudeReading {
         reading.find_matrix(document, &sentences, taken);
         let labelled = |s: &Symbol| s.name == "omega" && !s.superscripts.is_empty();
         reading.listen(&sentences, all.iter().any(|s| labelled(s)));
+        reading.layouts = reading.layouts(document, taken);
         reading
     }
 
@@ -139,7 +143,7 @@ impl AttitudeReading {
         matrix.chain(quaternion).collect()
     }
 
-    fn find_quaternion(
+    pub(super) fn find_quaternion(
         &mut self,
         all: &[&Symbol],
         said: &[Sentence],
@@ -179,6 +183,7 @@ impl AttitudeReading {
         let bare = all.iter().any(|s| {
             Letter::of(s) == letter && s.subscripts.is_empty() && !s.style.vector && !s.style.bar
         });
+        let spoken = is_vector_part(&letter.name, said);
         for symbol in all.iter().filter(|s| Letter::of(s) == letter) {
             let index = match symbol.subscripts.as_slice() {
                 [] => "",
@@ -186,7 +191,7 @@ impl AttitudeReading {
                 _ => continue,
             };
             let part = match index {
-                "" if symbol.style.vector && bare => Part::Vector,
+                "" if symbol.style.vector && (bare || spoken) => Part::Vector,
                 "" => Part::Whole,
                 "0" | "w" | "s" | "r" | "4" => Part::Number(0),
                 "1" | "x" => Part::Number(1),
@@ -229,7 +234,7 @@ impl AttitudeReading {
     }
 
     /// Columns and sums that show where the scalar stands, and that name the parts: `q = [η; ε]`.
-    fn layout(&mut self, side: &Node) {
+    pub(super) fn layout(&mut self, side: &Node) {
         let entries: Vec<&Node> = match &inner(side).kind {
             Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
                 rows.iter().flatten().collect()

@@ -302,6 +302,7 @@ impl<'a> Checker<'a> {
     }
 
     fn formula(&mut self, formula: &Formula) {
+        self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
         self.asserted = asserts(&self.sentence);
         self.constrained = constrained(&self.sentence);

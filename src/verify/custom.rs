@@ -48,6 +48,16 @@ impl Reading {
         used.vector + used.component == 0 && self.usage.get(&Letter::plain("g")).bare > 0
     }
 
+    /// Whether another letter is the moment already, or is it by a better custom.
+    fn has_moment(&self) -> bool {
+        let mut whole = self.quantities.values();
+        let mut parts = self.components.values();
+        whole.any(|q| *q == Quantity::Moment)
+            || parts.any(|(q, _)| *q == Quantity::Moment)
+            || self.is_directed("M")
+            || self.is_directed("tau")
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;
@@ -68,7 +78,7 @@ impl Reading {
                 Some(Quantity::Moment)
             }
             "tau" => Some(Quantity::Moment),
-            "N" | "Gamma" | "T" if directed => Some(Quantity::Moment),
+            "N" | "Gamma" | "T" if directed && !self.has_moment() => Some(Quantity::Moment),
             "I" | "J" => Some(Quantity::Inertia),
             "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
             "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),

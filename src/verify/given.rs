@@ -39,7 +39,7 @@ impl Checker<'_> {
         if tied {
             return false;
         }
-        let wheels = self.theory.setting.gyrostat && self.only_wheels(read);
+        let wheels = self.theory.setting.gyrostat && self.only_wheels(first, read);
         if wheels || self.is_news(first, read) || self.is_load(sides, read) {
             return true;
         }
@@ -128,17 +128,20 @@ impl Checker<'_> {
         Some(foreign)
     }
 
-    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over.
-    fn only_wheels(&mut self, read: &Read) -> bool {
-        let wheels = |checker: &Self, v: u32| {
-            matches!(
-                checker.theory.atoms.owner(v),
-                Some(Owner::Symbol(_) | Owner::Quantity(Quantity::RelativeMomentum, _))
-            )
+    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over: it stands alone
+    /// on the left, or what it is stands in symbols of the document.
+    fn only_wheels(&mut self, first: &Node, read: &Read) -> bool {
+        let own = |owner: &Option<&Owner>| matches!(owner, Some(Owner::Symbol(_)));
+        let wheels = |owner: &Option<&Owner>| {
+            matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
         };
+        let alone = matches!(lone(first).kind, Kind::Symbol(_));
         read.residuals().all(|entry| {
             let variables = self.theory.normal(entry).variables();
-            variables.len() <= 2 && variables.into_iter().all(|v| wheels(self, v))
+            let atoms = &self.theory.atoms;
+            let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
+            let told = alone || owners.is_empty() || owners.iter().any(own);
+            told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
         })
     }
 

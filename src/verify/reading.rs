@@ -48,7 +48,7 @@ pub(super) struct Reading {
     speaks_of_force: bool,
     speaks_of_roll: bool,
     /// Letters that stand alone on the left of a line.
-    left_sides: BTreeSet<Letter>,
+    pub(super) left_sides: BTreeSet<Letter>,
 }
 
 /// Bytes before a formula in which words may name it.
@@ -66,6 +66,7 @@ impl Reading {
         reading.sequences();
         reading.by_moments(document);
         reading.by_words();
+        reading.part_rivals(document);
         reading.by_attitude(document);
         reading.by_custom();
         reading.in_a_plane();
@@ -247,9 +248,14 @@ impl Reading {
                 self.take_components(rates, Quantity::AngularVelocity);
             }
         }
-        let lower = ["ell", "m", "n"].map(Letter::plain);
-        if self.speaks_of_roll && lower.iter().all(|l| self.usage.get(l).bare > 0) {
-            self.take_components(lower, Quantity::Moment);
+        let rates = self.components.contains_key(&Letter::plain("p"));
+        for names in [["ell", "m", "n"], ["l", "m", "n"]] {
+            let lower = names.map(Letter::plain);
+            let sides = rates && lower.iter().all(|l| self.left_sides.contains(l));
+            let bare = lower.iter().all(|l| self.usage.get(l).bare > 0);
+            if bare && (sides || self.speaks_of_roll && names[0] == "ell") {
+                self.take_components(lower, Quantity::Moment);
+            }
         }
         for calligraphic in [true, false] {
             let trio = ["L", "M", "N"].map(|name| Letter {

@@ -325,7 +325,11 @@ fn goes_on(last: &Piece<'_>, piece: &Piece<'_>) -> bool {
     };
     let tokens = without_empty_groups(trimmed(&piece.tokens));
     let first = tokens.first().map(|t| t.kind);
-    let ended = trimmed(&last.tokens).last().map(|t| t.kind);
+    // The sign at the end of `[\omega]_\times` is an index.
+    let ended = match trimmed(&last.tokens) {
+        [.., before, _] if is_script(before.kind) => None,
+        tokens => tokens.last().map(|t| t.kind),
+    };
     let related = |piece: &Piece<'_>| !relations(trimmed(&piece.tokens)).is_empty();
     let open_end = signs(ended) || ended == Some(Lexeme::Char('='));
     let first_is_relation = relations(tokens).first().is_some_and(|(at, ..)| *at == 0);

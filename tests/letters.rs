@@ -1,0 +1,137 @@
+//! Which letters stand for what, where a document has several for one thing or one for several.
+
+use polhode::notation::{document::Format, read};
+use polhode::verify::check;
+
+/// The verdicts on the lines of a document, in order.
+fn verdicts(text: &str) -> Vec<&'static str> {
+    let (document, _) = read("letters.md", text, Format::Markdown);
+    let findings = check(&document).findings;
+    findings.iter().map(|f| f.verdict.name()).collect()
+}
+
+#[test]
+fn coefficients_with_one_letter_are_each_defined() {
+    let text = r"
+With the principal moments of inertia $I_1$, $I_2$, $I_3$ we abbreviate
+
+$$
+k_1 = \frac{I_2 - I_3}{I_1}, \qquad k_2 = \frac{I_3 - I_1}{I_2}, \qquad k_3 = \frac{I_1 - I_2}{I_3}.
+$$
+
+They satisfy
+
+$$
+k_1 + k_2 + k_3 + k_1 k_2 k_3 = 0
+$$
+
+and not
+
+$$
+k_1 + k_2 + k_3 - k_1 k_2 k_3 = 0
+$$
+";
+    let expected = ["accepted", "accepted", "accepted", "proved", "refuted"];
+    assert_eq!(verdicts(text), expected);
+}
+
+#[test]
+fn a_torque_that_is_added_to_the_torque_is_another_one() {
+    let text = r"
+The wheels have the relative momentum $\mathbf h$ and $\mathbf J$ is the inertia matrix of the craft. With the
+disturbance torque $\boldsymbol\tau$
+
+$$
+\mathbf J\dot{\boldsymbol\omega} + \dot{\mathbf h} + \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h) = \boldsymbol\tau
+$$
+
+The motor torque is defined as
+
+$$
+\mathbf g = -\dot{\mathbf h}
+$$
+
+Hence
+
+$$
+\mathbf J\dot{\boldsymbol\omega} = \boldsymbol\tau + \mathbf g - \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h)
+$$
+
+and not
+
+$$
+\mathbf J\dot{\boldsymbol\omega} = \boldsymbol\tau - \mathbf g - \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h)
+$$
+";
+    assert_eq!(verdicts(text), ["proved", "accepted", "proved", "refuted"]);
+}
+
+#[test]
+fn a_quaternion_may_change_its_layout_at_a_heading() {
+    let text = r"
+The angular velocity $\boldsymbol\omega$ is on body axes.
+
+## Aerospace layout
+
+The vector part $\mathbf q$ and the scalar $q_4$ of the quaternion obey
+
+$$
+\dot{\mathbf q} = \tfrac12\left(q_4\boldsymbol\omega - \boldsymbol\omega\times\mathbf q\right)
+$$
+
+$$
+\begin{bmatrix} \dot q_1 \\ \dot q_2 \\ \dot q_3 \\ \dot q_4 \end{bmatrix}
+= \tfrac12\begin{bmatrix} q_4 & -q_3 & q_2 \\ q_3 & q_4 & -q_1 \\ -q_2 & q_1 & q_4 \\ -q_1 & -q_2 & -q_3 \end{bmatrix}
+\begin{bmatrix} \omega_1 \\ \omega_2 \\ \omega_3 \end{bmatrix}
+$$
+
+## Textbook layout
+
+With $\mathbf q = (q_0, q_1, q_2, q_3)$ the same is
+
+$$
+\dot{\mathbf q} = \tfrac12\begin{bmatrix} -q_1 & -q_2 & -q_3 \\ q_0 & -q_3 & q_2 \\ q_3 & q_0 & -q_1 \\ -q_2 & q_1 & q_0 \end{bmatrix}
+\begin{bmatrix} \omega_1 \\ \omega_2 \\ \omega_3 \end{bmatrix}
+$$
+
+$$
+\dot q_1 = \tfrac12\left(q_0\omega_1 - q_2\omega_3 - q_3\omega_2\right)
+$$
+";
+    let expected = ["proved", "proved", "accepted", "proved", "refuted"];
+    assert_eq!(verdicts(text), expected);
+}
+
+#[test]
+fn moments_named_by_three_lower_letters_follow_the_rates() {
+    let text = r"
+The inertia matrix is $\mathbf J = \mathrm{diag}(J_x, J_y, J_z)$ and the rates are $\boldsymbol\omega = (p, q, r)$. Euler's
+equations are
+
+$$
+\begin{aligned}
+l &= J_x\dot p + (J_z - J_y)qr \\
+m &= J_y\dot q + (J_x - J_z)pr \\
+n &= J_z\dot r + (J_x - J_y)pq
+\end{aligned}
+$$
+";
+    let found = verdicts(text);
+    assert_eq!(found[found.len() - 3..], ["proved", "proved", "refuted"]);
+}
+
+#[test]
+fn a_cross_in_an_index_is_no_sign_that_a_formula_goes_on() {
+    let text = r"
+The rotation matrix $R$ takes body components to space components, $\omega$ is on body axes.
+
+$$
+R^\top\dot R = [\omega]_\times \quad\implies\quad \dot R = R\,[\omega]_\times
+$$
+
+$$
+R^\top\dot R = [\omega]_\times \quad\implies\quad \dot R = [\omega]_\times R
+$$
+";
+    assert_eq!(verdicts(text), ["proved", "proved", "proved", "refuted"]);
+}
