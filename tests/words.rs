@@ -198,3 +198,16 @@ fn a_letter_is_a_mass_bare_and_a_moment_with_an_arrow() {
         "rp"
     );
 }
+
+#[test]
+fn words_name_the_formula_behind_them_and_its_list_alone() {
+    let text = r"The energy $E = T + V$ is a function of $\theta$ alone. Let
+
+$$ \omega_3 = \dot\psi + \dot\phi\cos\theta $$
+
+Here $T$ is the kinetic energy. It is
+
+$$ T = \tfrac12 I_3\omega_3^2 $$
+";
+    assert_eq!(verdicts(text), "aar");
+}

@@ -36,6 +36,11 @@ impl Reading {
         used.vector + used.component + used.bare > 0
     }
 
+    /// Whether a letter is used, and never as a vector or with an index.
+    pub(super) fn has_bare(&self, name: &str) -> bool {
+        self.has(name) && !self.is_directed(name)
+    }
+
     /// Whether a letter is used as a vector or with an index.
     fn is_directed(&self, name: &str) -> bool {
         let used = self.usage.get(&Letter::plain(name));
@@ -82,7 +87,11 @@ impl Reading {
             "I" | "J" => Some(Quantity::Inertia),
             "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
             "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
-            "E" if used.bare > 0 && self.speaks_of_energy && !taken(Quantity::Energy) => {
+            "E" if used.bare > 0
+                && self.speaks_of_energy
+                && !taken(Quantity::Energy)
+                && !self.has_bare("T") =>
+            {
                 Some(Quantity::Energy)
             }
             "F" if !used.moving => Some(Quantity::Force),

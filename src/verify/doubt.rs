@@ -1,7 +1,7 @@
 //! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
 
 use crate::algebra::{Fraction, Monomial, Rational};
-use crate::notation::ast::{Kind, Line};
+use crate::notation::ast::{Function, Kind, Line};
 use crate::verify::atoms::{Atom, Entity, Owner};
 use crate::verify::check::Checker;
 use crate::verify::line::Read;
@@ -122,8 +122,11 @@ impl Checker<'_> {
                 }
             }
         }
-        if let Some(point) = self.may_rest(read) {
-            return Some(point);
+        if let Some(name) = self
+            .may_rest(read)
+            .or_else(|| self.angle_beside_omega(read))
+        {
+            return Some(name);
         }
         // The law of a force speaks of a particle; how it makes a moment is not known here.
         let owned = |v: u32, quantity: Quantity| {
@@ -138,6 +141,34 @@ impl Checker<'_> {
             return Some("the force".to_owned());
         }
         loose.filter(|_| mechanical)
+    }
+
+    /// The rate of an angle in a difference that has a component of ω too: what turns by the angles is not all said.
+    fn angle_beside_omega(&mut self, read: &Read) -> Option<String> {
+        let whole = Owner::Quantity(Quantity::AngularVelocity, String::new());
+        let mut rate = None;
+        let (mut omega, mut angle) = (false, false);
+        for entry in read.residuals() {
+            for variable in self.theory.normal(entry).variables() {
+                angle |= matches!(
+                    self.theory.atoms.atom(variable),
+                    Atom::Kernel {
+                        function: Function::Sin | Function::Cos,
+                        ..
+                    }
+                );
+                let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                    continue;
+                };
+                let info = self.theory.atoms.info(entity);
+                omega |= order == 0 && info.owner == whole;
+                let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Scalar;
+                if own && order > 0 {
+                    rate = Some(names::latex(&self.theory.atoms, variable));
+                }
+            }
+        }
+        rate.filter(|_| omega && angle)
     }
 
     /// The rate of a position that alone makes the difference: the point may be one of the body, and nothing says so.

@@ -147,7 +147,7 @@ fn is_of_mass(before: &str, phrase: &str) -> bool {
 }
 
 /// The quantity that the words before a formula name, where they come close to it.
-pub(super) fn said_before(text: &str) -> Option<Quantity> {
+pub(super) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<Quantity> {
     let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = text
             .rmatch_indices(phrase.as_str())
@@ -164,10 +164,20 @@ pub(super) fn said_before(text: &str) -> Option<Quantity> {
         let subject = |name: &str| words.split_whitespace().any(|word| word == name);
         (subject("frame") || subject("axes")) && !subject("body")
     });
-    (text.len() - end < 60).then_some(match quantity {
+    (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
         Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
         other => other,
     })?
+}
+
+/// Whether behind the first formula of a text others follow as its list alone: "⟨, ⟨ and ".
+pub(super) fn is_list(text: &str) -> bool {
+    let separators = ["", "and", "or", "&", "/"];
+    text.split('⟨').skip(1).all(|between| {
+        between
+            .split_whitespace()
+            .all(|word| separators.contains(&word.trim_end_matches(',')))
+    })
 }
 
 /// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".

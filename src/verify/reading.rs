@@ -9,7 +9,7 @@ use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::check::keep_end;
 use crate::verify::frame::Frames;
 use crate::verify::moments_in_words::NamedMoment;
-use crate::verify::phrases::{apposition, letters_named, said_after, said_before};
+use crate::verify::phrases::{apposition, is_list, letters_named, said_after, said_before};
 use crate::verify::prose::{Said, said};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
@@ -196,7 +196,9 @@ impl Reading {
                         .iter()
                         .flat_map(named_letters)
                         .collect::<Vec<_>>();
-                    if let Some(quantity) = said_before(&before) {
+                    let display = formula.display;
+                    let said = said_before(&before, |after| display || is_list(after));
+                    if let Some(quantity) = said {
                         for letter in &named {
                             self.vote(
                                 letter.clone(),
@@ -214,6 +216,8 @@ impl Reading {
                     near = !formula.display;
                     if formula.display {
                         before.clear();
+                    } else {
+                        before.push('⟨');
                     }
                 }
                 Item::Heading { .. } => before.clear(),
@@ -325,6 +329,8 @@ impl Reading {
     fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
         let used = self.usage.get(letter);
         match quantity {
+            // Beside a T, E is the sum of it and a potential energy.
+            Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
             Quantity::Energy | Quantity::Power => used.bare > 0 && used.vector == 0,
             Quantity::Inertia => {
                 matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
