@@ -2,7 +2,6 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Node;
-use crate::verify::atoms::{Atom, Entity};
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
@@ -90,28 +89,6 @@ impl Checker<'_> {
             *finding = claim;
         }
         fits
-    }
-
-    /// Whether some accepted line has a symbol in it.
-    pub(super) fn is_tied(&self, entity: Entity) -> bool {
-        self.is_part_tied(entity, None)
-    }
-
-    /// Whether some accepted line has a component of a symbol in it, or any, where none is asked for.
-    pub(super) fn is_part_tied(&self, entity: Entity, place: Option<u8>) -> bool {
-        let atoms = &self.theory.atoms;
-        let of = |v: Variable| {
-            matches!(atoms.atom(v), Atom::Part { entity: e, component, .. }
-                if *e == entity && place.is_none_or(|place| place == *component))
-        };
-        let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
-        residuals.any(|r| {
-            let mut inside = r
-                .variables()
-                .into_iter()
-                .flat_map(|v| atoms.with_arguments(v));
-            inside.any(of)
-        })
     }
 }
 

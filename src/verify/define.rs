@@ -47,7 +47,7 @@ impl Checker<'_> {
             return true;
         }
         // What is said of a symbol that earlier lines have already may follow from them, or not.
-        if role == Role::Claim && self.is_part_tied(entity, place) && !self.is_new_fact(sides) {
+        if role == Role::Claim && self.theory.mentions_part(entity, place) && !self.is_new_fact(sides) {
             let mut tried = finding.clone();
             self.claim(sides, &mut tried);
             if matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
@@ -74,7 +74,7 @@ impl Checker<'_> {
         let residuals = residuals.into_iter().map(|(_, r)| r).collect();
         let name = self.line_name(finding);
         // What earlier lines have already is narrowed down, for as long as the section goes.
-        let definition = role != Role::Assume || !self.is_part_tied(entity, place);
+        let definition = role != Role::Assume || !self.theory.mentions_part(entity, place);
         self.mark_instant(&name, &preferred, &value.entries);
         if self.theory.assume(Premise {
             name: name.clone(),
@@ -119,7 +119,7 @@ impl Checker<'_> {
         let Some((entity, None)) = self.new_symbol(base) else {
             return false;
         };
-        if self.known.contains(&entity) || self.is_tied(entity) {
+        if self.known.contains(&entity) || self.theory.mentions_entity(entity) {
             return false;
         }
         let mut others = sides[1..].iter().flat_map(symbols);

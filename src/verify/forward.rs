@@ -43,7 +43,7 @@ impl<'a> Checker<'a> {
         let Some((entity, None)) = self.new_symbol(left) else {
             return;
         };
-        let known = self.known.contains(&entity) || self.is_tied(entity);
+        let known = self.known.contains(&entity) || self.theory.mentions_entity(entity);
         if known || !used.contains(&entity) || line.continues {
             return;
         }
@@ -64,7 +64,7 @@ impl<'a> Checker<'a> {
         let mut found = BTreeSet::new();
         for entity in self.entities(sides) {
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-            if own && !self.known.contains(&entity) && !self.is_tied(entity) {
+            if own && !self.known.contains(&entity) && !self.theory.mentions_entity(entity) {
                 found.insert(entity);
             }
         }

@@ -93,7 +93,7 @@ impl Checker<'_> {
                 return false;
             };
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-            own && self.is_free(entity) && !self.is_tied(entity)
+            own && self.is_free(entity) && !self.theory.mentions_entity(entity)
         });
         if new { role } else { Role::Claim }
     }

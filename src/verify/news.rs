@@ -1,6 +1,6 @@
 //! News: lines that say of forces, moments and symbols of the document what nothing before determines.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::atoms::{Owner, variable_fraction};
 use crate::verify::check::Checker;
@@ -8,6 +8,7 @@ use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
 use crate::verify::usage::inner;
+use crate::verify::value::Value;
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -19,43 +20,41 @@ impl Checker<'_> {
     /// Whether a line says something of a symbol of the document that nothing before determines: a force and what it
     /// does, or how such symbols balance. It may be true or not, and no line so far can tell.
     pub(super) fn is_news(&mut self, first: &Node, read: &Read) -> bool {
-        let [equation, ..] = read.equations.as_slice() else {
+        let [equation] = read.equations.as_slice() else {
             return false;
         };
         let alone = matches!(lone(first).kind, Kind::Symbol(_));
-        let new = equation
-            .residual
-            .entries
-            .iter()
-            .enumerate()
-            .all(|(i, entry)| {
-                let rest = self.theory.normal(entry);
-                if rest.is_zero() {
-                    return true;
-                }
-                let named = equation.left.entries.get(i).and_then(Fraction::as_variable);
+        let entries = equation.residual.entries.iter();
+        let rests: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
+        let differs = |rest: &Fraction| !rest.is_zero();
+        rests.iter().any(differs)
+            && rests.iter().enumerate().all(|(i, rest)| {
+                let entry = |side: &Value| side.entries.get(i).cloned();
+                let named = entry(&equation.left).and_then(|left| left.as_variable());
                 match named.filter(|_| alone) {
-                    Some(v) => {
-                        let right = equation.right.entries.get(i);
-                        let said = right.map(|right| self.theory.normal(right).variables());
-                        // What stands on the right by earlier lines is no news.
-                        let new = said.is_some_and(|variables| !variables.contains(&v));
-                        new && self.is_own(v) && self.is_solved_by_own(&rest, v)
-                    }
-                    None => {
-                        let variables = rest.variables();
-                        let untouched = |v: &u32| self.is_own(*v) && !self.is_mentioned(*v);
-                        !variables.is_empty()
-                            && variables.iter().all(untouched)
-                            && variables.iter().all(|&v| is_solved_by(&rest, v))
-                    }
+                    _ if !differs(rest) => true,
+                    Some(v) => self.is_value(v, entry(&equation.right), rest),
+                    None => self.is_balance(rest),
                 }
-            });
-        let any = equation.residual.entries.iter();
-        let any = any
-            .map(|entry| self.theory.normal(entry))
-            .any(|rest| !rest.is_zero());
-        new && any && read.equations.len() == 1
+            })
+    }
+
+    /// Whether a difference from a variable says what that is, of which the document says nothing else.
+    fn is_value(&mut self, variable: Variable, value: Option<Fraction>, rest: &Fraction) -> bool {
+        // What stands on the right by earlier lines is no news.
+        let circular = |value| self.theory.normal(&value).variables().contains(&variable);
+        !value.is_none_or(circular)
+            && self.is_own(variable)
+            && self.is_solved_by_own(rest, variable)
+    }
+
+    /// Whether what must vanish relates symbols of the document, and nothing before speaks of one of them.
+    fn is_balance(&mut self, rest: &Fraction) -> bool {
+        let variables = rest.variables();
+        let untouched = |&v: &Variable| self.is_own(v) && !self.theory.mentions(v);
+        !variables.is_empty()
+            && variables.iter().all(untouched)
+            && variables.iter().all(|&v| is_solved_by(rest, v))
     }
 
     /// A moment or a force by symbols of the document, one of them new: what acts on the body.
@@ -77,7 +76,9 @@ impl Checker<'_> {
         for entity in self.entities([right]) {
             match &self.theory.atoms.info(entity).owner {
                 Owner::Symbol(key) if key.ends_with(" number") => return false,
-                Owner::Symbol(_) if self.loads.contains(&entity) || !self.is_tied(entity) => {
+                Owner::Symbol(_)
+                    if self.loads.contains(&entity) || !self.theory.mentions_entity(entity) =>
+                {
                     new.push(entity);
                 }
                 Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
@@ -94,7 +95,7 @@ impl Checker<'_> {
     }
 
     /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
-    fn is_own(&mut self, variable: u32) -> bool {
+    fn is_own(&mut self, variable: Variable) -> bool {
         let own = match self.theory.atoms.owner(variable) {
             Some(Owner::Symbol(_)) => true,
             Some(Owner::Quantity(quantity, variant)) => {
@@ -111,9 +112,9 @@ impl Checker<'_> {
     }
 
     /// Whether a difference says what a variable is, or what the acceleration is that a force gives.
-    fn is_solved_by_own(&mut self, difference: &Fraction, variable: u32) -> bool {
+    fn is_solved_by_own(&mut self, difference: &Fraction, variable: Variable) -> bool {
         let value = self.theory.normal(&variable_fraction(variable));
-        let acceleration = |v: u32| {
+        let acceleration = |v: Variable| {
             let owner = self.theory.atoms.owner(v);
             matches!(owner, Some(Owner::Quantity(Quantity::Acceleration, _)))
         };
@@ -126,11 +127,6 @@ impl Checker<'_> {
         above.degree_in(own) == 1
             && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
     }
-
-    fn is_mentioned(&self, variable: u32) -> bool {
-        let mut residuals = self.theory.premises().iter().flat_map(|p| &p.residuals);
-        residuals.any(|r| r.variables().contains(&variable))
-    }
 }
 
 /// A side without its brackets and dots.
@@ -142,7 +138,7 @@ pub(super) fn lone(side: &Node) -> &Node {
 }
 
 /// Whether a difference is a number times a variable, and more without it.
-fn is_solved_by(difference: &Fraction, variable: u32) -> bool {
+fn is_solved_by(difference: &Fraction, variable: Variable) -> bool {
     let above = difference.numerator();
     above.degree_in(variable) == 1
         && above.coefficient_of(variable, 1).is_constant().is_some()

@@ -81,6 +81,8 @@ pub(super) struct Theory {
     /// Relations that could not be solved for a symbol.
     pub(super) relations: Relations,
     pub(super) premises: Vec<Premise>,
+    /// The variables that premises mention, those in the arguments of functions too.
+    mentioned: BTreeSet<Variable>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
     /// Where the rules come from.
@@ -105,6 +107,7 @@ impl Theory {
             instants: BTreeSet::new(),
             relations: Relations::default(),
             premises: vec![],
+            mentioned: BTreeSet::new(),
             rules: HashMap::new(),
             normals: HashMap::new(),
             sources: HashMap::new(),
@@ -160,8 +163,36 @@ impl Theory {
         let before = self.premises.len();
         self.premises.retain(keep);
         if self.premises.len() != before {
+            let all = self
+                .premises
+                .iter()
+                .flat_map(|premise| self.variables(premise));
+            self.mentioned = all.collect();
             self.rebuild();
         }
+    }
+
+    fn variables(&self, premise: &Premise) -> Vec<Variable> {
+        let written = premise.residuals.iter().flat_map(Fraction::variables);
+        written.flat_map(|v| self.atoms.with_arguments(v)).collect()
+    }
+
+    /// Whether a premise mentions a variable.
+    pub(super) fn mentions(&self, variable: Variable) -> bool {
+        self.mentioned.contains(&variable)
+    }
+
+    /// Whether a premise mentions an entity: a component of it, or a rate.
+    pub(super) fn mentions_entity(&self, entity: Entity) -> bool {
+        self.mentions_part(entity, None)
+    }
+
+    /// Whether a premise mentions a component of an entity, or any, where none is asked for.
+    pub(super) fn mentions_part(&self, entity: Entity, place: Option<u8>) -> bool {
+        self.mentioned.iter().any(|&v| {
+            matches!(*self.atoms.atom(v), Atom::Part { entity: e, component, .. }
+                if e == entity && place.is_none_or(|place| place == component))
+        })
     }
 
     /// Takes a premise in.
@@ -172,16 +203,16 @@ impl Theory {
         }
         // A definition may have told that a symbol moves.
         self.laws.clear();
-        let before = self.premises.clone();
+        let variables = self.variables(&premise);
         self.premises.push(premise);
-        match self.rebuild() {
-            Taken::Contradiction => {
-                self.premises = before;
-                self.rebuild();
-                Taken::Contradiction
-            }
-            taken => taken,
+        let taken = self.rebuild();
+        if taken == Taken::Contradiction {
+            self.premises.pop();
+            self.rebuild();
+        } else {
+            self.mentioned.extend(variables);
         }
+        taken
     }
 
     /// The value of a variable by a premise or a law, one step down; `None` for a free one.
