@@ -13,16 +13,7 @@ pub(super) fn sign_flips(sides: &[Node], reading: &Reading) -> Vec<Edit> {
     for side in sides {
         // A side that is a lone product names it; the definition is on the other side.
         if !matches!(&side.kind, Kind::Symbol(_)) {
-            flip(
-                side,
-                Sign {
-                    span: before(side.span),
-                    negative: false,
-                    opens: true,
-                },
-                reading,
-                &mut edits,
-            );
+            flip(side, Sign::opening(side), reading, &mut edits);
         }
     }
     edits.dedup_by_key(|edit: &mut Edit| edit.span);
@@ -36,6 +27,17 @@ struct Sign {
     negative: bool,
     /// Whether nothing stands before it that it would have to be joined to.
     opens: bool,
+}
+
+impl Sign {
+    /// The plus that nobody writes before what stands first.
+    fn opening(node: &Node) -> Self {
+        Self {
+            span: before(node.span),
+            negative: false,
+            opens: true,
+        }
+    }
 }
 
 fn flip(node: &Node, sign: Sign, reading: &Reading, out: &mut Vec<Edit>) {
@@ -90,32 +92,9 @@ fn flip(node: &Node, sign: Sign, reading: &Reading, out: &mut Vec<Edit>) {
                 out,
             );
         }
-        Kind::Matrix(rows) | Kind::Determinant(rows) => {
-            for cell in rows.iter().flatten() {
-                flip(
-                    cell,
-                    Sign {
-                        span: before(cell.span),
-                        negative: false,
-                        opens: true,
-                    },
-                    reading,
-                    out,
-                );
-            }
-        }
-        Kind::Tuple(entries) => {
-            for cell in entries {
-                flip(
-                    cell,
-                    Sign {
-                        span: before(cell.span),
-                        negative: false,
-                        opens: true,
-                    },
-                    reading,
-                    out,
-                );
+        Kind::Matrix(_) | Kind::Determinant(_) | Kind::Tuple(_) => {
+            for cell in node.children() {
+                flip(cell, Sign::opening(cell), reading, out);
             }
         }
         _ => node

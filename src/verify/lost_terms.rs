@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::edit::Edit;
+use crate::verify::lost_vectors::added;
 use crate::verify::names;
 use crate::verify::quantity::Quantity;
 use crate::verify::repair::{Search, first_symbol};
@@ -21,18 +22,9 @@ impl Checker<'_> {
             return vec![];
         };
         let times = if rate.is_ascii() { "\\times " } else { "× " };
-        line.sides
-            .last()
-            .map(|side| Edit {
-                span: Span {
-                    start: side.span.end,
-                    end: side.span.end,
-                },
-                text: format!(" + {rate} {times}{momentum}"),
-                kind: "missing-term",
-                message: format!("the term {rate} {times}{momentum} is missing"),
-                cost: 13,
-            })
+        let term = format!("{rate} {times}{momentum}");
+        let last = line.sides.last();
+        last.map(|side| added(side, '+', &term))
             .into_iter()
             .collect()
     }

@@ -107,7 +107,7 @@ fn visit(node: &Node, keep: &mut impl FnMut(&Node)) {
 }
 
 /// The edit that adds a term behind a side.
-fn added(side: &Node, sign: char, text: &str) -> Edit {
+pub(super) fn added(side: &Node, sign: char, text: &str) -> Edit {
     Edit {
         span: Span {
             start: side.span.end,
