@@ -30,6 +30,18 @@ impl Span {
         }
     }
 
+    /// The place right before it.
+    pub fn before(self) -> Self {
+        let end = self.start;
+        Self { end, ..self }
+    }
+
+    /// The place right behind it.
+    pub fn behind(self) -> Self {
+        let start = self.end;
+        Self { start, ..self }
+    }
+
     /// The span as a range of indices.
     pub fn range(self) -> std::ops::Range<usize> {
         self.start as usize..self.end as usize

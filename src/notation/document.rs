@@ -120,3 +120,20 @@ pub enum Row {
         span: Span,
     },
 }
+
+/// Adds words to the prose that stands last, or as prose of their own behind anything else.
+pub(crate) fn push_prose(items: &mut Vec<Item>, words: &str, span: Span) {
+    if words.is_empty() {
+        return;
+    }
+    match items.last_mut() {
+        Some(Item::Prose { text, span: last }) => {
+            text.push_str(words);
+            *last = last.to(span);
+        }
+        _ => items.push(Item::Prose {
+            text: words.to_owned(),
+            span,
+        }),
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::notation::delimiters::{Dialect, find, regions};
-use crate::notation::document::{FrontMatter, Item};
+use crate::notation::document::{FrontMatter, Item, push_prose};
 use crate::notation::macros::Macros;
 use crate::notation::token::{beginning, matching_brace};
 use crate::notation::{formula, front_matter};
@@ -124,20 +124,7 @@ impl Reader<'_> {
     }
 
     fn prose(&mut self, words: &str, start: usize, end: usize) {
-        if words.is_empty() {
-            return;
-        }
-        let span = Span::new(start, end);
-        match self.items.last_mut() {
-            Some(Item::Prose { text, span: last }) => {
-                text.push_str(words);
-                *last = last.to(span);
-            }
-            _ => self.items.push(Item::Prose {
-                text: words.to_owned(),
-                span,
-            }),
-        }
+        push_prose(&mut self.items, words, Span::new(start, end));
     }
 
     /// The text between two formulas.

@@ -1,7 +1,7 @@
 //! Markdown with mathematics.
 
 use crate::notation::delimiters::{Region, regions_and_comments};
-use crate::notation::document::{Item, Row};
+use crate::notation::document::{Item, Row, push_prose};
 use crate::notation::formula;
 use crate::notation::macros::Macros;
 use crate::source::Span;
@@ -191,23 +191,12 @@ impl Reader<'_> {
 
     fn prose(&mut self, words: &str, range: &Range<usize>) {
         let words = self.label(words);
-        if words.is_empty() {
-            return;
-        }
         if let Some((_, heading, _)) = &mut self.heading {
             heading.push_str(words);
             return;
         }
         let span = self.span(range);
-        if let Some(Item::Prose { text, span: last }) = self.items.last_mut() {
-            text.push_str(words);
-            *last = last.to(span);
-            return;
-        }
-        self.items.push(Item::Prose {
-            text: words.to_owned(),
-            span,
-        });
+        push_prose(&mut self.items, words, span);
     }
 
     fn formula(&mut self, region: Region) {

@@ -2,7 +2,7 @@
 
 mod look;
 
-use crate::notation::document::{Item, Row};
+use crate::notation::document::{Item, Row, push_prose};
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
@@ -122,22 +122,10 @@ impl<'a> Reader<'a> {
     }
 
     fn prose(&mut self, words: &str, at: usize) {
-        if words.is_empty() {
-            return;
-        }
         // The space between two sentences may stand for the end of the file.
         let length = words.len().min(self.text.len() - at);
         let span = self.span(at, length);
-        match self.items.last_mut() {
-            Some(Item::Prose { text, span: last }) => {
-                text.push_str(words);
-                *last = last.to(span);
-            }
-            _ => self.items.push(Item::Prose {
-                text: words.to_owned(),
-                span,
-            }),
-        }
+        push_prose(&mut self.items, words, span);
     }
 
     /// A formula on a line of its own.
