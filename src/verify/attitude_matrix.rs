@@ -2,10 +2,10 @@
 
 use crate::notation::ast::{Kind, Node, Operator};
 use crate::notation::document::Document;
-use crate::verify::attitude_reading::{AttitudeReading, undotted};
+use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::attitude_words::Sentence;
 use crate::verify::repair::lines;
-use crate::verify::usage::{Letter, inner, symbols};
+use crate::verify::usage::{Letter, inner, symbols, undotted};
 use std::collections::BTreeSet;
 
 /// Letters that an attitude matrix has.

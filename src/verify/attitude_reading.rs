@@ -6,7 +6,7 @@ use crate::verify::attitude_law::Convention;
 use crate::verify::attitude_layouts::{Layout, is_vector_part};
 use crate::verify::attitude_words::{Sentence, Way, rate_in_space, sentences, way};
 use crate::verify::repair::lines;
-use crate::verify::usage::{Letter, inner, symbols};
+use crate::verify::usage::{Letter, inner, symbols, undotted};
 use std::collections::BTreeMap;
 
 /// A part of a quaternion.
@@ -323,11 +323,4 @@ fn numbered(letter: &Letter, all: &[&Symbol]) -> bool {
             .any(|s| Letter::of(s) == *letter && s.subscripts == [index])
     };
     ["1", "2", "3"].into_iter().all(has) && (has("0") || has("4"))
-}
-
-pub(super) fn undotted(node: &Node) -> &Node {
-    match &inner(node).kind {
-        Kind::TimeDerivative { operand, .. } => undotted(operand),
-        _ => inner(node),
-    }
 }

@@ -18,7 +18,7 @@ use crate::verify::premise::inertia_changes;
 use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::role::{asserts, constrained, firm, role};
+use crate::verify::role::{Words, role};
 use crate::verify::spelling::spell;
 use crate::verify::theory::Theory;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
@@ -304,9 +304,10 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
-        self.asserted = asserts(&self.sentence);
-        self.constrained = constrained(&self.sentence);
-        self.firm = self.mark.is_some() || firm(&self.sentence);
+        let words = Words::of(&self.sentence);
+        self.asserted = words.derive();
+        self.constrained = words.constrain();
+        self.firm = self.mark.is_some() || words.assume();
         let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {
             match row {

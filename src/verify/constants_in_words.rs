@@ -5,6 +5,7 @@ use crate::source::Span;
 use crate::verify::atoms::Owner;
 use crate::verify::check::{Checker, keep_end};
 use crate::verify::frame::Frame;
+use crate::verify::role::Words;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::verdict::FromProse;
 
@@ -53,7 +54,7 @@ impl Checker<'_> {
         }
         let named = std::mem::take(&mut self.named);
         self.small_behind(&text, &named);
-        let derived = crate::verify::role::asserts(&self.sentence);
+        let derived = Words::of(&self.sentence).derive();
         if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.constant_in_words(node));
         }

@@ -33,7 +33,7 @@ impl Sign {
     /// The plus that nobody writes before what stands first.
     fn opening(node: &Node) -> Self {
         Self {
-            span: before(node.span),
+            span: node.span.before(),
             negative: false,
             opens: true,
         }
@@ -62,7 +62,7 @@ fn flip(node: &Node, sign: Sign, reading: &Reading, out: &mut Vec<Edit>) {
                 let span = if written {
                     term.sign
                 } else {
-                    before(term.node.span)
+                    term.node.span.before()
                 };
                 flip(
                     &term.node,
@@ -101,13 +101,6 @@ fn flip(node: &Node, sign: Sign, reading: &Reading, out: &mut Vec<Edit>) {
             .children()
             .into_iter()
             .for_each(|child| flip(child, sign, reading, out)),
-    }
-}
-
-fn before(span: Span) -> Span {
-    Span {
-        start: span.start,
-        end: span.start,
     }
 }
 

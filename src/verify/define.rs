@@ -47,7 +47,10 @@ impl Checker<'_> {
             return true;
         }
         // What is said of a symbol that earlier lines have already may follow from them, or not.
-        if role == Role::Claim && self.theory.mentions_part(entity, place) && !self.is_new_fact(sides) {
+        if role == Role::Claim
+            && self.theory.mentions_part(entity, place)
+            && !self.is_new_fact(sides)
+        {
             let mut tried = finding.clone();
             self.claim(sides, &mut tried);
             if matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {

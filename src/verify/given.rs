@@ -5,11 +5,10 @@ use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
-use crate::verify::news::lone;
 use crate::verify::quantity::Quantity;
 use crate::verify::reason;
 use crate::verify::symbol::{MAGNITUDE, Meaning};
-use crate::verify::usage::{inner, symbols};
+use crate::verify::usage::{inner, symbols, undotted};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
@@ -67,21 +66,20 @@ impl Checker<'_> {
         let [left, rest @ ..] = sides else {
             return role;
         };
-        let zero = |side: &Node| {
-            matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
-                || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
+        let still = |side: &Node| {
+            is_zero(side) || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
         };
-        if !self.displayed && self.constrained && rest.last().is_some_and(zero) {
+        if !self.displayed && self.constrained && rest.last().is_some_and(still) {
             return Role::Assume;
         }
         if role == Role::Claim || self.firm {
             return role;
         }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if sides.iter().any(zero) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
+        if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
             return role;
         }
-        let alone_left = matches!(lone(left).kind, Kind::Symbol(_));
+        let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
         let number = |side: &Node| symbols(side).is_empty();
         if alone_left && (rest.iter().any(number) || self.is_free_value(left))
             || self.new_symbol(left).is_some()
@@ -135,7 +133,7 @@ impl Checker<'_> {
         let wheels = |owner: &Option<&Owner>| {
             matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
         };
-        let alone = matches!(lone(first).kind, Kind::Symbol(_));
+        let alone = matches!(undotted(first).kind, Kind::Symbol(_));
         read.residuals().all(|entry| {
             let variables = self.theory.normal(entry).variables();
             let atoms = &self.theory.atoms;
@@ -189,8 +187,7 @@ impl Checker<'_> {
             return;
         }
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        let zero = |side: &Node| matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero());
-        if sides.last().is_some_and(zero) {
+        if sides.last().is_some_and(is_zero) {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;
             finding.remarks.push("taken as an assumption".to_owned());
@@ -202,4 +199,9 @@ impl Checker<'_> {
             finding.remarks.push("taken as given".to_owned());
         }
     }
+}
+
+/// Whether a side is written as a zero, bold or not.
+fn is_zero(side: &Node) -> bool {
+    matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
 }

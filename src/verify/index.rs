@@ -2,7 +2,6 @@
 
 use crate::notation::ast::{Kind, Line, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
-use crate::source::Span;
 use crate::verify::usage::{Letter, Usage};
 use crate::verify::verdict::{Finding, Verdict};
 use num_traits::ToPrimitive;
@@ -144,7 +143,7 @@ fn sums(node: &mut Node, usage: &Usage) {
         put(&mut node, &index.name, value);
         Term {
             negative: false,
-            sign: empty(node.span),
+            sign: node.span.before(),
             node,
         }
     });
@@ -163,13 +162,6 @@ fn between(from: &Node, to: &Node) -> Option<Vec<String>> {
     };
     let (from, to) = (number(from)?, number(to)?);
     (from <= to && to <= LONGEST).then(|| (from..=to).map(|n| n.to_string()).collect())
-}
-
-fn empty(span: Span) -> Span {
-    Span {
-        start: span.start,
-        end: span.start,
-    }
 }
 
 /// A line that an index was written out of has one finding: the worst of its parts, or all of them together.

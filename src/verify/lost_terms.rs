@@ -1,7 +1,6 @@
 //! Terms that a false line has lost: ω × L of a rate, or what its difference shows.
 
 use crate::notation::ast::{Kind, Line, Node, Symbol};
-use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::edit::Edit;
 use crate::verify::lost_vectors::added;
@@ -82,15 +81,10 @@ impl Checker<'_> {
             };
             let message = format!("a term is missing:{joined}");
             let zero = matches!(&cell.kind, Kind::Number(n) if n.value.is_zero());
-            let span = if zero {
-                cell.span
-            } else {
-                Span {
-                    start: cell.span.end,
-                    end: cell.span.end,
-                }
+            let (span, text) = match zero {
+                true => (cell.span, text),
+                false => (cell.span.behind(), joined),
             };
-            let text = if zero { text } else { joined };
             edits.push(Edit {
                 span,
                 text,

@@ -4,7 +4,6 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::Format;
 use crate::scalar::Prime;
-use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::edit::Edit;
 use crate::verify::frame::Frame;
@@ -109,10 +108,7 @@ fn visit(node: &Node, keep: &mut impl FnMut(&Node)) {
 /// The edit that adds a term behind a side.
 pub(super) fn added(side: &Node, sign: char, text: &str) -> Edit {
     Edit {
-        span: Span {
-            start: side.span.end,
-            end: side.span.end,
-        },
+        span: side.span.behind(),
         text: format!(" {sign} {text}"),
         kind: "missing-term",
         message: format!("the term {text} is missing"),

@@ -7,7 +7,7 @@ use crate::verify::check::Checker;
 use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
-use crate::verify::usage::inner;
+use crate::verify::usage::{inner, undotted};
 use crate::verify::value::Value;
 use num_traits::Zero;
 
@@ -23,7 +23,7 @@ impl Checker<'_> {
         let [equation] = read.equations.as_slice() else {
             return false;
         };
-        let alone = matches!(lone(first).kind, Kind::Symbol(_));
+        let alone = matches!(undotted(first).kind, Kind::Symbol(_));
         let entries = equation.residual.entries.iter();
         let rests: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
         let differs = |rest: &Fraction| !rest.is_zero();
@@ -126,14 +126,6 @@ impl Checker<'_> {
         let factor = above.coefficient_of(own, 1);
         above.degree_in(own) == 1
             && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
-    }
-}
-
-/// A side without its brackets and dots.
-pub(super) fn lone(side: &Node) -> &Node {
-    match &inner(side).kind {
-        Kind::TimeDerivative { operand, .. } => lone(operand),
-        _ => inner(side),
     }
 }
 

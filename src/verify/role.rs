@@ -89,6 +89,18 @@ const CLAIM: &[&str] = &[
     "has the size",
     "keeps the value",
 ];
+/// Phrases that mean what a shorter one does.
+const SHORTER: &[(&str, &str)] = &[
+    ("let us assume", "assume"),
+    ("let us suppose", "suppose"),
+    ("so that", "such that"),
+    ("take the special", "assume"),
+    ("take the case", "assume"),
+    ("let us choose", "choose"),
+    ("let us set", "set"),
+    ("let us define", "define"),
+    ("let us denote", "denote"),
+];
 /// Openings that look like an assumption and introduce a claim.
 const NO_ROLE: &[&str] = &[
     "let us expand",
@@ -194,20 +206,9 @@ const NO_ROLE: &[&str] = &[
 /// Words reach to the end of their sentence, or to a word such as *then* or *gives*; the last role word that is in
 /// force decides.
 pub(super) fn role(sentence: &str) -> Role {
-    let text = format!(" {} ", cleaned(&main_clauses(sentence)));
-    let mut text = text
-        .replace(" let us assume ", " assume ")
-        .replace(" let us suppose ", " suppose ")
-        .replace(" so that ", " such that ")
-        .replace(" take the special ", " assume ")
-        .replace(" take the case ", " assume ");
-    for (from, to) in [
-        (" let us choose ", " choose "),
-        (" let us set ", " set "),
-        (" let us define ", " define "),
-        (" let us denote ", " denote "),
-    ] {
-        text = text.replace(from, to);
+    let mut text = Words::of(&main_clauses(sentence)).0;
+    for (phrase, word) in SHORTER {
+        text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
     }
     // The formula may follow "called the precession rate": a definition, though "called the" alone is none.
     let definition = last_of(
@@ -227,15 +228,7 @@ pub(super) fn role(sentence: &str) -> Role {
             &format!(" {} ", "_".repeat(phrase.len())),
         );
     }
-    // "With ⟨ω = Ω⟩ the spin is": the condition has ended.
-    let trailing = text.rsplit('⟩').next().unwrap_or_default();
-    let predicate = [" is ", " are "]
-        .iter()
-        .any(|verb| trailing.ends_with(verb));
-    let weak = [" with ", " for ", " if ", " when "]
-        .iter()
-        .any(|word| text.contains(word));
-    if predicate && weak && text.contains('⟩') {
+    if has_left_its_condition(&text) {
         return Role::Claim;
     }
     let claim = last_of(&text, CLAIM);
@@ -256,41 +249,66 @@ pub(super) fn role(sentence: &str) -> Role {
     }
 }
 
-/// Whether a sentence assumes what follows it in so many words.
-pub(super) fn firm(sentence: &str) -> bool {
-    let text = format!(" {} ", cleaned(sentence));
-    let words = [
-        "assume",
-        "assuming",
-        "assumed",
-        "suppose",
-        "supposing",
-        "impose",
-        "given",
-    ];
-    last_of(&text, &words).is_some_and(|at| !text[at..].contains('⟩'))
+/// "With ⟨ω = Ω⟩ the spin is": the condition has ended.
+fn has_left_its_condition(text: &str) -> bool {
+    let Some((_, trailing)) = text.rsplit_once('⟩') else {
+        return false;
+    };
+    let predicate = [" is ", " are "];
+    let weak = [" with ", " for ", " if ", " when "];
+    predicate.iter().any(|verb| trailing.ends_with(verb))
+        && weak.iter().any(|word| text.contains(word))
 }
 
-/// Whether a sentence names a constraint that a body or a point of it is under.
-pub(super) fn constrained(sentence: &str) -> bool {
-    let words = [
-        "slip",
-        "slips",
-        "slipping",
-        "rolls",
-        "fixed",
-        "at rest",
-        "pinned",
-        "hinged",
-        "constrained",
-        "stationary",
-    ];
-    last_of(&format!(" {} ", cleaned(sentence)), &words).is_some()
-}
+/// A sentence in lower case, each of its words between single spaces.
+pub(super) struct Words(String);
 
-/// Whether a sentence derives what follows it: "hence", "gives".
-pub(super) fn asserts(sentence: &str) -> bool {
-    last_of(&format!(" {} ", cleaned(sentence)), CLAIM).is_some()
+impl Words {
+    /// The words of a sentence; stops within it are spaces.
+    pub(super) fn of(sentence: &str) -> Self {
+        let kept = |c: char| c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩');
+        let lower = sentence.to_lowercase();
+        let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
+        let mut text = " ".to_owned();
+        words.for_each(|word| text.extend([word, " "]));
+        Self(text)
+    }
+
+    /// Whether they derive what follows: "hence", "gives".
+    pub(super) fn derive(&self) -> bool {
+        last_of(&self.0, CLAIM).is_some()
+    }
+
+    /// Whether they assume what follows in so many words.
+    pub(super) fn assume(&self) -> bool {
+        let words = [
+            "assume",
+            "assuming",
+            "assumed",
+            "suppose",
+            "supposing",
+            "impose",
+            "given",
+        ];
+        last_of(&self.0, &words).is_some_and(|at| !self.0[at..].contains('⟩'))
+    }
+
+    /// Whether they name a constraint that a body or a point of it is under.
+    pub(super) fn constrain(&self) -> bool {
+        let words = [
+            "slip",
+            "slips",
+            "slipping",
+            "rolls",
+            "fixed",
+            "at rest",
+            "pinned",
+            "hinged",
+            "constrained",
+            "stationary",
+        ];
+        last_of(&self.0, &words).is_some()
+    }
 }
 
 /// A comma after a formula, and a subject behind it, open the main clause: "where ⟨n⟩ is constant, the equation is".
@@ -318,22 +336,6 @@ fn last_of(text: &str, words: &[&str]) -> Option<usize> {
         .iter()
         .filter_map(|word| text.rfind(&format!(" {word} ")))
         .max()
-}
-
-/// Lower case, words apart by single spaces, stops within the sentence as spaces.
-fn cleaned(sentence: &str) -> String {
-    let lower = sentence.to_lowercase();
-    let spaced: String = lower
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩') {
-                c
-            } else {
-                ' '
-            }
-        })
-        .collect();
-    spaced.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

@@ -219,11 +219,13 @@ impl<'a> Slips<'a> {
                 let text = if i == 0 && term.negative { "" } else { flipped };
                 self.push(term.sign, text, "sign", 10, "the sign is wrong");
             } else {
-                let at = Span {
-                    start: term.node.span.start,
-                    end: term.node.span.start,
-                };
-                self.push(at, "-", "sign", 11, "the sign is wrong");
+                self.push(
+                    term.node.span.before(),
+                    "-",
+                    "sign",
+                    11,
+                    "the sign is wrong",
+                );
             }
             let whole = term.sign.to(term.node.span);
             let whole = if term.sign.start == term.sign.end {

@@ -221,6 +221,14 @@ pub(super) fn inner(node: &Node) -> &Node {
     }
 }
 
+/// A node without the brackets and the dots on it.
+pub(super) fn undotted(node: &Node) -> &Node {
+    match &inner(node).kind {
+        Kind::TimeDerivative { operand, .. } => undotted(operand),
+        _ => inner(node),
+    }
+}
+
 /// All symbols of a node, from left to right.
 pub(super) fn symbols(node: &Node) -> Vec<&Symbol> {
     match &node.kind {
