@@ -10,6 +10,7 @@ pub mod ast;
 mod delimiters;
 pub mod document;
 mod front_matter;
+mod habits;
 mod latex;
 mod lexer;
 mod macros;
@@ -63,34 +64,13 @@ impl Format {
 /// ```
 pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic>) {
     let mut troubles = vec![];
-    let mut document = match format {
-        Format::Notebook => notebook::read(name, text, &mut troubles),
-        _ => Document {
-            format,
-            source: Source::new(name, text),
-            cells: vec![],
-            front_matter: document::FrontMatter::default(),
-            macros: Macros::default(),
-            items: vec![],
-        },
-    };
-    match format {
-        Format::Notebook => {}
-        Format::Markdown => {
-            let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
-            document.macros = Macros::collect(&text[body..]);
-            document.items = markdown::items(&text[body..], body, &document.macros);
-        }
-        Format::Latex => {
-            document.macros = Macros::collect(text);
-            let front = &mut document.front_matter;
-            document.items = latex::items(text, &document.macros, front, &mut troubles)
-        }
-        Format::Text => {
-            let body = front_matter::take(text, &mut document.front_matter, &mut troubles);
-            document.items = plain::read(&text[body..], body);
-        }
+    let mut document = read_items(name, text, format, false, &mut troubles);
+    if habits::decimal_commas(&document) {
+        troubles.clear();
+        document = read_items(name, text, format, true, &mut troubles);
     }
+    habits::labels_above(&mut document);
+    habits::rates_in_deltas(&mut document);
     troubles.extend(deceptive(&document.source.text));
     for item in &document.items {
         if let Item::Formula(formula) = item {
@@ -100,8 +80,58 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
     (document, troubles)
 }
 
+/// Reads what stands in a document, with the decimal sign that its author uses.
+fn read_items(
+    name: &str,
+    text: &str,
+    format: Format,
+    decimal_comma: bool,
+    troubles: &mut Vec<Diagnostic>,
+) -> Document {
+    let mut document = match format {
+        Format::Notebook => notebook::read(name, text, decimal_comma, troubles),
+        _ => Document {
+            format,
+            source: Source::new(name, text),
+            cells: vec![],
+            front_matter: document::FrontMatter::default(),
+            macros: Macros::default().with_decimal_comma(decimal_comma),
+            items: vec![],
+        },
+    };
+    let macros = |text: &str| Macros::collect(text).with_decimal_comma(decimal_comma);
+    match format {
+        Format::Notebook => {}
+        Format::Markdown => {
+            let body = front_matter::take(text, &mut document.front_matter, troubles);
+            document.macros = macros(&text[body..]);
+            document.items = markdown::items(&text[body..], body, &document.macros);
+        }
+        Format::Latex => {
+            document.macros = macros(text);
+            let front = &mut document.front_matter;
+            document.items = latex::items(text, &document.macros, front, troubles)
+        }
+        Format::Text => {
+            let body = front_matter::take(text, &mut document.front_matter, troubles);
+            document.items = plain::read(&text[body..], body, decimal_comma);
+        }
+    }
+    document
+}
+
 /// Says where a text holds characters that hide what it says; formulas with one are not read.
 fn deceptive(text: &str) -> Option<Diagnostic> {
+    let (what, span) = hidden(text, 0)?;
+    Some(Diagnostic::warning("hidden", span, what))
+}
+
+/// The first character of a text that hides what it says, in words.
+fn hidden(text: &str, offset: usize) -> Option<(&'static str, Span)> {
+    let doubtful = |b: u8| b == 0 || b == unicode::FIRST_BYTE_OF_A_MARK;
+    if !text.bytes().any(doubtful) {
+        return None;
+    }
     let (at, c) = text.char_indices().find(|(_, c)| unicode::deceptive(*c))?;
     let what = match c {
         '\0' => "a NUL byte stands here",
@@ -109,8 +139,15 @@ fn deceptive(text: &str) -> Option<Diagnostic> {
             "a mark that turns the direction of writing stands here: what is shown is not what is read"
         }
     };
-    let span = Span::new(at, at + c.len_utf8());
-    Some(Diagnostic::warning("hidden", span, what))
+    Some((what, Span::new(offset + at, offset + at + c.len_utf8())))
+}
+
+/// What keeps a formula from being read at all.
+fn refused(text: &str, offset: usize) -> Option<Reading> {
+    if text.len() > LONGEST_FORMULA {
+        return Some(too_long(Span::new(offset, offset + text.len())));
+    }
+    hidden(text, offset).map(|(what, span)| unreadable(what, None, span))
 }
 
 fn trouble(row: &Row) -> Option<Diagnostic> {
@@ -125,18 +162,22 @@ pub fn read_formula(text: &str, offset: usize, macros: &Macros) -> Vec<Row> {
 
 /// The rows of a formula and the words between them.
 fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
-    if text.len() > LONGEST_FORMULA {
-        let span = Span::new(offset, offset + text.len());
-        return too_long(span);
+    if let Some(refused) = refused(text, offset) {
+        return refused;
     }
     if macros.is_empty() {
-        return parse::rows::rows(&lexer::tokens(text, offset, Letters::Single));
+        return parse::rows::rows(&lexer::tokens(
+            text,
+            offset,
+            Letters::Single,
+            macros.decimal_comma,
+        ));
     }
     let Some((expanded, origin)) = macros.expand(text) else {
         let span = Span::new(offset, offset + text.len());
         return unreadable("a macro that expands without end", None, span);
     };
-    let mut tokens = lexer::tokens(&expanded, 0, Letters::Single);
+    let mut tokens = lexer::tokens(&expanded, 0, Letters::Single, macros.decimal_comma);
     let end_of_text = Span::new(text.len(), text.len());
     let came_from = |at: u32| origin.get(at as usize).copied().unwrap_or(end_of_text);
     for token in &mut tokens {
@@ -152,7 +193,10 @@ fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
 pub fn reread(document: &Document, text: &str) -> Vec<Row> {
     document.macros.allow(LONGEST_REREAD);
     match document.format {
-        Format::Text => parse::rows::rows(&lexer::tokens(text, 0, Letters::Words)).rows,
+        Format::Text => {
+            let decimal_comma = document.macros.decimal_comma;
+            parse::rows::rows(&lexer::tokens(text, 0, Letters::Words, decimal_comma)).rows
+        }
         _ => read_formula(text, 0, &document.macros),
     }
 }

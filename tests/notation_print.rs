@@ -104,7 +104,7 @@ fn symbol() -> impl Strategy<Value = Symbol> {
         "G or O",
         "x\u{304}x\u{304}",
     ];
-    let superscripts = ["", "", "", "(n+1)", "O", "*", "rel"];
+    let superscripts = ["", "", "", "(n+1)", "O", "*", "rel", "b"];
     (
         prop::sample::select(letters.to_vec()),
         style(),

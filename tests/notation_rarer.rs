@@ -150,3 +150,26 @@ fn formulas_stand_in_lists_quotations_and_tables() {
         "a = b\nc = d\ne = f\ng = h\ni = j"
     );
 }
+
+#[test]
+fn commands_of_packages_are_read_or_passed_over() {
+    each_reads(&[
+        (r"\qty[a + b]c", "(* (square (+ a b)) c)"),
+        (r"\qty\big(a + b)", "(group (+ a b))"),
+        (r"\qty{3}{kg}", "(unit 3 \"kg\")"),
+        (r"\smash[b]{c} + \kern-2pt d\mkern 3mu", "(+ c d)"),
+        (r"a \hskip 1em b", "a\nb"),
+        (r"\bbox[5px,border:2px solid red]{a = b}", "a = b"),
+        (r"a \overset{\eqref{eq:1}}{=} b", "a = b"),
+        (r"\frac{d^{\mathcal{B}}L}{dt}", "(d/dt@B L)"),
+        (r"\frac{d^2 L}{dt^2}", "(d2/dt2 L)"),
+        (r"\tg x + \cosec x + \Tr A", "(+ (tan x) (csc x) (trace A))"),
+    ]);
+    for unread in [
+        r"\grad f",
+        r"\curl{\vec v}",
+        r"\sum_{\substack{i = 1 \\ j = 2}} m",
+    ] {
+        assert!(latex(unread).contains("not read"), "{unread}");
+    }
+}

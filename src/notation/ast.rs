@@ -19,9 +19,15 @@ pub struct Node {
 impl Node {
     /// The nodes right below a node.
     pub fn children(&self) -> Vec<&Self> {
+        let mut children = vec![];
+        self.each_child(&mut |child| children.push(child));
+        children
+    }
+
+    /// Visits the nodes right below a node in their order.
+    pub fn each_child<'n>(&'n self, visit: &mut dyn FnMut(&'n Self)) {
         match &self.kind {
             Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
-                vec![]
             }
             Kind::Negate(a)
             | Kind::Transpose(a)
@@ -32,30 +38,35 @@ impl Node {
             | Kind::InFrame(a, _)
             | Kind::PlusMinus(a)
             | Kind::WithUnit(a, _)
-            | Kind::TimeDerivative { operand: a, .. } => vec![a],
-            Kind::Quotient(a, b) | Kind::Power(a, b) => vec![a, b],
-            Kind::Sum(terms) => terms.iter().map(|t| &t.node).collect(),
-            Kind::Product(factors) => factors.iter().map(|f| &f.node).collect(),
-            Kind::Tuple(entries) => entries.iter().collect(),
-            Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().collect(),
+            | Kind::TimeDerivative { operand: a, .. } => visit(a),
+            Kind::Quotient(a, b) | Kind::Power(a, b) => [a, b].into_iter().for_each(|n| visit(n)),
+            Kind::Sum(terms) => terms.iter().for_each(|t| visit(&t.node)),
+            Kind::Product(factors) => factors.iter().for_each(|f| visit(&f.node)),
+            Kind::Tuple(entries) => entries.iter().for_each(visit),
+            Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().for_each(visit),
             Kind::Derivative {
-                operand, variables, ..
-            } => std::iter::once(&**operand).chain(variables).collect(),
-            Kind::Call(head, arguments) => std::iter::once(&**head).chain(arguments).collect(),
+                operand: head,
+                variables: rest,
+                ..
+            }
+            | Kind::Call(head, rest) => {
+                visit(head);
+                rest.iter().for_each(visit);
+            }
             Kind::Integral {
                 integrand,
                 variable,
                 limits,
             } => {
-                let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
-                [&**integrand, &**variable]
-                    .into_iter()
-                    .chain(limits)
-                    .collect()
+                visit(integrand);
+                visit(variable);
+                let limits = limits.iter().flat_map(|(a, b)| [a, b]);
+                limits.for_each(|n| visit(n));
             }
             Kind::IndexedSum { limits, body, .. } => {
-                let limits = limits.iter().flat_map(|(a, b)| [&**a, &**b]);
-                std::iter::once(&**body).chain(limits).collect()
+                visit(body);
+                let limits = limits.iter().flat_map(|(a, b)| [a, b]);
+                limits.for_each(|n| visit(n));
             }
         }
     }

@@ -42,6 +42,7 @@ const DISPLAYS: &[&str] = &[
     "displaymath",
     "math",
     "dmath",
+    "empheq",
     "IEEEeqnarray",
     "subequations",
 ];

@@ -8,13 +8,20 @@ use crate::notation::token::{Letters, Lexeme, Token, beginning};
 use crate::notation::unicode;
 use crate::source::Span;
 
-/// The tokens of a formula whose first byte stands at `offset` of the source.
-pub(crate) fn tokens(text: &str, offset: usize, letters: Letters) -> Vec<Token<'_>> {
+/// The tokens of a formula whose first byte stands at `offset` of the source. Where a document parts decimals by a comma,
+/// `2,5` is one number.
+pub(crate) fn tokens(
+    text: &str,
+    offset: usize,
+    letters: Letters,
+    decimal_comma: bool,
+) -> Vec<Token<'_>> {
     let mut lexer = Lexer {
         text,
         offset,
         at: 0,
         letters,
+        decimal_comma,
         spaced: false,
         brackets: vec![],
         integral: false,
@@ -29,6 +36,7 @@ struct Lexer<'a> {
     offset: usize,
     at: usize,
     letters: Letters,
+    decimal_comma: bool,
     spaced: bool,
     /// For each open parenthesis of plain text, whether it stands for braces.
     brackets: Vec<bool>,
@@ -114,12 +122,38 @@ impl<'a> Lexer<'a> {
             self.out.last().map(|t| t.kind),
             Some(Lexeme::Subscript | Lexeme::Superscript | Lexeme::Open)
         );
-        if !script {
+        let decimals = self.decimals_behind_comma(start);
+        if decimals > 0 && !script {
+            self.at += 1 + decimals;
+        } else if !script {
             self.at += groups(&self.text[start..self.at], beginning(self.rest(), 64));
         }
         self.exponent();
         self.push(Lexeme::Number(&self.text[start..self.at]), start);
         self.unit();
+    }
+
+    /// The digits behind a decimal comma; none where the comma parts a list: `(2,5)`, `1,2,3`, `i = 1,2`.
+    fn decimals_behind_comma(&self, start: usize) -> usize {
+        let digits = |s: &str| s.bytes().take_while(u8::is_ascii_digit).count();
+        let Some(behind) = self.rest().strip_prefix(',').filter(|_| self.decimal_comma) else {
+            return 0;
+        };
+        let length = digits(behind);
+        let next = &behind[length..];
+        let goes_on = next.strip_prefix(',').is_some_and(|s| digits(s) > 0);
+        let before = |n: usize| self.out.iter().rev().nth(n).map(|t| t.kind);
+        let bracket = matches!(before(0), Some(Lexeme::Char('(' | '[')));
+        let alone = bracket && next.trim_start().starts_with([')', ']']);
+        let listed = before(0) == Some(Lexeme::Char(',')) && !self.spaced;
+        let counts = before(0) == Some(Lexeme::Char('='))
+            && matches!(before(1), Some(Lexeme::Letter('i'..='n')))
+            && !matches!(before(2), Some(Lexeme::Letter(_) | Lexeme::Close));
+        let whole = !self.text[start..self.at].contains('.');
+        match whole && !goes_on && !alone && !listed && !counts {
+            true => length,
+            false => 0,
+        }
     }
 
     /// `\frac12`: a command takes one digit for an argument, as in TeX.

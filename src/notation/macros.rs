@@ -5,7 +5,7 @@ use crate::source::Span;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The macros in force.
+/// The macros in force, and the decimal sign beside them.
 #[derive(Clone, Debug, Default)]
 pub struct Macros {
     defined: BTreeMap<String, Macro>,
@@ -13,6 +13,8 @@ pub struct Macros {
     left: Cell<usize>,
     /// Macros that were seen to expand without end: they are not tried in every formula again.
     endless: RefCell<BTreeSet<String>>,
+    /// Whether `2,5` is a number.
+    pub(crate) decimal_comma: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -32,6 +34,11 @@ const SHORTEST_DOCUMENT: usize = 500_000;
 /// Expansion stops at this length: a macro that doubles itself must not fill the memory.
 const LONGEST: usize = 100_000;
 
+/// A formula may have so many bytes of expansions, and so many more for each of its own: what a few bytes unfold to
+/// without being longer than any line is a bomb.
+const SHORTEST_FORMULA: usize = 5_000;
+const MOST_PER_BYTE: usize = 50;
+
 impl Macros {
     /// Collects the definitions that stand in a text.
     pub fn collect(text: &str) -> Self {
@@ -39,6 +46,7 @@ impl Macros {
             defined: BTreeMap::new(),
             left: Cell::new(SHORTEST_DOCUMENT + 2 * text.len()),
             endless: RefCell::default(),
+            decimal_comma: false,
         };
         let mut at = 0;
         let mut tried = 0;
@@ -48,15 +56,18 @@ impl Macros {
             let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
             let (name, rest) = rest.split_at(length);
             let defined = match name {
-                "newcommand" | "renewcommand" | "providecommand" | "NewDocumentCommand" => {
-                    command(rest)
+                "newcommand" | "renewcommand" | "providecommand" => command(rest),
+                "NewDocumentCommand" | "RenewDocumentCommand" | "DeclareDocumentCommand" => {
+                    document_command(rest)
                 }
                 "DeclareMathOperator" => operator(rest),
                 "def" | "gdef" => def(rest),
                 "let" => alias(rest),
                 _ => None,
             };
-            tried += usize::from(name.contains("command") || matches!(name, "def" | "gdef"));
+            tried += usize::from(
+                name.to_lowercase().contains("command") || matches!(name, "def" | "gdef"),
+            );
             if tried > MOST_DEFINITIONS {
                 break;
             }
@@ -71,6 +82,14 @@ impl Macros {
             );
         }
         macros
+    }
+
+    /// The same macros in a document that may part decimals by a comma.
+    pub(crate) fn with_decimal_comma(self, decimal_comma: bool) -> Self {
+        Self {
+            decimal_comma,
+            ..self
+        }
     }
 
     /// Whether there are none.
@@ -88,7 +107,8 @@ impl Macros {
     pub(crate) fn expand(&self, text: &str) -> Option<(String, Vec<Span>)> {
         let mut out = String::with_capacity(text.len());
         let mut origin = Vec::with_capacity(text.len());
-        let allowed = LONGEST.min(self.left.get());
+        let fair = SHORTEST_FORMULA + MOST_PER_BYTE * text.len();
+        let allowed = LONGEST.min(fair).min(self.left.get());
         let mut budget = allowed;
         let done = self.expand_into(text, None, 0, &mut out, &mut origin, &mut budget);
         self.left.set(self.left.get() - (allowed - budget));
@@ -290,6 +310,35 @@ fn command(text: &str) -> Option<(String, Macro)> {
             body: body.to_owned(),
         },
     ))
+}
+
+/// `\NewDocumentCommand{\pd}{O{t} m}{…}`: arguments that must stand, the first of them optional at most.
+fn document_command(text: &str) -> Option<(String, Macro)> {
+    let (name, rest) = defined_name(text)?;
+    let (kinds, rest) = argument(rest)?;
+    let kinds = kinds.trim();
+    let (default, needed) = match kinds.strip_prefix('O').map(argument) {
+        Some(default) => {
+            let (default, needed) = default?;
+            (Some(default.to_owned()), needed)
+        }
+        None => (None, kinds),
+    };
+    let needed: Vec<char> = needed.chars().filter(|c| !c.is_whitespace()).collect();
+    let arguments = needed.len() + usize::from(default.is_some());
+    let (body, _) = argument(rest)?;
+    let plain = needed.iter().all(|kind| *kind == 'm') && arguments <= 9;
+    plain.then(|| {
+        let body = body.to_owned();
+        (
+            name,
+            Macro {
+                arguments,
+                default,
+                body,
+            },
+        )
+    })
 }
 
 fn operator(text: &str) -> Option<(String, Macro)> {

@@ -8,7 +8,12 @@ use crate::source::{Source, Span};
 use serde_json::Value;
 
 /// Reads a notebook; one that is no JSON gives an empty document and says so.
-pub(crate) fn read(name: &str, text: &str, troubles: &mut Vec<Diagnostic>) -> Document {
+pub(crate) fn read(
+    name: &str,
+    text: &str,
+    decimal_comma: bool,
+    troubles: &mut Vec<Diagnostic>,
+) -> Document {
     let mut joined = String::new();
     let mut cells = vec![];
     match serde_json::from_str::<Value>(text) {
@@ -29,7 +34,7 @@ pub(crate) fn read(name: &str, text: &str, troubles: &mut Vec<Diagnostic>) -> Do
         }
     }
     let mut front = FrontMatter::default();
-    let macros = Macros::collect(&joined);
+    let macros = Macros::collect(&joined).with_decimal_comma(decimal_comma);
     let mut items: Vec<Item> = vec![];
     for (n, cell) in cells.iter().enumerate() {
         let start = cell.span.start as usize;

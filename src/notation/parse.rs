@@ -28,6 +28,7 @@ use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 
 pub(crate) use number::groups;
+pub(crate) use script::symbol_of;
 pub(crate) use text::is_unit;
 
 /// Groups inside groups beyond this are refused: nobody writes them, and each costs a stack frame.
@@ -35,6 +36,10 @@ const DEEPEST: u32 = 100;
 
 /// No tree has more levels: whatever walks one later may do so by recursion.
 const TALLEST: usize = 120;
+
+/// What is said of `2,5` where the document does not show what its commas part.
+pub(crate) const COMMA_BETWEEN_DIGITS: &str =
+    "a comma between digits, which may part decimals, thousands or a list";
 
 /// Reads one expression from a slice of tokens.
 #[derive(Clone)]
@@ -133,9 +138,7 @@ impl<'t, 'a> Parser<'t, 'a> {
                 format!("a sign is missing an operand: \\{name}")
             }
             Some(Lexeme::Command(name)) => format!("the command \\{name} is not known"),
-            Some(Lexeme::Char(',')) if self.between_digits() => {
-                "a comma between digits, which may part decimals, thousands or a list".into()
-            }
+            Some(Lexeme::Char(',')) if self.between_digits() => COMMA_BETWEEN_DIGITS.into(),
             Some(Lexeme::Char(c)) => format!("{c:?} is not expected here"),
             Some(Lexeme::Close) => "a brace closes that was not opened".into(),
             Some(Lexeme::Begin(name)) => format!("the environment {name} is not known here"),

@@ -6,15 +6,16 @@ use crate::notation::document::{Item, Row, push_prose};
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
-use crate::notation::{LONGEST_FORMULA, items, too_long};
+use crate::notation::{items, refused};
 use crate::source::Span;
 use look::{is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
-pub(crate) fn read(text: &str, offset: usize) -> Vec<Item> {
+pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool) -> Vec<Item> {
     let mut reader = Reader {
         text,
         offset,
+        decimal_comma,
         items: vec![],
     };
     let mut at = 0;
@@ -43,6 +44,7 @@ fn line_end(text: &str, at: usize) -> usize {
 struct Reader<'a> {
     text: &'a str,
     offset: usize,
+    decimal_comma: bool,
     items: Vec<Item>,
 }
 
@@ -131,11 +133,11 @@ impl<'a> Reader<'a> {
     /// A formula on a line of its own.
     fn display(&mut self, text: &'a str, at: usize) {
         let (body, label) = labelled(text);
-        if body.len() > LONGEST_FORMULA {
+        if let Some(reading) = refused(body, self.offset + at) {
             let span = self.span(at, text.len());
-            return self.items.extend(items(too_long(span), true, span));
+            return self.items.extend(items(reading, true, span));
         }
-        let mut tokens = tokens(body, self.offset + at, Letters::Words);
+        let mut tokens = tokens(body, self.offset + at, Letters::Words, self.decimal_comma);
         tokens.extend(label.map(|label| Token {
             kind: Lexeme::Tag(label),
             span: self.span(at + body.len(), text.len() - body.len()),
@@ -158,10 +160,11 @@ impl<'a> Reader<'a> {
     }
 
     fn inline(&mut self, text: &str, at: usize) {
-        if text.len() > LONGEST_FORMULA {
+        if refused(text, at).is_some() {
             return self.prose(text, at);
         }
-        let reading = parse::rows::rows(&tokens(text, self.offset + at, Letters::Words));
+        let tokens = tokens(text, self.offset + at, Letters::Words, self.decimal_comma);
+        let reading = parse::rows::rows(&tokens);
         let broken = |row: &Row| matches!(row, Row::Unreadable { .. });
         if reading.rows.iter().any(broken) {
             return self.prose(text, at);

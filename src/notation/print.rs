@@ -139,7 +139,8 @@ impl Form {
                 // Digits beside digits would be one number.
                 Operator::Juxtaposed
                     if printed.starts_with(|c: char| c.is_ascii_digit())
-                        && text.ends_with(|c: char| c.is_ascii_digit()) =>
+                        && (text.ends_with(|c: char| c.is_ascii_digit())
+                            || matches!(factors[i - 1].node.kind, Kind::Number(_))) =>
                 {
                     " * "
                 }

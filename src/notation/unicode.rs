@@ -127,6 +127,9 @@ pub(crate) fn deceptive(c: char) -> bool {
     matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\0')
 }
 
+/// The byte with which every such mark but NUL begins.
+pub(crate) const FIRST_BYTE_OF_A_MARK: u8 = 0xe2;
+
 /// What a character outside ASCII is in LaTeX.
 pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
     use Lexeme::{Char, Command, Letter};
@@ -294,7 +297,11 @@ const WORDS: &[&str] = &[
 /// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
 pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
     let (stem, dots) = undotted(word);
-    if let Some(name) = WORDS.iter().chain(GREEK).find(|w| **w == stem) {
+    if let Some(name) = WORDS
+        .iter()
+        .chain(GREEK)
+        .find(|w| w.as_bytes().first() == stem.as_bytes().first() && **w == stem)
+    {
         let base = match *name {
             "cross" => Lexeme::Command("times"),
             name => Lexeme::Command(name),

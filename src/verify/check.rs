@@ -201,15 +201,22 @@ impl<'a> Checker<'a> {
     }
 
     fn report(self) -> Report {
+        let readings = self.readings_in_words();
         Report {
             path: self.document.source.name.clone(),
             products: self.convention,
             findings: merged(in_order(self.findings)),
             from_prose: self.from_prose,
-            readings: self.reading.describe(),
+            readings,
             passed: self.passed,
             variables: names::all(&self.theory.atoms),
         }
+    }
+
+    fn readings_in_words(&self) -> Vec<String> {
+        let commas = self.document.macros.decimal_comma;
+        let commas = commas.then(|| "decimal commas: 2,5 is 5/2".to_owned());
+        self.reading.describe().into_iter().chain(commas).collect()
     }
 
     fn item(&mut self, item: &Item) {
@@ -365,11 +372,9 @@ impl<'a> Checker<'a> {
     pub(super) fn place(&self, offset: u32) -> (usize, usize, Option<usize>) {
         let source = &self.document.source;
         let (line, column) = source.line_column(offset);
-        let cell = self
-            .document
-            .cells
-            .iter()
-            .find(|c| c.span.range().contains(&(offset as usize)));
+        let cells = &self.document.cells;
+        let cell = cells.get(cells.partition_point(|c| c.span.end <= offset));
+        let cell = cell.filter(|c| c.span.start <= offset);
         match cell {
             Some(cell) => (
                 line + 1 - source.line_column(cell.span.start).0,

@@ -57,7 +57,6 @@ const SILENT: &[&str] = &[
     "left@",
     "hline",
     "par",
-    "smash",
     "bcancel",
     "xcancel",
     "sout",
@@ -65,6 +64,17 @@ const SILENT: &[&str] = &[
     "framebox",
     "underbracket",
     "vcenter",
+    "mathllap",
+    "mathrlap",
+    "mathclap",
+    "llap",
+    "rlap",
+    "clap",
+    "eval",
+    "IEEEyesnumber",
+    "IEEEnonumber",
+    "IEEEyessubnumber",
+    "IEEEeqnarraynumspace",
 ];
 
 /// Commands with one argument that says nothing.
@@ -74,12 +84,26 @@ const SWALLOW: &[&str] = &[
     "vphantom",
     "vspace",
     "color",
-    "vskip",
     "cite",
     "footnote",
     "footnotemark",
     "textcircled",
     "intertext@",
+    "eqref",
+    "ref",
+    "autoref",
+    "cref",
+    "Cref",
+    "require",
+    "htmlClass",
+    "htmlId",
+    "htmlStyle",
+    "htmlData",
+    "cssId",
+    "class",
+    "href",
+    "enclose",
+    "mspace",
 ];
 
 const TEXT: &[&str] = &[
@@ -119,7 +143,17 @@ impl<'a> Lexer<'a> {
             "quad" => self.push(Lexeme::Space(18), start),
             "qquad" => self.push(Lexeme::Space(36), start),
             "hspace" => self.hspace(start),
-            "hfill" | "hfil" | "hskip" => self.push(Lexeme::Space(18), start),
+            "hfill" | "hfil" => self.push(Lexeme::Space(18), start),
+            "hskip" => {
+                self.dimension();
+                self.push(Lexeme::Space(18), start);
+            }
+            "kern" | "mkern" | "mskip" | "vskip" => self.dimension(),
+            "smash" | "bbox" => self.option(),
+            // Of the package physics, where no brace follows: a bracket that grows.
+            "qty" | "quantity" if !self.rest().trim_start().starts_with('{') => {}
+            "cp" | "crossproduct" => self.push(Lexeme::Command("cross"), start),
+            "dotproduct" => self.push(Lexeme::Command("vdot"), start),
             "langle" => self.push(Lexeme::Char('⟨'), start),
             "rangle" => self.push(Lexeme::Char('⟩'), start),
             "lfloor" => self.push(Lexeme::Char('⌊'), start),
@@ -212,6 +246,28 @@ impl<'a> Lexer<'a> {
         let width = number.trim().parse::<f32>().unwrap_or(3.0) * unit;
         // A cast from a float stops at the ends of the range.
         self.push(Lexeme::Space(width.max(0.0) as u8), start);
+    }
+
+    /// A length without braces: `\mkern-3mu`, `\hskip 1em`.
+    fn dimension(&mut self) {
+        let rest = beginning(self.rest(), 24).trim_start();
+        let part = |c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.');
+        let unit = rest.trim_start_matches(part).trim_start();
+        let units = ["mu", "em", "ex", "pt", "cm", "mm", "in", "sp"];
+        if let Some(unit) = units.iter().find_map(|u| unit.strip_prefix(u)) {
+            self.at += beginning(self.rest(), 24).len() - unit.len();
+        }
+    }
+
+    /// `[b]`, which says how tall something is made.
+    fn option(&mut self) {
+        let rest = self.rest();
+        if let Some(end) = rest
+            .strip_prefix('[')
+            .and_then(|r| beginning(r, 40).find(']'))
+        {
+            self.at += end + 2;
+        }
     }
 
     /// TeX's own `\eqno(3)`.
@@ -308,6 +364,7 @@ impl<'a> Lexer<'a> {
                     | "subarray"
                     | "numcases"
                     | "subnumcases"
+                    | "empheq"
             )
         {
             let rest = self.rest().trim_start();

@@ -5,7 +5,7 @@ mod differential;
 use super::Parser;
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::notation::token::{Lexeme, Token};
-use differential::{Differential, above, order, total, trim};
+use differential::{Differential, above, order, total, total_mark, trim};
 pub(super) use differential::{mark, turning};
 
 impl<'t, 'a> Parser<'t, 'a> {
@@ -19,7 +19,10 @@ impl<'t, 'a> Parser<'t, 'a> {
             return self.derivative(differential, variables, start);
         }
         if let Some(differential) = total(top, bottom) {
-            let time = self.inside(&trim(bottom)[1..]).whole();
+            let bottom = trim(bottom);
+            let time = self
+                .inside(&bottom[total_mark(bottom).unwrap_or(1)..])
+                .whole();
             return self.derivative(differential, vec![time], start);
         }
         let above = self.inside(top).whole();

@@ -54,7 +54,7 @@ pub(super) fn is_operator(name: &str) -> bool {
 }
 
 /// Commands that put one thing over another: a word over a relation, or a dot over a letter.
-const STACKS: &[&str] = &["stackrel", "overset"];
+const STACKS: &[&str] = &["stackrel", "overset", "underset"];
 
 const OPERATORS: &[&str] = &[
     "times", "wedge", "cross", "land", "cdot", "vdot", "bullet", "otimes", "circ", "odot", "ast",
@@ -206,7 +206,16 @@ impl<'a> Parser<'_, 'a> {
             }
             "det" | "tr" | "exp" | "ln" | "log" | "max" | "min" => self.function(name, start),
             "underbrace" | "overbrace" => self.braced_remark(),
-            "stackrel" | "overset" => self.stacked(start),
+            "stackrel" | "overset" | "underset" => self.stacked(name == "underset", start),
+            "norm" => {
+                self.take(Lexeme::Char('*'));
+                let inner = match self.peek() {
+                    Some(Lexeme::Char('(' | '[')) => self.factor(),
+                    _ => self.argument_node(),
+                };
+                let node = self.node(Kind::Norm(Box::new(inner)), start);
+                self.scripts(node, start)
+            }
             "crossof" | "dotof" => self.product_of(name == "crossof", start),
             "cbrt" => {
                 let argument = self.argument_node();
@@ -266,7 +275,13 @@ impl<'a> Parser<'_, 'a> {
 
     /// What follows an unknown command is read on, and the error stands at the command.
     fn unknown(&mut self, name: &str, start: usize) -> Node {
-        let message = format!("the command \\{name} is not known");
+        let message = match name {
+            "grad" | "div" | "curl" | "laplacian" | "gradient" | "divergence" => {
+                format!("\\{name}, a derivative in space, is not read")
+            }
+            "substack" => "conditions under each other are not read".to_owned(),
+            _ => format!("the command \\{name} is not known"),
+        };
         while self.peek() == Some(Lexeme::Open) {
             let _ = self.argument();
         }

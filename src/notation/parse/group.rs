@@ -9,6 +9,14 @@ use crate::notation::token::{Lexeme, Token};
 
 /// The tokens without the braces that group nothing.
 pub(super) fn ungrouped<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
+    let grouping = |token: &Token<'_>| match token.kind {
+        Lexeme::Open | Lexeme::LeftNull | Lexeme::RightNull => true,
+        Lexeme::Command(name) => is_bold(name),
+        _ => false,
+    };
+    if !tokens.iter().any(grouping) {
+        return tokens.to_vec();
+    }
     let mut scan = Scan::new(tokens);
     for i in 0..tokens.len() {
         scan.token(i);
@@ -209,12 +217,16 @@ fn arguments(name: &str) -> u8 {
     }
 }
 
+fn is_bold(name: &str) -> bool {
+    matches!(name, "boldsymbol" | "bm" | "mathbf" | "pmb" | "mathrm")
+}
+
 /// `\boldsymbol{\times}`, `\bm\cdot`: the operator, and how many tokens were spent on it.
 fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
     let first = tokens.first()?;
-    let Lexeme::Command("boldsymbol" | "bm" | "mathbf" | "pmb" | "mathrm") = first.kind else {
+    if !matches!(first.kind, Lexeme::Command(name) if is_bold(name)) {
         return None;
-    };
+    }
     let grouped = tokens.get(1)?.kind == Lexeme::Open;
     let at = 1 + usize::from(grouped);
     let operator = tokens

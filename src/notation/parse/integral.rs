@@ -150,6 +150,10 @@ impl Parser<'_, '_> {
             lower = parts.get(1).map(|part| self.inside(part).whole());
         }
         let body = Box::new(self.product());
+        if index.contains("substack") {
+            let message = "conditions under a sum, one below the other, are not read";
+            return self.node(Kind::Error(message.into()), start);
+        }
         let limits: Limits = lower.zip(upper).map(|(a, b)| (Box::new(a), Box::new(b)));
         let index = Box::new(Symbol {
             name: index,

@@ -54,12 +54,12 @@ fn mark(name: &str) -> Option<Mark> {
         "mathbf" | "boldsymbol" | "bm" | "pmb" | "bf" | "mathbfit" | "vb" | "vectorbold"
         | "symbf" | "mathbold" => Mark::Bold,
         "bar" | "overline" => Mark::Bar,
-        "underline" => Mark::Underline,
+        "underline" | "undertilde" | "utilde" => Mark::Underline,
         "hat" | "widehat" | "vu" => Mark::Hat,
         "tilde" | "widetilde" => Mark::Tilde,
         "mathcal" | "mathscr" | "mathfrak" | "cal" => Mark::Calligraphic,
         "mathrm" | "rm" | "textrm@" | "mathup" => Mark::Upright,
-        "mathsf" | "mathtt" | "sf" | "overleftrightarrow" => Mark::Sans,
+        "mathsf" | "mathtt" | "sf" | "overleftrightarrow" | "tensor" => Mark::Sans,
         "mathbb" => Mark::Board,
         "mathit" | "it" | "mathnormal" => Mark::Plain,
         "check" | "breve" | "acute" | "grave" => Mark::Other,
@@ -112,7 +112,7 @@ impl<'t, 'a> Parser<'t, 'a> {
     }
 
     /// `\overset{.}{\omega}` and `\stackrel{\leftrightarrow}{I}`: accents drawn by hand.
-    pub(super) fn stacked(&mut self, start: usize) -> Node {
+    pub(super) fn stacked(&mut self, below: bool, start: usize) -> Node {
         let above = self.argument();
         let base = self.argument_node();
         let drawn = |kind: &Lexeme<'_>| match kind {
@@ -133,8 +133,17 @@ impl<'t, 'a> Parser<'t, 'a> {
             .map(|t| t.kind)
             .filter(|kind| !matches!(kind, Lexeme::Space(_)))
             .collect();
-        let over = kinds.first().and_then(drawn);
+        let over =
+            match kinds.as_slice() {
+                // A wave, a line or an arrow below marks a vector, as underlining does.
+                [
+                    Lexeme::Command("sim" | "rightarrow" | "to" | "bar") | Lexeme::Char('-' | '~'),
+                ] if below => Some(Over::Mark(Mark::Underline)),
+                _ if below => None,
+                kinds => kinds.first().and_then(drawn),
+            };
         let same = kinds.iter().all(|kind| drawn(kind) == over);
+        let place = if below { "under" } else { "over" };
         let node = match over {
             Some(Over::Dot) if same => dotted(base, u8::try_from(kinds.len()).unwrap_or(u8::MAX)),
             Some(Over::Ring) if same => {
@@ -142,7 +151,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             }
             Some(Over::Mark(mark)) if kinds.len() == 1 => marked(base, mark, &[]),
             _ => self.node(
-                Kind::Error("what stands over this is not known".into()),
+                Kind::Error(format!("what stands {place} this is not known")),
                 start,
             ),
         };

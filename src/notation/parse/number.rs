@@ -49,6 +49,11 @@ pub(super) fn joined(written: &str) -> Option<Cow<'_, str>> {
     {
         return Some(written.into());
     }
+    // The lexer takes a bare comma for a part of a number only where the document parts decimals by it.
+    let bare = |w: &[u8]| w[0].is_ascii_digit() && w[1] == b',';
+    if written.as_bytes().windows(2).any(bare) {
+        return Some(written.replace(',', ".").into());
+    }
     let parts: Vec<&str> = written.split("{,}").collect();
     let [whole, part] = parts.as_slice() else {
         let bare = |c: &char| c.is_ascii_digit() || *c == '.';

@@ -262,6 +262,13 @@ fn beside_number(node: Node, before: Option<&Factor>) -> Node {
 
 /// A decimal number as an exact one; `digits` is what the lexer takes for a number.
 pub(super) fn read_number(digits: &str) -> Number {
+    if let Ok(value) = digits.parse::<u64>() {
+        return Number {
+            value: BigRational::from_integer(value.into()),
+            decimals: None,
+            exponent: 0,
+        };
+    }
     let (mantissa, exponent) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));

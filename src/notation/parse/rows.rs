@@ -172,6 +172,10 @@ pub(crate) fn first_error(row: &Row) -> Option<(String, Span)> {
 pub(super) fn error_in(node: &crate::notation::ast::Node) -> Option<(String, Span)> {
     match &node.kind {
         Kind::Error(message) => Some((message.clone(), node.span)),
-        _ => node.children().into_iter().find_map(error_in),
+        _ => {
+            let mut found = None;
+            node.each_child(&mut |child| found = found.take().or_else(|| error_in(child)));
+            found
+        }
     }
 }

@@ -308,7 +308,7 @@ pub(super) fn marked(mut node: Node, label: FrameLabel) -> Node {
 }
 
 /// The symbol that a script hangs on: that under dots, or in the bracket of a skew mark.
-pub(super) fn symbol_of(node: &mut Node) -> Option<&mut Symbol> {
+pub(crate) fn symbol_of(node: &mut Node) -> Option<&mut Symbol> {
     match &mut node.kind {
         Kind::Symbol(symbol) => Some(symbol),
         Kind::TimeDerivative {

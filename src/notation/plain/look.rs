@@ -29,10 +29,11 @@ fn look(word: &str) -> Look {
         matches!(
             c,
             '=' | '^' | '_' | '½' | '×' | '·' | '−' | '√' | '∂' | '∫' | '≈' | '≠' | '≡'
-        ) || ('Α'..='ω').contains(&c)
-            || ('\u{300}'..='\u{36f}').contains(&c)
-            || unicode::script(c).is_some()
-            || !unicode::decomposed(c).1.is_empty()
+        ) || !c.is_ascii()
+            && (('Α'..='ω').contains(&c)
+                || ('\u{300}'..='\u{36f}').contains(&c)
+                || unicode::script(c).is_some()
+                || !unicode::decomposed(c).1.is_empty())
     });
     let known = |word: &str| unicode::word(word).is_some();
     if strong || known(core) || is_rate(core) {

@@ -130,7 +130,8 @@ pub(super) fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 
         frame = frame.or(Some(turning(mark.span)));
         rest = &rest[1..];
     }
-    let tokens = rest;
+    let (above, tokens) = frame_above(rest);
+    frame = frame.or(above.map(label));
     let (more, order) = order(tokens)?;
     let rest = trim(&tokens[more..]);
     Some(Differential {
@@ -168,23 +169,51 @@ fn subscript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [
     }
 }
 
+/// `^{N}` behind a d, as in `\frac{d^N L}{dt}`; a number there is the order.
+fn frame_above<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
+    let raised = match tokens {
+        [first, rest @ ..] if first.kind == Lexeme::Superscript => script(rest),
+        _ => return (None, tokens),
+    };
+    let names = |label: &[Token<'_>]| match label.last().map(|t| t.kind) {
+        Some(Lexeme::Letter(c)) => c.is_ascii_uppercase(),
+        Some(Lexeme::Close) => matches!(label[0].kind, Lexeme::Command(_)),
+        Some(Lexeme::Text(_)) => true,
+        _ => false,
+    };
+    match raised {
+        (Some(label), rest) if names(label) => (Some(label), rest),
+        _ => (None, tokens),
+    }
+}
+
 /// `D t` below a line makes the D above it a d: `\frac{D L}{D t}`.
 pub(super) fn total<'t, 'a>(
     top: &'t [Token<'a>],
     bottom: &[Token<'a>],
 ) -> Option<Differential<'t, 'a>> {
-    let time = trim(bottom).iter().map(|t| t.kind);
-    let [first, rest @ ..] = trim(top) else {
-        return None;
-    };
-    let total =
-        first.kind == Lexeme::Letter('D') && time.eq([Lexeme::Letter('D'), Lexeme::Letter('t')]);
-    total.then(|| Differential {
+    let (top, bottom) = (trim(top), trim(bottom));
+    let rest = trim(&top[total_mark(top)?..]);
+    let time = trim(&bottom[total_mark(bottom)?..]);
+    let total = matches!(time, [t] if t.kind == Lexeme::Letter('t'));
+    total.then_some(Differential {
         partial: false,
         order: 1,
         frame: None,
-        rest: trim(rest),
+        rest,
     })
+}
+
+/// How many tokens a D takes at the start of a slice, upright or not.
+pub(super) fn total_mark(tokens: &[Token<'_>]) -> Option<usize> {
+    let kind = |i: usize| tokens.get(i).map(|t| t.kind);
+    let letter = |i: usize| kind(i) == Some(Lexeme::Letter('D'));
+    match kind(0)? {
+        Lexeme::Letter('D') => Some(1),
+        Lexeme::Command("mathrm" | "rm") if letter(1) => Some(2),
+        Lexeme::Command("mathrm") if letter(2) && kind(3) == Some(Lexeme::Close) => Some(4),
+        _ => None,
+    }
 }
 
 /// `{}^{N}` before the rest.
