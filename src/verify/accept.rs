@@ -2,10 +2,12 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Node;
+use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
 use crate::verify::decide::passes_filter;
 use crate::verify::line::Read;
 use crate::verify::lower::TroubleKind;
+use crate::verify::quantity::Quantity;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::verdict::{Finding, Role, Verdict};
 
@@ -40,9 +42,14 @@ impl Checker<'_> {
             finding.reason = Some("something is divided by zero".to_owned());
             return;
         }
-        let preferred = read.equations.first().map_or(vec![], |e| {
-            e.left.entries.iter().flat_map(|f| f.variables()).collect()
-        });
+        let left = read.equations.first().map(|e| e.left.entries.clone());
+        let left = left.unwrap_or_default();
+        let mut preferred: Vec<Variable> = left.iter().flat_map(Fraction::variables).collect();
+        // A momentum that is given says how the body turns.
+        let normals: Vec<Fraction> = left.iter().map(|entry| self.theory.normal(entry)).collect();
+        let omega = Some(Owner::Quantity(Quantity::AngularVelocity, String::new()));
+        let turning = normals.iter().flat_map(Fraction::variables);
+        preferred.extend(turning.filter(|&v| self.theory.atoms.owner(v) == omega.as_ref()));
         let name = self.line_name(finding);
         let definition = role == Role::Define;
         if let Some(first) = read.equations.first() {

@@ -39,7 +39,11 @@ impl Checker<'_> {
             return false;
         }
         let wheels = self.theory.setting.gyrostat && self.only_wheels(first, read);
-        if wheels || self.is_news(first, read) || self.is_load(sides, read) {
+        if wheels
+            || self.is_news(first, read)
+            || self.is_load(sides, read)
+            || self.gives_momentum(sides)
+        {
             return true;
         }
         let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
@@ -77,6 +81,11 @@ impl Checker<'_> {
         }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
         if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
+            return role;
+        }
+        // One triad by another: neither is determined.
+        let axis = matches!(&inner(left).kind, Kind::Symbol(symbol) if matches!(self.meaning_of(symbol), Meaning::UnitVector(_)));
+        if axis {
             return role;
         }
         let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
@@ -178,6 +187,37 @@ impl Checker<'_> {
                 let value = self.theory.atoms.value(entity, component, 0);
                 self.theory.normal(&value).as_variable().is_some()
             })
+    }
+
+    /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
+    fn gives_momentum(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let turns = |owner: &Owner| {
+            use Quantity::{AngularAcceleration, AngularVelocity, Inertia, Moment, Momentum};
+            let of_turning = [
+                AngularVelocity,
+                AngularAcceleration,
+                Inertia,
+                Moment,
+                Momentum,
+            ];
+            of_turning
+                .into_iter()
+                .any(|quantity| *owner == whole(quantity))
+        };
+        let (named, made_of) = (self.entities([left]), self.entities([right]));
+        let owner = |entity: &_| &self.theory.atoms.info(*entity).owner;
+        let momentum =
+            matches!(named.as_slice(), [one] if *owner(one) == whole(Quantity::Momentum));
+        if !momentum || made_of.is_empty() || made_of.iter().any(|entity| turns(owner(entity))) {
+            return false;
+        }
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        (0..3).all(|component| {
+            let variable = self.theory.atoms.part(omega, component, 0);
+            self.theory.rule(variable).is_none()
+        })
     }
 
     /// Takes a line in that hands a value over; where its sentence derives it, it is not checked, and that is said.

@@ -11,7 +11,7 @@ use crate::verify::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::spatial::all_in_space;
 use crate::verify::symbol::ANY_POINT;
-use crate::verify::usage::{Letter, axes, axis, symbols};
+use crate::verify::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
@@ -133,9 +133,15 @@ impl Checker<'_> {
         if self.given_scalars(sides) {
             return;
         }
-        // A symbol that is defined here takes any shape.
+        // A symbol that is defined here takes any shape, unless it shows one.
+        let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
+        let shown = sides.first().is_some_and(marked);
         let new = sides.first().and_then(|side| self.new_symbol(side));
-        let sides = if new.is_some() { &sides[1..] } else { sides };
+        let sides = if new.is_some() && !shown {
+            &sides[1..]
+        } else {
+            sides
+        };
         let index = |s: &String| axis(s).is_some() || axes(s).is_some();
         let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
         let bare: BTreeSet<Letter> = sides

@@ -71,6 +71,8 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
             "precession rate",
             "mass centre",
             "mass center",
+            "moment of the impulse",
+            "moment of the blow",
             "potential energy",
             "total energy",
             "lagrangian",

@@ -190,6 +190,7 @@ const NO_ROLE: &[&str] = &[
     "so called",
     "known as",
     "given by",
+    "given to",
     "is given by",
     "are given by",
     "we call",

@@ -286,11 +286,16 @@ impl Slot<'_> {
             return Some(self.edit(format!("{half} {text}"), "factor", 14, missing("½")));
         }
         let sign = ratio == -Prime::one() && self.place.around == Around::Nothing;
+        // Of s = a b, the sign is wrong on the right.
+        let cost = match self.place.node.kind {
+            Kind::Symbol(_) | Kind::TimeDerivative { .. } => 16,
+            _ => 11,
+        };
         sign.then(|| {
             self.edit(
                 format!("-{text}"),
                 "sign",
-                11,
+                cost,
                 "the sign is wrong".to_owned(),
             )
         })
