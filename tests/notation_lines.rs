@@ -3,13 +3,7 @@
 #[path = "notation/outline.rs"]
 mod outline;
 
-use outline::latex;
-
-fn each_reads(cases: &[(&str, &str)]) {
-    for (source, expected) in cases {
-        assert_eq!(&latex(source), expected, "{source}");
-    }
-}
+use outline::{each_reads, latex};
 
 #[test]
 fn environments_and_big_braces_are_lists_of_lines() {

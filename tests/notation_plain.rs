@@ -3,15 +3,9 @@
 #[path = "notation/outline.rs"]
 mod outline;
 
-use outline::{document, plain};
+use outline::{document, each_plain_reads, plain};
 use polhode::notation::document::{Format, Item};
 use polhode::notation::read;
-
-fn each_reads(cases: &[(&str, &str)]) {
-    for (source, expected) in cases {
-        assert_eq!(&plain(source), expected, "{source}");
-    }
-}
 
 /// The formulas of a text and where each begins.
 fn places(text: &str) -> Vec<(usize, String)> {
@@ -28,7 +22,7 @@ fn places(text: &str) -> Vec<(usize, String)> {
 
 #[test]
 fn names_of_programs_are_symbols_with_indices_and_dots() {
-    each_reads(&[
+    each_plain_reads(&[
         (
             "M_x = I_xx*wdot_x - (I_yy - I_zz)*w_y*w_z",
             "M_x = (+ (* I_xx (dot w_x)) (- (* (group (+ I_yy (- I_zz))) w_y w_z)))",
@@ -56,7 +50,7 @@ fn names_of_programs_are_symbols_with_indices_and_dots() {
 
 #[test]
 fn signs_of_programs_and_of_unicode_are_operators() {
-    each_reads(&[
+    each_plain_reads(&[
         ("T = 0.5*I*w**2", "T = (* 1/2:1 I (^ w 2))"),
         ("f = a^(2n)", "f = (^ a (* 2 n))"),
         ("f = e^(-k t)", "f = (exp (- (* k t)))"),
@@ -84,7 +78,7 @@ fn signs_of_programs_and_of_unicode_are_operators() {
 
 #[test]
 fn letters_with_marks_and_small_letters_are_those_of_latex() {
-    each_reads(&[
+    each_plain_reads(&[
         (
             "ω̇ₓ + ½ Iₓₓ ωₓ² = 0",
             "(+ (dot omega_x) (* (/ 1 2) I_xx (^ omega_x 2))) = 0",

@@ -3,13 +3,7 @@
 #[path = "notation/outline.rs"]
 mod outline;
 
-use outline::latex;
-
-fn each_reads(cases: &[(&str, &str)]) {
-    for (source, expected) in cases {
-        assert_eq!(&latex(source), expected, "{source}");
-    }
-}
+use outline::each_reads;
 
 #[test]
 fn a_power_of_ten_belongs_to_its_number() {

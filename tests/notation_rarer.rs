@@ -3,20 +3,8 @@
 #[path = "notation/outline.rs"]
 mod outline;
 
-use outline::{document, latex, plain};
+use outline::{document, each_plain_reads, each_reads, latex, plain};
 use polhode::notation::document::Format;
-
-fn each_reads(cases: &[(&str, &str)]) {
-    for (source, expected) in cases {
-        assert_eq!(&latex(source), expected, "{source}");
-    }
-}
-
-fn each_plain_reads(cases: &[(&str, &str)]) {
-    for (source, expected) in cases {
-        assert_eq!(&plain(source), expected, "{source}");
-    }
-}
 
 #[test]
 fn a_ring_or_a_marked_d_is_the_rate_on_axes_that_turn() {

@@ -20,6 +20,24 @@ pub(crate) fn plain(text: &str) -> String {
     rows(&reread(&empty, text))
 }
 
+/// Asserts what each LaTeX formula is read as.
+#[allow(dead_code, reason = "each test file uses what it needs")]
+#[track_caller]
+pub(crate) fn each_reads(cases: &[(&str, &str)]) {
+    for (source, expected) in cases {
+        assert_eq!(&latex(source), expected, "{source}");
+    }
+}
+
+/// Asserts what each formula in plain text is read as.
+#[allow(dead_code, reason = "each test file uses what it needs")]
+#[track_caller]
+pub(crate) fn each_plain_reads(cases: &[(&str, &str)]) {
+    for (source, expected) in cases {
+        assert_eq!(&plain(source), expected, "{source}");
+    }
+}
+
 /// The formulas of a document, each row as a line of text.
 #[allow(dead_code, reason = "each test file uses what it needs")]
 pub(crate) fn document(text: &str, format: Format) -> String {
