@@ -17,6 +17,8 @@ fn transport(words: &str, still: &str, turning: &str) -> String {
 
 #[test]
 fn words_say_which_frame_turns() {
+    let two = "The frame $P$ is fixed. The frame $Q$ has the origin $A$.";
+    assert_eq!(transport(two, "P", "Q"), "p");
     assert_eq!(
         transport("$P$ is an inertial frame, and $Q$ rotates.", "P", "Q"),
         "p"

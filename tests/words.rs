@@ -211,3 +211,20 @@ $$ T = \tfrac12 I_3\omega_3^2 $$
 ";
     assert_eq!(verdicts(text), "aar");
 }
+
+#[test]
+fn words_bring_a_thing_in_or_name_a_formula() {
+    let moment = |opening: &str| {
+        verdicts(&format!(
+            "With the inertia $J$ let $\\vec L = J\\vec\\omega$.\n\n{opening}\n\n$$ \\sum\\vec N = \\dot{{\\vec L}} + \\vec\\omega\\times\\vec L $$\n"
+        ))
+    };
+    assert_eq!(
+        moment("With the angular momentum from above this becomes"),
+        "pp"
+    );
+    assert_eq!(
+        moment("The sum of the moments $N_x$ and $N_y$ is not zero, so that"),
+        "pp"
+    );
+}

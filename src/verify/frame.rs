@@ -110,7 +110,8 @@ impl Frames {
             let verb = [" is ", " be ", " turns ", " rotates ", " moves ", " does "]
                 .iter()
                 .any(|verb| clause.starts_with(verb));
-            let lead = before.trim_end();
+            let lead = before.rsplit(['.', ';', ',']).next().unwrap_or_default();
+            let lead = lead.trim_end();
             let lead = ["frame", "axes", "frame of reference", "system", "observer"]
                 .iter()
                 .find_map(|noun| lead.strip_suffix(noun));

@@ -142,10 +142,28 @@ pub(super) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
     named
 }
 
+/// What brings a thing in, and names nothing: "with the angular momentum from above this becomes".
+const ASIDE: &[&str] = &[
+    "with the ",
+    "using the ",
+    "inserting the ",
+    "substituting the ",
+    "from the ",
+];
+
 /// Whether "mass" is the end of "centre of mass".
 fn is_of_mass(before: &str, phrase: &str) -> bool {
     let point = ["centre of ", "center of ", "element of "];
     phrase == "mass" && point.iter().any(|words| before.ends_with(words))
+}
+
+/// Whether a thing is brought in, and another clause follows it.
+fn is_aside(before: &str, behind: &str) -> bool {
+    let verbs = [
+        "becomes", "gives", "yields", "reads", "this is", "we get", "we find", "we have",
+    ];
+    ASIDE.iter().any(|words| before.ends_with(words))
+        && verbs.iter().any(|verb| behind.contains(verb))
 }
 
 /// The quantity that the words before a formula name, where they come close to it.
@@ -153,7 +171,11 @@ pub(super) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = text
             .rmatch_indices(phrase.as_str())
-            .find(|&(at, _)| is_word(text, at, phrase) && !is_of_mass(&text[..at], phrase))?
+            .find(|&(at, _)| {
+                is_word(text, at, phrase)
+                    && !is_of_mass(&text[..at], phrase)
+                    && !is_aside(&text[..at], &text[at..])
+            })?
             .0;
         Some((at + phrase.len(), phrase.len(), *quantity))
     };
@@ -172,10 +194,18 @@ pub(super) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     })?
 }
 
-/// Whether behind the first formula of a text others follow as its list alone: "⟨, ⟨ and ".
-pub(super) fn is_list(text: &str) -> bool {
+/// Whether words that name something reach over the formulas behind them to the next: "the energy about ⟨ is" does to
+/// a display; over a formula right behind the words, only its list goes on: "the moments ⟨, ⟨ and ".
+pub(super) fn reaches(text: &str, display: bool) -> bool {
     let separators = ["", "and", "or", "&", "/"];
-    text.split('⟨').skip(1).all(|between| {
+    let mut pieces = text.split('⟨');
+    let named = pieces
+        .next()
+        .is_none_or(|between| matches!(between.trim(), "" | "s" | ":"));
+    if display && !named {
+        return true;
+    }
+    pieces.all(|between| {
         between
             .split_whitespace()
             .all(|word| separators.contains(&word.trim_end_matches(',')))

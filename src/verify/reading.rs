@@ -9,7 +9,7 @@ use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::check::keep_end;
 use crate::verify::frame::Frames;
 use crate::verify::moments_in_words::NamedMoment;
-use crate::verify::phrases::{apposition, is_list, letters_named, said_after, said_before};
+use crate::verify::phrases::{apposition, letters_named, reaches, said_after, said_before};
 use crate::verify::prose::{Said, said};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
@@ -197,7 +197,7 @@ impl Reading {
                         .flat_map(named_letters)
                         .collect::<Vec<_>>();
                     let display = formula.display;
-                    let said = said_before(&before, |after| display || is_list(after));
+                    let said = said_before(&before, |after| reaches(after, display));
                     if let Some(quantity) = said {
                         for letter in &named {
                             self.vote(
@@ -343,7 +343,7 @@ impl Reading {
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
             Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
-            Quantity::Momentum if letter.name == "p" => false,
+            Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
             // "The moment of F": the force is meant, and its own letter stays its own.
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false
