@@ -4,7 +4,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Matrix3, Vector3};
 use polhode::mechanics::Products;
 use polhode::motion::{Body, Frame, State, Torque};
-use polhode::motion::{Dop853Motion, FixedStep, Rk4, Stepper, System};
+use polhode::motion::{Dop853Motion, FixedStep, Rk4, Stepper, System, Taylor};
 use polhode::scene::{
     self, Course, Group, Member, Outcome, Row, Scene, Sink, Way, Wrt, sensitivity, simulate,
 };
@@ -70,6 +70,8 @@ fn closed_form(c: &mut Criterion) {
     }
 }
 
+/// Of worth to the series, which need not square ω. A stage of a Runge–Kutta method is mostly attitude and torque: there the
+/// principal axes are for the digits of a needle, and cost nothing.
 fn principal_axes(c: &mut Criterion) {
     let top = member(full(), [1.0, -2.0, 8.0], top());
     let inner = top.body.state_along(&top.start);
@@ -83,7 +85,16 @@ fn principal_axes(c: &mut Criterion) {
         let mut motion = Dop853Motion::new(system, start, TOLERANCE).expect("a motion");
         motion.advance_to(DURATION).map(|()| *motion.state())
     };
+    let taylor = |system, start| {
+        let mut motion =
+            FixedStep::new(Taylor::of_order(16), system, start, 0.1).expect("a motion");
+        motion.advance_to(DURATION).map(|()| *motion.state())
+    };
     let mut group = c.benchmark_group("principal axes");
+    group.bench_function("skipped, Taylor", |b| b.iter(|| taylor(principal(), inner)));
+    group.bench_function("unskipped, Taylor", |b| {
+        b.iter(|| taylor(system(), top.start))
+    });
     group.bench_function("skipped, RK4", |b| b.iter(|| rk4(principal(), inner)));
     group.bench_function("unskipped, RK4", |b| b.iter(|| rk4(system(), top.start)));
     group.bench_function("skipped, DOP853", |b| {

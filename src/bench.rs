@@ -3,6 +3,7 @@
 mod calibrate;
 mod contender;
 mod double;
+mod ensemble;
 mod measure;
 mod problem;
 mod reference;
@@ -12,6 +13,7 @@ mod stability;
 pub use calibrate::calibrate;
 pub use contender::{CONTENDERS, Contender};
 pub use double::Double;
+pub use ensemble::{EnsembleTime, ensemble};
 pub use measure::{Point, floor, measure, time_to};
 pub use problem::{Problem, problems, problems_of};
 pub use reference::reference;

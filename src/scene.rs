@@ -28,6 +28,7 @@ mod inertia;
 mod member;
 mod plan;
 mod quantity;
+mod reach;
 mod read;
 mod sensitivity;
 mod simulate;
@@ -42,6 +43,7 @@ pub use inertia::{InertiaForm, Point, Shape};
 pub use member::{Member, TorqueForm};
 pub use plan::{PlanError, Way, is_free, jacobian_bound, way};
 pub use quantity::{Draw, Quantity};
+pub use reach::Reach;
 pub use read::read;
 pub use sensitivity::{Sensitivity, sensitivity};
 pub use simulate::{Outcome, Row, RunError, Seam, Sink, simulate, simulate_from};
@@ -106,7 +108,7 @@ pub struct Run {
     pub wrt: Wrt,
     /// The time between two rows of a trajectory, s.
     pub output_interval: f64,
-    /// Whether the error of a motion without closed form is estimated by a second, looser run.
+    /// Whether the error of a motion without closed form is estimated, by a looser run from a start a little off.
     pub estimate_error: bool,
     /// What methods cost, by which the plan chooses.
     pub costs: Costs,

@@ -139,32 +139,51 @@ fn unskipped(member: &Member, duration: f64) -> State<f64> {
     *motion.state()
 }
 
+/// Scenes that once came out otherwise than the estimate said: a top that comes so near its balance that rounding grows
+/// hundred thousandfold where truncation does not, and a body that tumbles under a shaking torque.
+const DECEIVERS: [(u64, u64); 2] = [(11, 2385), (7, 1155)];
+
 #[test]
-fn a_planned_run_is_the_unskipped_run_within_the_tolerance() {
-    let trials: Vec<_> = (0..400).map(|n| trial(11, n, unskipped)).collect();
-    // Below 1e-11 the unskipped run's own rounding shows.
-    let fair: Vec<_> = trials.iter().filter(|t| t.tolerance > 1e-11).collect();
-    for t in &fair {
+fn what_a_motion_does_to_a_small_error_is_seen_where_steps_leave_none() {
+    for (seed, number) in DECEIVERS {
+        let t = trial(seed, number, unskipped);
         assert!(
-            t.error <= t.tolerance || t.estimate > t.tolerance,
-            "off by {:e}, estimated {:e}, tolerance {:e}",
+            t.error <= t.estimate,
+            "{seed}, {number}: off by {:e}, estimated {:e}",
             t.error,
-            t.estimate,
-            t.tolerance
+            t.estimate
         );
     }
-    let within = fair.iter().filter(|t| t.error <= t.tolerance).count();
-    assert!(
-        within as f64 >= 0.999 * fair.len() as f64,
-        "{within} of {}",
-        fair.len()
-    );
-    let alarms = fair.iter().filter(|t| t.estimate > t.tolerance).count();
-    assert!(
-        alarms <= fair.len() / 100,
-        "{alarms} false alarms of {}",
-        fair.len()
-    );
+}
+
+/// How many of a number of random scenes of a seed miss their tolerance, how many of these in silence, and how many are
+/// said to miss it.
+fn misses(seed: u64, count: u64) -> [u64; 4] {
+    let mut found = [0; 4];
+    for number in 0..count {
+        let t = trial(seed, number, unskipped);
+        // Below 1e-11 the unskipped run's own rounding shows.
+        if t.tolerance <= 1e-11 {
+            continue;
+        }
+        let (missed, said) = (t.error > t.tolerance, t.estimate > t.tolerance);
+        found[0] += 1;
+        found[1] += u64::from(missed);
+        found[2] += u64::from(missed && !said);
+        found[3] += u64::from(said);
+    }
+    found
+}
+
+#[test]
+fn a_planned_run_is_the_unskipped_run_within_the_tolerance() {
+    let count = if cfg!(debug_assertions) { 400 } else { 5000 };
+    for seed in [11, 12] {
+        let [fair, missed, silent, said] = misses(seed, count);
+        assert_eq!(silent, 0, "of {fair}");
+        assert!(1000 * missed <= fair, "{missed} of {fair}");
+        assert!(1000 * said <= 2 * fair, "{said} of {fair}");
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 #![cfg(feature = "bench")]
 
 use polhode::bench::{
-    Contender, Problem, axes, calibrate, cells, floor, held, measure, problems, reference,
+    Contender, Problem, axes, calibrate, cells, ensemble, floor, held, measure, problems, reference,
 };
 use polhode::motion::FreeBody;
-use polhode::scene::{distance, size};
+use polhode::scene::{Costs, Method, Outputs, Run, Way, Wrt, angle, distance, size, way};
 use std::time::Duration;
 
 fn problem(name: &str) -> Problem {
@@ -70,7 +70,12 @@ fn every_method_comes_near_the_truth_and_finer_is_nearer() {
 #[test]
 fn what_methods_cost_is_measured() {
     let costs = calibrate(Duration::ZERO).expect("bodies");
-    for five in [costs.taylor, costs.taylor_space, costs.dop853] {
+    for five in [
+        costs.taylor,
+        costs.taylor_space,
+        costs.dop853,
+        costs.dop853_space,
+    ] {
         assert!(
             five.iter().all(|cost| *cost > 1.0 && cost.is_finite()),
             "{five:?}"
@@ -87,5 +92,79 @@ fn the_closed_form_holds_on_every_axis() {
             cells(&axis, &[Contender::Exact, Contender::Taylor], &mut || ()).expect("a map");
         let (_, lost) = held(&found, axis.name, Contender::Exact, 1e-9);
         assert!(lost.is_empty(), "{}: {lost:?}", axis.name);
+    }
+}
+
+/// A run of a case of the map by a plan that knows nothing of it but the member.
+fn planned(problem: &Problem) -> Way {
+    let run = Run {
+        duration: problem.duration,
+        tolerance: 1e-9,
+        method: Method::Auto,
+        step: None,
+        outputs: Outputs {
+            last: true,
+            ..Outputs::NONE
+        },
+        wrt: Wrt::NONE,
+        output_interval: problem.duration,
+        estimate_error: false,
+        costs: Costs::default(),
+    };
+    way(&problem.member, &run).expect("a plan")
+}
+
+#[test]
+fn the_plan_keeps_to_the_map() {
+    let steppers = [Contender::Taylor, Contender::Dop853];
+    let (mut within, mut beyond) = (0, 0);
+    for axis in axes(1e2).expect("bodies") {
+        // Thirty digits take their time in a debug build.
+        if cfg!(debug_assertions) && axis.name != "damped spin" {
+            continue;
+        }
+        let found = cells(&axis, &steppers, &mut || ()).expect("a map");
+        for (value, problem) in &axis.cases {
+            let reaches = |c: &Contender| {
+                let reach = c.reach().expect("it steps");
+                reach.holds(&problem.member, angle(&problem.member, problem.duration))
+            };
+            // Where the plan may use a method, the method holds.
+            for contender in steppers.iter().filter(|c| reaches(c)) {
+                let (_, lost) = held(&found, axis.name, *contender, 1e-6);
+                assert!(
+                    !lost.iter().any(|at| at.total_cmp(value).is_eq()),
+                    "{contender:?} is lost at {} {value:e}",
+                    axis.name
+                );
+                within += 1;
+            }
+            // Where it may use but one, it uses that one.
+            let may: Vec<_> = steppers.iter().filter(|c| reaches(c)).collect();
+            if let ([only], Way::Taylor { .. } | Way::Dop853 { .. }) = (&may[..], planned(problem))
+            {
+                let is_taylor = matches!(planned(problem), Way::Taylor { .. });
+                assert_eq!(
+                    is_taylor,
+                    **only == Contender::Taylor,
+                    "{} {value:e}",
+                    axis.name
+                );
+                beyond += 1;
+            }
+        }
+    }
+    assert!(
+        within > 8 && beyond > 0,
+        "{within} within, {beyond} for one method alone"
+    );
+}
+
+#[test]
+fn an_ensemble_keeps_its_tolerance() {
+    let found = ensemble(3, 1e-9).expect("tops");
+    assert_eq!(found.len(), 3);
+    for of in found {
+        assert!(of.error <= 1e-9 && of.seconds.is_finite(), "{of:?}");
     }
 }

@@ -57,29 +57,39 @@ fn what_was_stopped_ends_as_a_run_in_one_piece() {
 }
 
 #[test]
-fn a_shorter_run_goes_on_to_the_longer_one() {
+fn a_shorter_run_of_several_bodies_goes_on_to_the_longer_one() {
     let folder = tempfile::tempdir().expect("a folder");
-    let keys = |duration: f64| {
-        format!("duration = {duration}\noutput_interval = 0.5\noutputs = ['trajectory']")
+    let keys = |duration: f64, outputs: &str| {
+        format!("duration = {duration}\noutput_interval = 0.5\noutputs = ['{outputs}']")
     };
-    scene(folder.path(), &keys(2.0));
-    assert!(run(folder.path(), &["--out", "part.csv"]).status.success());
-    scene(folder.path(), &keys(4.0));
-    // The bodies after the first are of no run of 4 s, so the file as a whole is refused.
-    let refused = run(folder.path(), &["--resume", "part.csv", "--out", "new.csv"]);
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(!folder.path().join("new.csv").exists());
-    let part = fs::read_to_string(folder.path().join("part.csv")).expect("a result");
-    let first: String = part.split_inclusive('\n').take(6).collect();
-    fs::write(folder.path().join("part.csv"), first).expect("written");
-    assert!(
-        run(folder.path(), &["--resume", "part.csv", "--out", "new.csv"])
-            .status
-            .success()
-    );
-    assert!(run(folder.path(), &["--out", "whole.csv"]).status.success());
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).expect("a result");
-    assert!(read("new.csv") == read("whole.csv"));
+    for outputs in ["trajectory", "final"] {
+        scene(folder.path(), &keys(2.0, outputs));
+        assert!(run(folder.path(), &["--out", "part.csv"]).status.success());
+        scene(folder.path(), &keys(4.0, outputs));
+        let whole = run(folder.path(), &["--out", "whole.csv"]);
+        assert!(whole.status.success());
+        // All six bodies, or some, or one of them in part.
+        let part = read("part.csv");
+        for kept in [31, 16, 6, 4, 2] {
+            let first: String = part.split_inclusive('\n').take(kept).collect();
+            fs::write(folder.path().join("first.csv"), first).expect("written");
+            let output = run(
+                folder.path(),
+                &["--resume", "first.csv", "--out", "new.csv"],
+            );
+            assert!(output.status.success(), "{output:?}");
+            assert!(read("new.csv") == read("whole.csv"), "{outputs}, {kept}");
+        }
+        // Of another scene: a name that is none of its own, after bodies that are.
+        fs::write(folder.path().join("other.csv"), part + "nobody,2,\n").expect("written");
+        let refused = run(
+            folder.path(),
+            &["--resume", "other.csv", "--out", "none.csv"],
+        );
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(!folder.path().join("none.csv").exists());
+    }
 }
 
 #[test]

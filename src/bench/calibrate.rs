@@ -30,7 +30,8 @@ pub fn calibrate(budget: Duration) -> Result<Costs, MotionError> {
     let mut costs = Costs {
         taylor: by(&damped, Contender::Taylor),
         taylor_space: by(&tops, Contender::Taylor),
-        dop853: by(&stepped, Contender::Dop853),
+        dop853: by(&damped, Contender::Dop853),
+        dop853_space: by(&tops, Contender::Dop853),
         rk4: STEP * per_radian(&stepped, Contender::Rk4, STEP, budget),
         ..Costs::default()
     };

@@ -7,8 +7,8 @@ use crate::motion::{
     Stepper, System, Taylor, Torque,
 };
 use crate::scene::{
-    Costs, Course, Member, Method, Outputs, Run, Way, Wrt, is_free, jacobian_bound, sensitivity,
-    settle, size, way,
+    Costs, Course, Member, Method, Outputs, Reach, Run, Way, Wrt, is_free, jacobian_bound,
+    sensitivity, settle, size, way,
 };
 use nalgebra::Vector3;
 use std::hint::black_box;
@@ -112,6 +112,15 @@ impl Contender {
         matches!(self, Self::PlanJacobian | Self::RivalDifferences)
     }
 
+    /// Where the plan steps by it, if it ever does.
+    pub fn reach(self) -> Option<Reach> {
+        match self {
+            Self::Taylor => Reach::of(&Way::Taylor { tolerance: 0.0 }),
+            Self::Dop853 => Reach::of(&Way::Dop853 { tolerance: 0.0 }),
+            _ => None,
+        }
+    }
+
     /// Whether it can move the body of a problem.
     pub fn takes(self, member: &Member) -> bool {
         self != Self::Exact || is_free(&member.torque)
@@ -123,7 +132,7 @@ impl Contender {
             vec![1.0]
         } else if self.is_adaptive() {
             // The plan may err by its tolerance, and mostly errs by much less: it is asked for less to give as much.
-            let first = if self.is_planned() { 3 } else { 7 };
+            let first = if self.is_planned() { -3 } else { 7 };
             (first..=45)
                 .map(|n| 10f64.powf(-f64::from(n) / 3.0))
                 .collect()

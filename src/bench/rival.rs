@@ -94,6 +94,12 @@ pub(crate) fn differences(member: &Member, duration: f64, tolerance: f64) -> Opt
     Some(end)
 }
 
+/// The steps after which a run is given up: two hundred times what it should take.
+fn most_steps(start: &Vector7, duration: f64) -> u32 {
+    let angle = Vector3::new(start[0], start[1], start[2]).norm() * duration;
+    (1e5 + 1e3 * angle) as u32
+}
+
 fn solved(
     equations: Equations,
     start: Vector7,
@@ -116,7 +122,7 @@ fn solved(
         6.0,
         duration,
         0.0,
-        1 << 24,
+        most_steps(&start, duration),
         1000,
         sparse,
     );
@@ -141,7 +147,7 @@ pub(crate) fn dopri5(member: &Member, duration: f64, tolerance: f64) -> Option<S
         10.0,
         duration,
         0.0,
-        1 << 24,
+        most_steps(&start, duration),
         1000,
         sparse,
     );

@@ -68,15 +68,36 @@ pub fn axes(longest: f64) -> Result<Vec<Axis>, MotionError> {
         Axis {
             name: "scale",
             about: "moments of inertia multiplied by this",
-            cases: cases(&[1e-150, 1e-75, 1.0, 1e75, 1e150], |s| {
+            cases: cases(&SCALES, |s| {
                 free([0.6 * s, 0.8 * s, s], [3.0, 0.5, -0.9], 5.0)
+            })?,
+        },
+        Axis {
+            name: "damped scale",
+            about: "moments and damping multiplied by this",
+            cases: cases(&SCALES, |s| {
+                let law = Torque::Damping {
+                    coefficient: 0.1 * s,
+                };
+                with([0.6 * s, 0.8 * s, s], [3.0, 0.5, -0.9], law, 5.0)
             })?,
         },
         Axis {
             name: "spin",
             about: "angular velocity multiplied by this, in as much less time",
-            cases: cases(&[1e-150, 1e-75, 1.0, 1e75, 1e150], |s| {
+            cases: cases(&SPINS, |s| {
                 free([0.6, 0.8, 1.0], [3.0 * s, 0.5 * s, -0.9 * s], 5.0 / s)
+            })?,
+        },
+        Axis {
+            name: "damped spin",
+            about: "the same, and damping multiplied by this",
+            cases: cases(&SPINS, |s| {
+                let law = Torque::Damping {
+                    coefficient: 0.1 * s,
+                };
+                let omega = [3.0 * s, 0.5 * s, -0.9 * s];
+                with([0.6, 0.8, 1.0], omega, law, 5.0 / s)
             })?,
         },
         Axis {
@@ -88,6 +109,9 @@ pub fn axes(longest: f64) -> Result<Vec<Axis>, MotionError> {
         },
     ])
 }
+
+const SCALES: [f64; 5] = [1e-150, 1e-75, 1.0, 1e75, 1e150];
+const SPINS: [f64; 9] = [1e-150, 1e-75, 1e-30, 1e-9, 1.0, 1e9, 1e30, 1e75, 1e150];
 
 fn within(longest: f64) -> Vec<f64> {
     let all = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6];
@@ -162,25 +186,52 @@ fn truth(problem: &Problem) -> Result<State<f64>, MotionError> {
     let Problem {
         member, duration, ..
     } = problem;
-    if !is_free(&member.torque) {
-        return last(member, *duration);
-    }
-    // A free body is like one of another size and speed, in which thirty digits do not overflow.
+    // A motion is like one of another size and speed, in which thirty digits do not overflow.
     // By powers of two: rounding would be another body.
-    let inertia = member.body.inertia() / power_of_two(member.body.inertia().amax());
+    let size_of = power_of_two(member.body.inertia().amax());
     let speed = power_of_two(size(&member.start.angular_velocity));
     let like = Member {
-        body: Body::new(&inertia)?,
+        body: Body::new(&(member.body.inertia() / size_of))?,
         start: member.start.turning(member.start.angular_velocity / speed),
-        torque: Torque::None,
+        torque: slowed(&member.torque, size_of, speed),
     };
     let angle = speed * duration;
-    let end = if angle > LONG {
+    let end = if angle > LONG && is_free(&member.torque) {
         FreeBody::new(&like.body, &like.start).at(angle)?
     } else {
         last(&like, angle)?
     };
     Ok(end.turning(end.angular_velocity * speed))
+}
+
+/// The law under which a body of inertia less by `size` moves slower by `speed`.
+fn slowed(law: &Torque, size: f64, speed: f64) -> Torque {
+    let over = |torque: f64| torque / size / speed / speed;
+    match *law {
+        Torque::None => Torque::None,
+        Torque::Constant { frame, value } => Torque::Constant {
+            frame,
+            value: value.map(over),
+        },
+        Torque::Gravity { weight, arm } => Torque::Gravity {
+            weight: over(weight),
+            arm,
+        },
+        Torque::Damping { coefficient } => Torque::Damping {
+            coefficient: coefficient / size / speed,
+        },
+        Torque::Sinusoid {
+            frame,
+            amplitude,
+            angular_frequency,
+            phase,
+        } => Torque::Sinusoid {
+            frame,
+            amplitude: amplitude.map(over),
+            angular_frequency: angular_frequency / speed,
+            phase,
+        },
+    }
 }
 
 /// The power of two at or below a positive number.

@@ -1,5 +1,7 @@
 //! `polhode bench`.
 
+mod ensemble;
+
 use crate::bench::{
     CONTENDERS, Contender, Point, Problem, calibrate, floor, measure, problems, problems_of,
     reference, time_to,
@@ -23,6 +25,7 @@ use std::time::Duration;
 Example:
   polhode bench --quick
   polhode bench --quick --costs costs.toml
+  polhode bench --ensemble
   polhode bench --problem top --format csv --out top.csv --diagrams diagrams")]
 pub(super) struct Options {
     /// Spend a minute instead of ten
@@ -31,6 +34,9 @@ pub(super) struct Options {
     /// Also with the Jacobian of the end in state, torque and inertia
     #[arg(long)]
     jacobian: bool,
+    /// Instead of single bodies, ten thousand heavy tops for 10 s to 1e-9
+    #[arg(long, conflicts_with_all = ["jacobian", "problem", "scene", "diagrams", "costs"])]
+    ensemble: bool,
     /// Only this problem (again for more): free, separatrix, top, damped, needle, or a body of the scene
     #[arg(long, value_name = "NAME")]
     problem: Vec<String>,
@@ -53,6 +59,12 @@ pub(super) struct Options {
 
 /// Measures, and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
+    if options.ensemble {
+        return match ensemble::table(options.quick, options.format) {
+            Ok(text) => output::deliver(&text, options.out.as_deref(), color),
+            Err(code) => code,
+        };
+    }
     let problems = match chosen(options, color) {
         Ok(problems) => problems,
         Err(code) => return code,

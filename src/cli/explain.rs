@@ -88,7 +88,7 @@ fn text(scene: &Scene, explanations: &[Explanation]) -> String {
         run.tolerance,
         time(total),
         if run.estimate_error {
-            ", and as much again at most for the estimate of the error"
+            ", and a quarter to as much again for the estimate of the error"
         } else {
             ""
         }

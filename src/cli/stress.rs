@@ -141,6 +141,12 @@ fn words(axes: &[Axis], found: &[Cell]) -> String {
         };
         let _ = writeln!(text, "  {:<25} {said}", contender.name());
     }
+    text.push_str("The plan takes it to step within\n");
+    for contender in [Contender::Taylor, Contender::Dop853] {
+        if let Some(reach) = contender.reach() {
+            let _ = writeln!(text, "  {:<25} {reach}", contender.name());
+        }
+    }
     text
 }
 

@@ -1,16 +1,16 @@
 //! How far rounding the input of a free motion moves its end.
 
-use crate::motion::FreeBody;
+use crate::motion::{FreeBody, State};
 use crate::scene::Member;
 use crate::scene::accuracy::{LOST, ROUNDING, distance, size};
 use nalgebra::Vector3;
 
-/// The error to expect of the closed form of a free motion: by a bound where that is enough for the tolerance, else by
-/// trial.
-pub(crate) fn free_error(member: &Member, duration: f64, tolerance: f64) -> f64 {
+/// The error to expect of the closed form of a free motion at its end `here`: by a bound where that is enough for the tolerance,
+/// else by trial.
+pub(crate) fn free_error(member: &Member, here: &State<f64>, duration: f64, tolerance: f64) -> f64 {
     match bound(member, duration) {
-        Some(bound) if bound <= 0.1 * tolerance => bound,
-        _ => by_trial(member, duration),
+        Some(bound) if bound <= tolerance => bound,
+        _ => by_trial(member, here, duration),
     }
 }
 
@@ -46,7 +46,7 @@ fn bound(member: &Member, duration: f64) -> Option<f64> {
 }
 
 /// By moving the initial ω a little each way: the state after it moves by the conditioning of the problem.
-fn by_trial(member: &Member, duration: f64) -> f64 {
+fn by_trial(member: &Member, here: &State<f64>, duration: f64) -> f64 {
     let omega = member.start.angular_velocity;
     let speed = size(&omega);
     if speed == 0.0 {
@@ -56,16 +56,13 @@ fn by_trial(member: &Member, duration: f64) -> f64 {
         let start = member.start.turning(omega);
         FreeBody::new(&member.body, &start).at(duration)
     };
-    let Ok(here) = end(omega) else {
-        return f64::INFINITY;
-    };
     let mut largest = 0.0_f64;
     for shift in [1e-9, 1e-13] {
         largest = 0.0;
         for k in 0..3 {
             let mut moved = omega;
             moved[k] += shift * speed;
-            let off = end(moved).map_or(f64::INFINITY, |there| distance(&here, &there, speed));
+            let off = end(moved).map_or(f64::INFINITY, |there| distance(here, &there, speed));
             largest = largest.max(off / shift);
         }
         if largest * shift < LOST {

@@ -21,6 +21,8 @@ pub struct Costs {
     pub taylor_space: [f64; 5],
     /// DOP853.
     pub dop853: [f64; 5],
+    /// DOP853 under a torque that is given in space.
+    pub dop853_space: [f64; 5],
     /// To set a free body up, and to evaluate it once more.
     pub free: [f64; 2],
     /// To evaluate a spin.
@@ -32,9 +34,10 @@ pub struct Costs {
 impl Default for Costs {
     fn default() -> Self {
         Self {
-            taylor: [150.0, 215.0, 240.0, 325.0, 395.0],
-            taylor_space: [325.0, 460.0, 540.0, 690.0, 800.0],
-            dop853: [100.0, 195.0, 415.0, 955.0, 2230.0],
+            taylor: [170.0, 235.0, 290.0, 350.0, 420.0],
+            taylor_space: [365.0, 505.0, 590.0, 750.0, 880.0],
+            dop853: [92.0, 155.0, 300.0, 655.0, 1500.0],
+            dop853_space: [118.0, 250.0, 565.0, 1290.0, 3050.0],
             free: [310.0, 100.0],
             spin: 30.0,
             rk4: 57.0,
@@ -59,33 +62,20 @@ impl Costs {
 
     /// The ways of stepping that meet the tolerance of a run, with their costs in s: Taylor, DOP853.
     pub fn candidates(&self, member: &Member, run: &Run) -> [(Way, f64); 2] {
-        let ways = plan::ways(run);
+        let ways = plan::ways(member, run);
         ways.map(|way| (way, self.seconds(member, run, &way)))
-    }
-
-    /// The costs of Taylor series under a law of torque.
-    fn taylor_under(&self, law: &Torque) -> &[f64; 5] {
-        match law {
-            Torque::Gravity { .. }
-            | Torque::Constant {
-                frame: Frame::Space,
-                ..
-            }
-            | Torque::Sinusoid {
-                frame: Frame::Space,
-                ..
-            } => &self.taylor_space,
-            _ => &self.taylor,
-        }
     }
 
     /// Nanoseconds for each radian by a way of stepping with error control; 0 for others.
     pub(crate) fn per_radian(&self, law: &Torque, way: &Way) -> f64 {
-        match way {
-            Way::Taylor { tolerance } => between(self.taylor_under(law), *tolerance),
-            Way::Dop853 { tolerance } => between(&self.dop853, *tolerance),
-            _ => 0.0,
-        }
+        let (costs, tolerance) = match (way, in_space(law)) {
+            (Way::Taylor { tolerance }, false) => (&self.taylor, tolerance),
+            (Way::Taylor { tolerance }, true) => (&self.taylor_space, tolerance),
+            (Way::Dop853 { tolerance }, false) => (&self.dop853, tolerance),
+            (Way::Dop853 { tolerance }, true) => (&self.dop853_space, tolerance),
+            _ => return 0.0,
+        };
+        between(costs, *tolerance)
     }
 
     /// The time for one body, s.
@@ -117,6 +107,7 @@ impl fmt::Display for Costs {
         writeln!(f, "taylor = {:?}", self.taylor)?;
         writeln!(f, "taylor_space = {:?}", self.taylor_space)?;
         writeln!(f, "dop853 = {:?}", self.dop853)?;
+        writeln!(f, "dop853_space = {:?}", self.dop853_space)?;
         writeln!(
             f,
             "# ns to set a free body up, and to evaluate it once more"
@@ -125,6 +116,22 @@ impl fmt::Display for Costs {
         writeln!(f, "# ns to evaluate a spin, and for a step of RK4")?;
         writeln!(f, "spin = {:?}\nrk4 = {:?}", self.spin, self.rk4)
     }
+}
+
+/// Whether a law is given in space.
+fn in_space(law: &Torque) -> bool {
+    matches!(
+        law,
+        Torque::Gravity { .. }
+            | Torque::Constant {
+                frame: Frame::Space,
+                ..
+            }
+            | Torque::Sinusoid {
+                frame: Frame::Space,
+                ..
+            }
+    )
 }
 
 /// The angle (rad) that a body turns, or that its torque turns: what the number of steps follows.

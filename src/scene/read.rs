@@ -115,12 +115,17 @@ fn groups(reader: &mut Reader, whole: &Table<'_>) -> Option<Vec<Group>> {
         }
         names.insert(group.name.clone(), name_place);
         count = count.saturating_add(group.count);
+        let fits = count.saturating_sub(group.count) <= MOST_BODIES;
+        if count > MOST_BODIES && fits {
+            let message = format!(
+                "the scene has {count} bodies up to here, and at most {MOST_BODIES} are computed"
+            );
+            let place = table
+                .get("count")
+                .map_or(name_place, |value| span(value.span()));
+            reader.report(Diagnostic::error("too-many-bodies", place, message));
+        }
         groups.push(group);
-    }
-    if count > MOST_BODIES {
-        let message =
-            format!("the scene has {count} bodies, and at most {MOST_BODIES} are computed");
-        reader.report(Diagnostic::error("too-many-bodies", place, message));
     }
     Some(groups)
 }

@@ -97,45 +97,58 @@ impl Earlier {
     }
 }
 
-/// The rows of the last body from which a run can go on.
+/// The rows of the body from which a run goes on: the last of the result, or the first that ends before the run does. The
+/// result of a shorter run has many of those; what stands after the first comes anew.
 fn last_rows(lines: &mut Lines<'_>, scene: &Scene) -> io::Result<Option<Rows>> {
     let mut names = names(scene);
     let duration = scene.run.duration.to_string();
     let (mut before, mut last): (Option<Rows>, Option<Rows>) = (None, None);
+    let mut short = None;
     let mut start = lines.read;
     while let Some(line) = lines.next()? {
         if !last
             .as_ref()
             .is_some_and(|rows| line.starts_with(&rows.prefix))
         {
-            // A body that was stopped, and another after it: of no run.
-            if last.as_ref().is_some_and(|rows| !rows.complete) {
-                return Err(foreign(lines.count));
+            let body = last.as_ref().map_or(0, |rows| rows.body + 1);
+            if short.is_none() && last.as_ref().is_some_and(|rows| !rows.complete) {
+                short = Some((before.take(), last.take()));
             }
-            let prefix = names.next().map(|name| format!("{},", quoted(&name)));
-            let prefix = prefix.filter(|prefix| line.starts_with(prefix));
-            let rows = Rows {
-                body: last.as_ref().map_or(0, |rows| rows.body + 1),
-                prefix: prefix.ok_or_else(|| foreign(lines.count))?,
-                count: 0,
-                last: start..start,
-                complete: false,
-            };
-            before = last.replace(rows);
+            let rows = Rows::of(names.next(), body, &line, start);
+            before = last.replace(rows.ok_or_else(|| foreign(lines.count))?);
         }
         if let Some(rows) = &mut last {
-            let time = line
-                .get(rows.prefix.len()..)
-                .and_then(|rest| rest.split(',').next());
-            rows.complete = time == Some(duration.as_str());
-            rows.count += 1;
-            rows.last = start..lines.read;
+            rows.take(&line, start..lines.read, &duration);
         }
         start = lines.read;
     }
+    let (before, last) = short.unwrap_or((before, last));
     // What a body that was stopped had come to is a row of a trajectory, and no final state.
     let usable = |rows: &Rows| rows.complete || scene.run.outputs.trajectory;
     Ok(last.filter(usable).or(before))
+}
+
+impl Rows {
+    /// None yet of the body with a name, which the first line has to begin with.
+    fn of(name: Option<String>, body: u64, line: &str, start: u64) -> Option<Self> {
+        let prefix = format!("{},", quoted(&name?));
+        line.starts_with(&prefix).then_some(Self {
+            body,
+            prefix,
+            count: 0,
+            last: start..start,
+            complete: false,
+        })
+    }
+
+    /// One more, at these bytes.
+    fn take(&mut self, line: &str, bytes: std::ops::Range<u64>, duration: &str) {
+        let rest = line.get(self.prefix.len()..);
+        let time = rest.and_then(|rest| rest.split(',').next());
+        self.complete = time == Some(duration);
+        self.count += 1;
+        self.last = bytes;
+    }
 }
 
 fn foreign(line: u64) -> io::Error {

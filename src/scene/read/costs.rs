@@ -6,7 +6,15 @@ use crate::scene::read::reader::{Bound, Reader, Table, span};
 use crate::source::{Source, Span};
 use toml::de::DeTable;
 
-const KEYS: &[&str] = &["taylor", "taylor_space", "dop853", "free", "spin", "rk4"];
+const KEYS: &[&str] = &[
+    "taylor",
+    "taylor_space",
+    "dop853",
+    "dop853_space",
+    "free",
+    "spin",
+    "rk4",
+];
 
 /// The costs that a file holds, or what is wrong with it.
 pub(in crate::scene) fn costs(source: &Source) -> Result<Costs, Vec<Diagnostic>> {
@@ -38,6 +46,7 @@ fn all(reader: &mut Reader, table: &Table<'_>) -> Option<Costs> {
         taylor: list(reader, table, "taylor")?,
         taylor_space: list(reader, table, "taylor_space")?,
         dop853: list(reader, table, "dop853")?,
+        dop853_space: list(reader, table, "dop853_space")?,
         free: list(reader, table, "free")?,
         spin: single(reader, table, "spin")?,
         rk4: single(reader, table, "rk4")?,
