@@ -102,5 +102,31 @@ fn jacobians(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, steps, jacobians);
+/// The same steps on one thread and on as many as the machine has.
+#[cfg(feature = "parallel")]
+fn threads(c: &mut Criterion) {
+    const COUNT: usize = 100_000;
+    let mut group = c.benchmark_group("twenty steps of 100 000 bodies");
+    group.sample_size(20);
+    group.throughput(Throughput::Elements(20 * COUNT as u64));
+    let mut batch = Batch::sharing(tensor(), states(COUNT)).expect("a body");
+    let all = std::thread::available_parallelism().map_or(1, |count| count.get());
+    for count in [1, all] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+        let pool = pool.expect("threads");
+        group.bench_function(format!("threads: {count}"), |b| {
+            b.iter(|| {
+                pool.install(|| batch.advance(&Rk4, Torque::None, STEP, 20))
+                    .expect("finite");
+            });
+        });
+    }
+    group.finish();
+}
+
+/// One thread, which the other groups show.
+#[cfg(not(feature = "parallel"))]
+fn threads(_: &mut Criterion) {}
+
+criterion_group!(benches, steps, jacobians, threads);
 criterion_main!(benches);

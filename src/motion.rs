@@ -45,8 +45,8 @@ mod torque;
 pub mod jacobian;
 
 #[cfg(feature = "batch")]
-pub use batch::{Batch, BodyDiverged, Jacobians};
-pub use block::{Block, LANES, Lane};
+pub use batch::{Batch, Jacobians};
+pub use block::{Block, LANES, Lane, Tensors};
 pub use body::Body;
 pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;

@@ -7,8 +7,8 @@ mod cases;
 use cases::cases;
 use nalgebra::{Matrix3, Vector3};
 use polhode::motion::{
-    Batch, Dop853, FixedStep, Frame, ImplicitMidpoint, Jacobians, MoserVeselov, Rk4, Scheme,
-    Splitting, State, Stepper, System, Taylor, Torque, jacobian,
+    Batch, Dop853, FixedStep, Frame, ImplicitMidpoint, Jacobians, MoserVeselov, MotionError, Rk4,
+    Scheme, Splitting, State, Stepper, System, Taylor, Torque, jacobian,
 };
 use proptest::prelude::*;
 
@@ -169,16 +169,77 @@ fn the_body_that_stops_being_finite_is_named() {
     };
     let mut batch = Batch::sharing(Matrix3::identity(), states(20)).expect("a body");
     batch.advance(&Rk4, broken, 0.1, 2).expect("finite so far");
+    let mut longer = batch.clone();
     let error = batch.advance(&Rk4, broken, 0.1, 1).expect_err("a NaN");
-    assert_eq!(error.body, 5);
-    assert!((error.time - 0.2).abs() < 1e-15);
-    assert!(error.to_string().contains("body 5"));
-    assert!(Batch::sharing(-tensor(), states(1)).is_err());
-    let bodies = [
-        (tensor(), State::at_rest()),
-        (tensor() * 0.0, State::at_rest()),
-    ];
-    assert!(Batch::of_bodies(bodies).is_err());
+    let MotionError::BodyDiverged { body: 5, time } = error else {
+        panic!("{error}");
+    };
+    assert!((time - 0.2).abs() < 1e-15);
+    assert!(error.to_string().contains("body 5: the torque"));
+    // Of many steps the one that failed, and of many bodies the one that failed first.
+    let broken = |time: f64, state: &State<f64>| {
+        let late = time + state.angular_velocity.y > 6.04;
+        Vector3::new(if late { f64::NAN } else { 0.0 }, 0.0, 0.0)
+    };
+    let mut steady = Batch::sharing(Matrix3::identity(), states(20)).expect("a body");
+    let error = steady.advance(&Rk4, broken, 0.0625, 100).expect_err("NaN");
+    let MotionError::BodyDiverged { body: 19, time } = error else {
+        panic!("{error}");
+    };
+    // 0.3 · 19 = 5.7, and the step from 0.3125 reaches past 0.34.
+    assert!((time - 0.3125).abs() < 1e-15);
+    assert!(longer.advance(&Rk4, Torque::None, 0.1, 3).is_ok());
+}
+
+#[test]
+fn bodies_and_steps_that_cannot_be_are_told() {
+    let mut lopsided = tensor();
+    lopsided[(0, 2)] = 0.3;
+    let error = Batch::sharing(lopsided, states(1)).expect_err("no body");
+    assert!(error.to_string().contains("entries xz = 0.3 and zx = 0.2"));
+    let members = [tensor(), -tensor()].map(|tensor| (tensor, State::at_rest()));
+    let error = Batch::of_bodies(members).expect_err("no body");
+    assert!(
+        error
+            .to_string()
+            .starts_with("body 1: the principal moment"),
+        "{error}"
+    );
+    let mut batch = Batch::sharing(tensor(), states(3)).expect("a body");
+    let mut all = Jacobians::<6>::new();
+    for step in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        for result in [
+            batch.advance(&Rk4, Torque::None, step, 2),
+            batch.step_with_jacobian(&Rk4, Torque::None, step, &mut all),
+        ] {
+            assert!(matches!(result, Err(MotionError::Step { .. })), "{step}");
+        }
+    }
+    assert!(batch.time().abs() < f64::MIN_POSITIVE);
+    assert_eq!(batch.state(2), states(3).last().copied());
+}
+
+#[test]
+fn bodies_of_their_own_tensors_move_as_alone_to_the_bit() {
+    let law = Torque::Damping { coefficient: 0.1 };
+    let turned = |i: usize| tensor() * (1.0 + 0.125 * i as f64);
+    let diagonal = |i: usize| Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0 + 0.1 * i as f64));
+    let kinds: [&dyn Fn(usize) -> Matrix3<f64>; 2] = [&turned, &diagonal];
+    for tensor_of in kinds {
+        let bodies: Vec<_> = (states(11).into_iter().enumerate())
+            .map(|(i, state)| (tensor_of(i), state))
+            .collect();
+        let mut batch = Batch::of_bodies(bodies.iter().copied()).expect("bodies");
+        batch.advance(&Rk4, law, 0.02, 20).expect("finite");
+        for ((tensor, start), end) in bodies.iter().zip(batch.states()) {
+            let system = System::new(*tensor, law).expect("a body");
+            let mut alone = *start;
+            for n in 0..20 {
+                alone = Rk4.step(&system, 0.02 * f64::from(n), &alone, 0.02);
+            }
+            assert_eq!(alone, end);
+        }
+    }
 }
 
 #[test]

@@ -9,13 +9,22 @@ use std::{error, fmt};
 #[non_exhaustive]
 pub enum ImpossibleInertia {
     /// An entry is infinite or not a number.
-    NotFinite,
-    /// The entry of this row and column (from 0) differs from the one across the diagonal.
-    NotSymmetric {
-        /// The row.
+    NotFinite {
+        /// Its row, from 0.
         row: usize,
-        /// The column.
+        /// Its column, from 0.
         column: usize,
+        /// The entry.
+        entry: f64,
+    },
+    /// The entry of this row and column differs from the one across the diagonal.
+    NotSymmetric {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+        /// The entry, and the one of this column and row.
+        entries: [f64; 2],
     },
     /// A principal moment is negative.
     Negative {
@@ -34,10 +43,20 @@ pub enum ImpossibleInertia {
 impl fmt::Display for ImpossibleInertia {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite => f.write_str("an entry of the inertia tensor is not a finite number"),
-            Self::NotSymmetric { row, column } => {
-                let [r, c] = [row, column].map(|&i| ["x", "y", "z"].get(i).unwrap_or(&"?"));
-                write!(f, "the inertia tensor is not symmetric: entries {r}{c} and {c}{r} differ")
+            Self::NotFinite { row, column, entry } => {
+                let [r, c] = [*row, *column].map(axis);
+                write!(f, "the entry {r}{c} of the inertia tensor is {entry}, and has to be finite")
+            }
+            Self::NotSymmetric {
+                row,
+                column,
+                entries: [above, below],
+            } => {
+                let [r, c] = [*row, *column].map(axis);
+                write!(
+                    f,
+                    "the inertia tensor is not symmetric: entries {r}{c} = {above} and {c}{r} = {below} differ"
+                )
             }
             Self::Negative { moment } => {
                 write!(f, "the principal moment of inertia {moment:e} is negative")
@@ -54,6 +73,11 @@ impl fmt::Display for ImpossibleInertia {
 }
 
 impl error::Error for ImpossibleInertia {}
+
+/// The letter of an axis.
+fn axis(index: usize) -> &'static str {
+    ["x", "y", "z"].get(index).unwrap_or(&"?")
+}
 
 /// What rounding in six numbers that came out of a rotation or a file may do, against the largest moment.
 const SLACK: f64 = 1e-12;
@@ -76,14 +100,21 @@ const SLACK: f64 = 1e-12;
 /// assert!(possible_body(&tensor(1.0, 2.0, 3.1)).is_err());
 /// ```
 pub fn possible_body(inertia: &Matrix3<f64>) -> Result<(), ImpossibleInertia> {
-    if inertia.iter().any(|entry| !entry.is_finite()) {
-        return Err(ImpossibleInertia::NotFinite);
+    for (row, column) in (0..9).map(|i| (i / 3, i % 3)) {
+        let entry = inertia[(row, column)];
+        if !entry.is_finite() {
+            return Err(ImpossibleInertia::NotFinite { row, column, entry });
+        }
     }
     let largest = inertia.amax();
     for (row, column) in [(0, 1), (0, 2), (1, 2)] {
         let (above, below) = (inertia[(row, column)], inertia[(column, row)]);
         if (above / 2.0 - below / 2.0).abs() > SLACK * largest {
-            return Err(ImpossibleInertia::NotSymmetric { row, column });
+            return Err(ImpossibleInertia::NotSymmetric {
+                row,
+                column,
+                entries: [above, below],
+            });
         }
     }
     let moments: [f64; 3] = principal_axes(inertia).moments.into();
@@ -145,16 +176,20 @@ mod tests {
         let mut lopsided = diagonal(1.0, 1.0, 1.0);
         lopsided[(1, 2)] = 0.1;
         let error = possible_body(&lopsided).expect_err("yz and zy differ");
-        assert!(error.to_string().contains("entries yz and zy differ"));
+        assert!(
+            (error.to_string()).contains("entries yz = 0.1 and zy = 0 differ"),
+            "{error}"
+        );
         let large_product = inertia([1.0, 1.0, 1.0], [2.0, 0.0, 0.0], Products::Integrals);
         assert!(matches!(
             possible_body(&large_product),
             Err(ImpossibleInertia::Negative { .. })
         ));
-        let not_a_number = diagonal(f64::NAN, 1.0, 1.0);
+        let not_a_number = diagonal(1.0, f64::NAN, 1.0);
+        let error = possible_body(&not_a_number).expect_err("yy is not a number");
         assert_eq!(
-            possible_body(&not_a_number),
-            Err(ImpossibleInertia::NotFinite)
+            error.to_string(),
+            "the entry yy of the inertia tensor is NaN, and has to be finite"
         );
     }
 }

@@ -6,17 +6,20 @@ mod jacobians;
 pub use jacobians::Jacobians;
 
 use crate::mechanics::possible_body;
-use crate::motion::{Block, LANES, Lane, MotionError, Number, Scheme, State, System, TorqueLaw};
+use crate::motion::stepper::positive;
+use crate::motion::system::{entries, inverse};
+use crate::motion::{
+    Block, LANES, Lane, MotionError, Number, Scheme, State, System, Tensors, TorqueLaw,
+};
 use dispatch::{for_each_block, for_each_share};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::DualSVec64;
-use std::{error::Error, fmt};
 
 /// Bodies under one law of torque, moved together: an ensemble over states, or over states and inertia.
 ///
 /// Eight bodies stand side by side, component by component, so that a step of plain arithmetic such as
 /// [`Rk4`](crate::motion::Rk4) runs on registers as wide as the machine has; each body moves as it would alone, to
-/// the bit. With the feature `parallel` the blocks of
+/// the bit where the eight are all along their principal axes or none is. With the feature `parallel` the blocks of
 /// eight are shared out among the threads of the current `rayon` pool. A body takes 56 bytes, and 48 for a tensor of
 /// its own.
 ///
@@ -41,31 +44,10 @@ pub struct Batch {
 
 #[derive(Clone, Debug)]
 enum Inertia {
-    Shared(Matrix3<f64>),
+    Shared(Matrix3<f64>, Tensors<'static>),
     /// xx, yy, zz, xy, xz, yz.
     Own(Vec<[Lane; 6]>),
 }
-
-/// A body of a batch whose state or torque stopped being finite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyDiverged {
-    /// The body's place in the batch, from 0.
-    pub body: usize,
-    /// The time at the start of the steps that failed, s.
-    pub time: f64,
-}
-
-impl fmt::Display for BodyDiverged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { body, time } = self;
-        write!(
-            f,
-            "body {body}: the torque or the state is no longer finite after t = {time} s"
-        )
-    }
-}
-
-impl Error for BodyDiverged {}
 
 impl Batch {
     /// Bodies of one inertia tensor (kg m², body axes, the tensor's own entries).
@@ -82,28 +64,28 @@ impl Batch {
             len: states.len(),
             time: 0.0,
             blocks: in_blocks(&states, Block::new),
-            inertia: Inertia::Shared(inertia),
+            inertia: Inertia::Shared(inertia, shared(&inertia)),
         })
     }
 
     /// Bodies of a tensor and a state each.
     ///
     /// # Errors
-    /// A tensor that no body has.
+    /// The first body whose tensor no body has.
     pub fn of_bodies(
         bodies: impl IntoIterator<Item = (Matrix3<f64>, State<f64>)>,
     ) -> Result<Self, MotionError> {
         let (tensors, states): (Vec<_>, Vec<_>) = bodies.into_iter().unzip();
-        for tensor in &tensors {
-            possible_body(tensor).map_err(MotionError::Inertia)?;
+        for (body, tensor) in tensors.iter().enumerate() {
+            possible_body(tensor).map_err(|reason| MotionError::BodyInertia { body, reason })?;
         }
-        let entries = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         Ok(Self {
             len: states.len(),
             time: 0.0,
             blocks: in_blocks(&states, Block::new),
             inertia: Inertia::Own(in_blocks(&tensors, |block: &[Matrix3<f64>; LANES]| {
-                entries.map(|entry| block.map(|tensor| tensor[entry]))
+                let of_each = block.map(|tensor| entries(&tensor));
+                std::array::from_fn(|entry| of_each.map(|body| body[entry]))
             })),
         })
     }
@@ -138,47 +120,68 @@ impl Batch {
     /// nearest memory until it is done.
     ///
     /// # Errors
-    /// The first body whose state stopped being finite; the batch then stands after the steps all the same.
+    /// A step that is not positive and finite: nothing has moved then. The first body whose torque or state stopped being
+    /// finite, in time and then in number: its block of eight has stopped there, the others stand after the steps.
     pub fn advance<S, L>(
         &mut self,
         scheme: &S,
         law: L,
         step: f64,
         count: u64,
-    ) -> Result<(), BodyDiverged>
+    ) -> Result<(), MotionError>
     where
         S: Scheme<L> + Sync,
         L: TorqueLaw<f64> + Copy + Send + Sync,
     {
+        positive(step)?;
         let start = self.time;
         let inertia = &self.inertia;
-        let all = for_each_block(
+        let failed = for_each_block(
             &mut self.blocks,
             #[inline(always)]
             |index, block: &mut Block| {
                 law.by_kind(
                     #[inline(always)]
                     |law| match inertia {
-                        Inertia::Shared(tensor) if is_diagonal(tensor) => {
+                        Inertia::Shared(tensor, shared) if is_diagonal(tensor) => {
                             let system = of(*tensor, law).along_axes(true);
-                            steps(scheme, |_| system, block, (start, step, count));
+                            steps(
+                                scheme,
+                                shared,
+                                (law, |_| system),
+                                block,
+                                (start, step, count),
+                            )
                         }
-                        Inertia::Shared(tensor) => {
+                        Inertia::Shared(tensor, shared) => {
                             let system = of(*tensor, law);
-                            steps(scheme, |_| system, block, (start, step, count));
+                            steps(
+                                scheme,
+                                shared,
+                                (law, |_| system),
+                                block,
+                                (start, step, count),
+                            )
                         }
                         Inertia::Own(tensors) => {
                             let own = &tensors[index];
-                            let system = |lane: usize| of(tensor_of(own, lane), law);
-                            steps(scheme, system, block, (start, step, count));
+                            let principal = are_diagonal(own);
+                            let system =
+                                |lane: usize| of(tensor_of(own, lane), law).along_axes(principal);
+                            let tensors = match principal {
+                                true => Tensors::OwnPrincipal(own),
+                                false => Tensors::Own(own),
+                            };
+                            steps(scheme, &tensors, (law, system), block, (start, step, count))
                         }
                     },
-                );
-                block.is_finite()
+                )
             },
         );
         self.time = start + step * count as f64;
-        self.checked(all, start)
+        failed.map_or(Ok(()), |Failed { time, body }| {
+            Err(MotionError::BodyDiverged { body, time })
+        })
     }
 
     /// One step of every body, and its Jacobian (columns as in [`jacobian`](crate::motion::jacobian), `N` of them)
@@ -192,48 +195,81 @@ impl Batch {
         law: L,
         step: f64,
         out: &mut Jacobians<N>,
-    ) -> Result<(), BodyDiverged>
+    ) -> Result<(), MotionError>
     where
         S: Scheme<L> + Sync,
         L: TorqueLaw<f64> + TorqueLaw<DualSVec64<N>> + Copy + Send + Sync,
         DualSVec64<N>: Number,
     {
+        positive(step)?;
         let start = self.time;
         let inertia = &self.inertia;
         out.resize(self.len);
         let mut pairs: Vec<_> = self.blocks.iter_mut().zip(out.blocks_mut()).collect();
         // The scheme itself takes to the widest registers.
-        let all = for_each_share(&mut pairs, |first, pairs| {
-            pairs
-                .iter_mut()
-                .enumerate()
-                .fold(true, |all, (i, (block, columns))| {
-                    match inertia {
-                        Inertia::Shared(tensor) => {
-                            let system = of(*tensor, law).along_axes(is_diagonal(tensor));
-                            scheme.block_with_jacobian(&|_| system, start, block, step, columns);
-                        }
-                        Inertia::Own(tensors) => {
-                            let own = &tensors[first + i];
-                            let system = |lane: usize| of(tensor_of(own, lane), law);
-                            scheme.block_with_jacobian(&system, start, block, step, columns);
-                        }
+        let failed = for_each_share(&mut pairs, |first, pairs| {
+            let mut failed = None;
+            for (i, (block, columns)) in pairs.iter_mut().enumerate() {
+                match inertia {
+                    Inertia::Shared(tensor, _) => {
+                        let system = of(*tensor, law).along_axes(is_diagonal(tensor));
+                        scheme.block_with_jacobian(&|_| system, start, block, step, columns);
                     }
-                    all & block.is_finite()
-                })
+                    Inertia::Own(tensors) => {
+                        let own = &tensors[first + i];
+                        let principal = are_diagonal(own);
+                        let system =
+                            |lane: usize| of(tensor_of(own, lane), law).along_axes(principal);
+                        scheme.block_with_jacobian(&system, start, block, step, columns);
+                    }
+                }
+                failed = Failed::first(
+                    failed,
+                    Failed::within(block, start).map(|f| f.in_block(first + i)),
+                );
+            }
+            failed
         });
         self.time = start + step;
-        self.checked(all, start)
+        failed.map_or(Ok(()), |Failed { time, body }| {
+            Err(MotionError::BodyDiverged { body, time })
+        })
+    }
+}
+
+/// A body that stopped being finite, and the time at the start of the step in which it did.
+#[derive(Clone, Copy)]
+struct Failed {
+    time: f64,
+    body: usize,
+}
+
+impl Failed {
+    /// The first lane of a block that is not finite.
+    #[inline(always)]
+    fn within(block: &Block, time: f64) -> Option<Self> {
+        if block.is_finite() {
+            return None;
+        }
+        // The last block is filled up with its own last body: what fails there failed in that body before.
+        let body = (0..LANES).find(|lane| !block.get(*lane).is_finite())?;
+        Some(Self { time, body })
     }
 
-    fn checked(&self, all_finite: bool, time: f64) -> Result<(), BodyDiverged> {
-        if all_finite {
-            return Ok(());
+    /// A lane of a block as a body of the batch.
+    fn in_block(self, index: usize) -> Self {
+        Self {
+            body: self.body + index * LANES,
+            ..self
         }
-        match self.states().position(|state| !state.is_finite()) {
-            Some(body) => Err(BodyDiverged { body, time }),
-            // What is not finite stands where a block is filled up.
-            None => Ok(()),
+    }
+
+    /// Whichever comes first.
+    fn first(a: Option<Self>, b: Option<Self>) -> Option<Self> {
+        match (a, b) {
+            (Some(a), Some(b)) if (b.time, b.body) < (a.time, a.body) => Some(b),
+            (Some(a), _) => Some(a),
+            (None, b) => b,
         }
     }
 }
@@ -242,17 +278,24 @@ impl Batch {
 #[inline(always)]
 fn steps<S: Scheme<L>, L: TorqueLaw<f64>>(
     scheme: &S,
-    system: impl Fn(usize) -> System<f64, L>,
+    tensors: &Tensors<'_>,
+    (law, system): (L, impl Fn(usize) -> System<f64, L>),
     block: &mut Block,
     (start, step, count): (f64, f64, u64),
-) {
+) -> Option<Failed> {
     for n in 0..count {
         let time = start + step * n as f64;
-        for lane in 0..LANES {
-            let end = scheme.step(&system(lane), time, &block.get(lane), step);
-            block.set(lane, &end);
+        if !scheme.block_step(&law, tensors, time, block, step) {
+            for lane in 0..LANES {
+                let end = scheme.step(&system(lane), time, &block.get(lane), step);
+                block.set(lane, &end);
+            }
+        }
+        if !block.is_finite() {
+            return Failed::within(block, time);
         }
     }
+    None
 }
 
 #[inline(always)]
@@ -270,6 +313,29 @@ fn is_diagonal(tensor: &Matrix3<f64>) -> bool {
     [(0, 1), (0, 2), (1, 2)]
         .iter()
         .all(|entry| tensor[*entry] == 0.0)
+}
+
+/// A tensor that all bodies share.
+fn shared(tensor: &Matrix3<f64>) -> Tensors<'static> {
+    let (entries, inverse) = (entries(tensor), entries(&inverse(tensor)));
+    let ([x, y, z, ..], [a, b, c, ..]) = (entries, inverse);
+    match is_diagonal(tensor) {
+        true => Tensors::Principal {
+            moments: [x, y, z],
+            inverse: [a, b, c],
+        },
+        false => Tensors::Shared { entries, inverse },
+    }
+}
+
+/// Whether the products of inertia of all bodies of a block are zero.
+#[inline(always)]
+fn are_diagonal([_, _, _, xy, xz, yz]: &[Lane; 6]) -> bool {
+    let mut none = true;
+    for lane in 0..LANES {
+        none &= xy[lane] == 0.0 && xz[lane] == 0.0 && yz[lane] == 0.0;
+    }
+    none
 }
 
 /// Blocks of eight, the last filled up with its own last one.

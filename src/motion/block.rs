@@ -9,6 +9,29 @@ pub const LANES: usize = 8;
 /// A number of each of eight bodies.
 pub type Lane = [f64; LANES];
 
+/// The inertia tensors of eight bodies, their entries in the order xx, yy, zz, xy, xz, yz.
+#[derive(Clone, Copy, Debug)]
+pub enum Tensors<'a> {
+    /// One of principal axes for all, and the inverses of its moments.
+    Principal {
+        /// The moments, kg m².
+        moments: [f64; 3],
+        /// Their inverses.
+        inverse: [f64; 3],
+    },
+    /// One for all, and its inverse.
+    Shared {
+        /// The entries, kg m².
+        entries: [f64; 6],
+        /// Those of the inverse.
+        inverse: [f64; 6],
+    },
+    /// One for each, all along their principal axes.
+    OwnPrincipal(&'a [Lane; 6]),
+    /// One for each.
+    Own(&'a [Lane; 6]),
+}
+
 /// The states of eight bodies, each component of all eight together: a loop over the bodies in which each takes
 /// the same operations runs on whole registers.
 #[derive(Clone, Copy, Debug)]

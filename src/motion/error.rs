@@ -17,6 +17,13 @@ pub enum MotionError {
     ZeroAttitude,
     /// The inertia tensor is that of no body.
     Inertia(ImpossibleInertia),
+    /// The inertia tensor of one of many bodies is that of no body.
+    BodyInertia {
+        /// The body's place in the batch, from 0.
+        body: usize,
+        /// What is wrong with its tensor.
+        reason: ImpossibleInertia,
+    },
     /// The step is zero, negative or no number.
     Step {
         /// The step, s.
@@ -46,6 +53,13 @@ pub enum MotionError {
         /// The time at the start of the step that failed, s.
         time: f64,
     },
+    /// The motion of one of many bodies or the torque on it stopped being finite.
+    BodyDiverged {
+        /// The body's place in the batch, from 0.
+        body: usize,
+        /// The time at the start of the step that failed, s.
+        time: f64,
+    },
 }
 
 impl fmt::Display for MotionError {
@@ -57,6 +71,7 @@ impl fmt::Display for MotionError {
                 "the attitude quaternion is 0, and has to have a direction"
             ),
             Self::Inertia(reason) => reason.fmt(f),
+            Self::BodyInertia { body, reason } => write!(f, "body {body}: {reason}"),
             Self::Step { step } => {
                 write!(f, "the step is {step} s, and has to be positive and finite")
             }
@@ -81,6 +96,10 @@ impl fmt::Display for MotionError {
             Self::Diverged { time } => write!(
                 f,
                 "the torque or the state is no longer finite in the step from t = {time} s"
+            ),
+            Self::BodyDiverged { body, time } => write!(
+                f,
+                "body {body}: the torque or the state is no longer finite in the step from t = {time} s"
             ),
         }
     }

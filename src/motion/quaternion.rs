@@ -80,11 +80,15 @@ impl<T: Number> Quaternion<T> {
     /// The rate q̇ = ½ q ω of an attitude whose body turns with ω, in body axes.
     #[inline(always)]
     pub fn rate(&self, omega: &Vector3<T>) -> Self {
-        *self
-            * Self {
-                w: T::zero(),
-                v: omega * T::of(0.5),
-            }
+        // Written out: the product with a scalar part of 0 would be multiplied all the same.
+        let ([w, x, y, z], half) = (self.components(), T::of(0.5));
+        let [a, b, c] = [omega.x * half, omega.y * half, omega.z * half];
+        Self::new([
+            -(x * a + y * b + z * c),
+            w * a + y * c - z * b,
+            w * b - x * c + z * a,
+            w * c + x * b - y * a,
+        ])
     }
 
     /// exp(θ/2) through the third order in θ, without a branch: for seeds of derivatives, where θ is 0.

@@ -1,12 +1,19 @@
 //! Numbers side by side in the widest registers that the machine has.
 
+use crate::motion::block::LANES;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Plain arithmetic: of one double, or of as many as a register holds. No operation is fused with another, so that
-/// every width gives the same to the bit.
+/// Plain arithmetic: of one double, or of as many as a register holds. Each operator rounds once; a product is fused with
+/// a sum only where a method says so, and then in every lane of the machine at hand.
 pub(crate) trait Arithmetic:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
+    /// self + a b, in one rounding where the machine has it.
+    fn plus_product(self, a: Self, b: Self) -> Self;
+
+    /// self − a b, in one rounding where the machine has it.
+    fn less_product(self, a: Self, b: Self) -> Self;
+
     /// A constant beside this number.
     fn constant(self, value: f64) -> Self;
 
@@ -15,6 +22,16 @@ pub(crate) trait Arithmetic:
 }
 
 impl Arithmetic for f64 {
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+
+    #[inline(always)]
+    fn less_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+
     #[inline(always)]
     fn constant(self, value: f64) -> Self {
         value
@@ -42,6 +59,14 @@ pub(crate) trait Registers: Copy {
 
     /// Writes the lanes over the first of `values`, of which there are as many or more.
     fn store(self, wide: Self::Wide, values: &mut [f64]);
+
+    /// What stands in the first lane.
+    #[inline(always)]
+    fn first(self, wide: Self::Wide) -> f64 {
+        let mut lanes = [0.0; LANES];
+        self.store(wide, &mut lanes);
+        lanes[0]
+    }
 }
 
 /// Something to be done in registers of any width.
@@ -58,6 +83,20 @@ pub(crate) trait Work {
 #[inline(always)]
 pub(crate) fn in_widest<W: Work>(work: W) -> W::Output {
     pulp::Arch::new().dispatch(dispatched::Dispatched(work))
+}
+
+/// Does the work, a double at a time, with all that the machine knows to do.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
+    pulp::Arch::new().dispatch(dispatched::OneAtATime(work))
+}
+
+/// Does the work, a double at a time.
+#[cfg(not(feature = "batch"))]
+#[inline(always)]
+pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
+    work.run(single::Single)
 }
 
 /// Does the work, a double at a time.
@@ -115,6 +154,79 @@ mod dispatched {
         }
     }
 
+    pub(super) struct OneAtATime<W>(pub(super) W);
+
+    impl<W: Work> WithSimd for OneAtATime<W> {
+        type Output = W::Output;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, _: S) -> W::Output {
+            // Four doubles and more come with fused products.
+            if S::F64_LANES >= 4 {
+                self.0.run(Single::<true>)
+            } else {
+                self.0.run(Single::<false>)
+            }
+        }
+    }
+
+    /// Registers of one double.
+    #[derive(Clone, Copy)]
+    struct Single<const FUSED: bool>;
+
+    #[derive(Clone, Copy)]
+    struct One<const FUSED: bool>(f64);
+
+    impl<const FUSED: bool> Registers for Single<FUSED> {
+        type Wide = One<FUSED>;
+        const LANES: usize = 1;
+
+        #[inline(always)]
+        fn splat(self, value: f64) -> One<FUSED> {
+            One(value)
+        }
+
+        #[inline(always)]
+        fn load(self, values: &[f64]) -> One<FUSED> {
+            One(values.first().copied().unwrap_or_default())
+        }
+
+        #[inline(always)]
+        fn store(self, wide: One<FUSED>, values: &mut [f64]) {
+            if let Some(first) = values.first_mut() {
+                *first = wide.0;
+            }
+        }
+    }
+
+    impl<const FUSED: bool> Arithmetic for One<FUSED> {
+        #[inline(always)]
+        fn plus_product(self, a: Self, b: Self) -> Self {
+            Self(match FUSED {
+                true => a.0.mul_add(b.0, self.0),
+                false => self.0 + a.0 * b.0,
+            })
+        }
+
+        #[inline(always)]
+        fn less_product(self, a: Self, b: Self) -> Self {
+            Self(match FUSED {
+                true => (-a.0).mul_add(b.0, self.0),
+                false => self.0 - a.0 * b.0,
+            })
+        }
+
+        #[inline(always)]
+        fn constant(self, value: f64) -> Self {
+            Self(value)
+        }
+
+        #[inline(always)]
+        fn root(self) -> Self {
+            Self(self.0.sqrt())
+        }
+    }
+
     /// The registers of the machine at hand.
     #[derive(Clone, Copy)]
     struct Widest<S>(S);
@@ -150,6 +262,16 @@ mod dispatched {
 
     impl<S: Simd> Arithmetic for Wide<S> {
         #[inline(always)]
+        fn plus_product(self, a: Self, b: Self) -> Self {
+            Self(self.0, self.0.mul_add_e_f64s(a.1, b.1, self.1))
+        }
+
+        #[inline(always)]
+        fn less_product(self, a: Self, b: Self) -> Self {
+            Self(self.0, self.0.negate_mul_add_e_f64s(a.1, b.1, self.1))
+        }
+
+        #[inline(always)]
         fn constant(self, value: f64) -> Self {
             Self(self.0, self.0.splat_f64s(value))
         }
@@ -167,6 +289,14 @@ mod dispatched {
                 #[inline(always)]
                 fn $method(self, other: Self) -> Self {
                     Self(self.0, self.0.$lanes(self.1, other.1))
+                }
+            }
+
+            impl<const FUSED: bool> $operator for One<FUSED> {
+                type Output = Self;
+                #[inline(always)]
+                fn $method(self, other: Self) -> Self {
+                    Self(self.0.$method(other.0))
                 }
             }
         )*};

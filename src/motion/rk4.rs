@@ -1,11 +1,13 @@
 //! The classical Runge–Kutta method.
 
-use crate::motion::block::{Block, Lane};
+mod lanes;
+
+use crate::motion::block::{Block, Lane, Tensors};
 use crate::motion::{
     Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
     stepper,
 };
-use nalgebra::{SVector, Vector6};
+use nalgebra::{SMatrix, SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
@@ -52,8 +54,30 @@ impl<L> Scheme<L> for Rk4 {
         L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
         DualSVec64<N>: Number,
     {
-        runge_kutta::step_with_jacobian(system, time, state, step)
-            .unwrap_or_else(|| jacobian::by_dual_numbers(self, system, time, state, step))
+        let mut out = StepJacobian {
+            state: *state,
+            matrix: SMatrix::zeros(),
+        };
+        if !runge_kutta::step_with_jacobian(system, time, step, &mut out) {
+            out = jacobian::by_dual_numbers(self, system, time, state, step);
+        }
+        out
+    }
+
+    /// In registers where the torque does not look at the attitude.
+    #[inline(always)]
+    fn block_step(
+        &self,
+        law: &L,
+        tensors: &Tensors<'_>,
+        time: f64,
+        block: &mut Block,
+        step: f64,
+    ) -> bool
+    where
+        L: TorqueLaw<f64>,
+    {
+        lanes::block_step(law, tensors, time, block, step)
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 //! One interface to every way of moving a body through time.
 
-use crate::motion::block::{Block, LANES, Lane};
+use crate::motion::block::{Block, LANES, Lane, Tensors};
 use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
 use nalgebra::{SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
@@ -11,7 +11,8 @@ pub trait Scheme<L> {
     /// The order p: the error over a fixed span falls as hᵖ.
     fn order(&self) -> usize;
 
-    /// The state at `time + step`, from `state` at `time`.
+    /// The state at `time + step`, from `state` at `time`. On dual numbers it has first derivatives, on hyper-dual numbers
+    /// second ones: an example is in [`jacobian`].
     fn step<T: Number>(
         &self,
         system: &System<T, L>,
@@ -36,6 +37,24 @@ pub trait Scheme<L> {
         DualSVec64<N>: Number,
     {
         jacobian::by_dual_numbers(self, system, time, state, step)
+    }
+
+    /// A step of each of eight bodies side by side, and `true`; or `false`, and nothing has moved, if they have to go one
+    /// by one.
+    #[inline(always)]
+    fn block_step(
+        &self,
+        _law: &L,
+        _tensors: &Tensors<'_>,
+        _time: f64,
+        _block: &mut Block,
+        _step: f64,
+    ) -> bool
+    where
+        L: TorqueLaw<f64>,
+        Self: Sized,
+    {
+        false
     }
 
     /// A step of each of eight bodies, `system` giving that of each, and the columns of their Jacobians. One by one,

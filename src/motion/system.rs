@@ -1,10 +1,11 @@
 //! A body and the torque on it.
 
-use crate::mechanics::{adjugate, angular_momentum, apply, cross, possible_body};
+use crate::mechanics::{angular_momentum, apply, cross, possible_body};
 use crate::motion::{
     Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw, torque::in_body,
 };
 use nalgebra::{Matrix3, Vector3};
+use std::ops::{Add, Div, Mul, Sub};
 
 /// A rigid body about its mass centre or a fixed point, and the law of the torque on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,15 +152,46 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     }
 }
 
-/// The inverse of a symmetric matrix by its adjugate, without a branch. The scale is taken out first by the
-/// trace, so that moments of 1e±150 keep their determinant.
+/// The inverse of a symmetric matrix.
 #[inline(always)]
 pub(crate) fn inverse<T: Number>(m: &Matrix3<T>) -> Matrix3<T> {
-    let scale = T::one() / (m[(0, 0)] + m[(1, 1)] + m[(2, 2)]);
-    let scaled = m * scale;
-    let minors = adjugate(&scaled);
-    let determinant = scaled[(0, 0)] * minors[(0, 0)]
-        + scaled[(0, 1)] * minors[(1, 0)]
-        + scaled[(0, 2)] * minors[(2, 0)];
-    minors * (scale / determinant)
+    let [xx, yy, zz, xy, xz, yz] = inverse_entries(entries(m), T::one());
+    Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+}
+
+/// The entries xx, yy, zz, xy, xz, yz of a symmetric matrix.
+#[inline(always)]
+pub(crate) fn entries<T: Copy>(m: &Matrix3<T>) -> [T; 6] {
+    [
+        m[(0, 0)],
+        m[(1, 1)],
+        m[(2, 2)],
+        m[(0, 1)],
+        m[(0, 2)],
+        m[(1, 2)],
+    ]
+}
+
+/// The inverse of a symmetric matrix by its adjugate, without a branch, in the same order of entries. The scale is taken
+/// out first by the trace, so that moments of 1e±150 keep their determinant.
+#[inline(always)]
+pub(crate) fn inverse_entries<T>([xx, yy, zz, xy, xz, yz]: [T; 6], one: T) -> [T; 6]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
+{
+    let scale = one / (xx + yy + zz);
+    let (xx, yy, zz) = (xx * scale, yy * scale, zz * scale);
+    let (xy, xz, yz) = (xy * scale, xz * scale, yz * scale);
+    let minors = [
+        yy * zz - yz * yz,
+        xx * zz - xz * xz,
+        xx * yy - xy * xy,
+        xz * yz - xy * zz,
+        xy * yz - xz * yy,
+        xy * xz - xx * yz,
+    ];
+    let determinant = xx * minors[0] + xy * minors[3] + xz * minors[4];
+    let back = scale / determinant;
+    let [a, b, c, d, e, f] = minors;
+    [a * back, b * back, c * back, d * back, e * back, f * back]
 }

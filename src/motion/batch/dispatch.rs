@@ -1,22 +1,24 @@
 //! The blocks of a batch shared out, and one piece of work for each compiled for the machine at hand.
 
+use super::Failed;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Calls `work` with all blocks; whether it was true.
+/// Calls `work` with all blocks; the body that failed first.
 #[cfg(not(feature = "parallel"))]
 pub(super) fn for_each_share<B: Send>(
     blocks: &mut [B],
-    work: impl Fn(usize, &mut [B]) -> bool + Sync,
-) -> bool {
+    work: impl Fn(usize, &mut [B]) -> Option<Failed> + Sync,
+) -> Option<Failed> {
     work(0, blocks)
 }
 
-/// Calls `work` with shares of the blocks and the place of the first of each, on all threads; whether it was true of all.
+/// Calls `work` with shares of the blocks and the place of the first of each, on all threads; the body
+/// that failed first.
 #[cfg(feature = "parallel")]
 pub(super) fn for_each_share<B: Send>(
     blocks: &mut [B],
-    work: impl Fn(usize, &mut [B]) -> bool + Sync,
-) -> bool {
+    work: impl Fn(usize, &mut [B]) -> Option<Failed> + Sync,
+) -> Option<Failed> {
     use rayon::{iter::IndexedParallelIterator, iter::ParallelIterator, slice::ParallelSliceMut};
     /// Blocks for a thread at a time: enough to be worth the handing out, few enough to even out.
     const SHARE: usize = 64;
@@ -24,14 +26,15 @@ pub(super) fn for_each_share<B: Send>(
         .par_chunks_mut(SHARE)
         .enumerate()
         .map(|(share, blocks)| work(share * SHARE, blocks))
-        .reduce(|| true, |a, b| a && b)
+        .reduce(|| None, Failed::first)
 }
 
-/// Calls `work` with the place of every block and the block, in the widest registers; whether it was true of all.
+/// Calls `work` with the place of every block and the block, in the widest registers; the body that failed first,
+/// of which the work says the lane.
 pub(super) fn for_each_block<B: Send>(
     blocks: &mut [B],
-    work: impl Fn(usize, &mut B) -> bool + Sync,
-) -> bool {
+    work: impl Fn(usize, &mut B) -> Option<Failed> + Sync,
+) -> Option<Failed> {
     for_each_share(blocks, |first, blocks| {
         Arch::new().dispatch(Run {
             blocks,
@@ -48,15 +51,17 @@ struct Run<'a, B, F> {
     work: &'a F,
 }
 
-impl<B, F: Fn(usize, &mut B) -> bool> WithSimd for Run<'_, B, F> {
-    type Output = bool;
+impl<B, F: Fn(usize, &mut B) -> Option<Failed>> WithSimd for Run<'_, B, F> {
+    type Output = Option<Failed>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> bool {
-        let mut all = true;
+    fn with_simd<S: Simd>(self, _: S) -> Option<Failed> {
+        let mut failed = None;
         for (i, block) in self.blocks.iter_mut().enumerate() {
-            all &= (self.work)(self.first + i, block);
+            if let Some(found) = (self.work)(self.first + i, block) {
+                failed = Failed::first(failed, Some(found.in_block(self.first + i)));
+            }
         }
-        all
+        failed
     }
 }

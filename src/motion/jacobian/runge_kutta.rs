@@ -10,6 +10,7 @@
 //! at hand; without optimisation the largest functions are not, for their values would not fit on the stack together.
 
 mod algebra;
+mod alone;
 mod block;
 mod products;
 mod rows;

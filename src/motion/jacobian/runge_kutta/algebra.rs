@@ -4,7 +4,6 @@
 
 use crate::motion::block::Lane;
 use crate::motion::registers::{Arithmetic, Registers};
-use nalgebra::Matrix3;
 
 pub(super) type Vector<T> = [T; 3];
 
@@ -20,9 +19,30 @@ pub(super) fn plus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> [
 }
 
 #[inline(always)]
+pub(super) fn minus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> [T; N] {
+    for i in 0..N {
+        a[i] = a[i] - b[i];
+    }
+    a
+}
+
+#[inline(always)]
 pub(super) fn times<T: Arithmetic, const N: usize>(mut a: [T; N], factor: T) -> [T; N] {
     for component in &mut a {
         *component = *component * factor;
+    }
+    a
+}
+
+/// a + b · factor.
+#[inline(always)]
+pub(super) fn plus_times<T: Arithmetic, const N: usize>(
+    mut a: [T; N],
+    b: [T; N],
+    factor: T,
+) -> [T; N] {
+    for i in 0..N {
+        a[i] = a[i].plus_product(b[i], factor);
     }
     a
 }
@@ -31,14 +51,32 @@ pub(super) fn times<T: Arithmetic, const N: usize>(mut a: [T; N], factor: T) -> 
 pub(super) fn dot<T: Arithmetic, const N: usize>(a: [T; N], b: [T; N]) -> T {
     let mut sum = a[0] * b[0];
     for i in 1..N {
-        sum = sum + a[i] * b[i];
+        sum = sum.plus_product(a[i], b[i]);
     }
     sum
 }
 
 #[inline(always)]
 pub(super) fn cross<T: Arithmetic>([a, b, c]: Vector<T>, [x, y, z]: Vector<T>) -> Vector<T> {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
+    [
+        (b * z).less_product(c, y),
+        (c * x).less_product(a, z),
+        (a * y).less_product(b, x),
+    ]
+}
+
+/// A vector plus a product of two.
+#[inline(always)]
+pub(super) fn plus_cross<T: Arithmetic>(
+    [p, q, r]: Vector<T>,
+    [a, b, c]: Vector<T>,
+    [x, y, z]: Vector<T>,
+) -> Vector<T> {
+    [
+        p.plus_product(b, z).less_product(c, y),
+        q.plus_product(c, x).less_product(a, z),
+        r.plus_product(a, y).less_product(b, x),
+    ]
 }
 
 /// A matrix times a vector.
@@ -50,7 +88,7 @@ pub(super) fn applied<T: Arithmetic>([a, b, c]: [Vector<T>; 3], v: Vector<T>) ->
 /// A covector times a matrix.
 #[inline(always)]
 pub(super) fn pulled<T: Arithmetic>([a, b, c]: [Vector<T>; 3], [x, y, z]: Vector<T>) -> Vector<T> {
-    plus(plus(times(a, x), times(b, y)), times(c, z))
+    plus_times(plus_times(times(a, x), b, y), c, z)
 }
 
 /// Each number in all lanes.
@@ -93,22 +131,26 @@ pub(super) fn loaded<R: Registers, const N: usize>(
 /// The product of a turn and a pure quaternion.
 #[inline(always)]
 pub(super) fn turned<T: Arithmetic>([w, a, b, c]: Turn<T>, [x, y, z]: Vector<T>) -> Turn<T> {
+    let zero = w.constant(0.0);
     [
-        w.constant(0.0) - (a * x + b * y + c * z),
-        w * x + b * z - c * y,
-        w * y + c * x - a * z,
-        w * z + a * y - b * x,
+        zero.less_product(a, x)
+            .less_product(b, y)
+            .less_product(c, z),
+        (w * x).plus_product(b, z).less_product(c, y),
+        (w * y).plus_product(c, x).less_product(a, z),
+        (w * z).plus_product(a, y).less_product(b, x),
     ]
 }
 
 /// The vector part of p⁻¹ q for a unit p, and |p|² times that for any other.
 #[inline(always)]
 pub(super) fn between<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T>) -> Vector<T> {
-    [
-        w * x - a * s - (b * z - c * y),
-        w * y - b * s - (c * x - a * z),
-        w * z - c * s - (a * y - b * x),
-    ]
+    let gained = [
+        (w * x).less_product(a, s),
+        (w * y).less_product(b, s),
+        (w * z).less_product(c, s),
+    ];
+    plus_cross(gained, [x, y, z], [a, b, c])
 }
 
 /// The rows of the matrix that a turn is, |q|² times a rotation.
@@ -127,11 +169,30 @@ pub(super) fn matrix<T: Arithmetic>([w, x, y, z]: Turn<T>) -> [Vector<T>; 3] {
 
 /// An inertia tensor with its inverse.
 pub(super) trait Tensor<T>: Copy {
-    /// −ω × I ω.
-    fn gyroscopic(&self, omega: Vector<T>) -> Vector<T>;
+    /// What its derivatives need of the gyroscopic moment again.
+    type Kept: Copy;
 
-    /// The derivative of −ω × I ω: row by component of it, column by component of ω.
-    fn slope(&self, omega: Vector<T>) -> [Vector<T>; 3];
+    /// A moment and −ω × I ω.
+    fn net(&self, moment: Vector<T>, omega: Vector<T>) -> (Vector<T>, Self::Kept);
+
+    /// The change of −ω × I ω with a change of ω and of the tensor, the latter given times ω.
+    fn along(
+        &self,
+        omega: Vector<T>,
+        kept: Self::Kept,
+        by_omega: Vector<T>,
+        by_inertia: Vector<T>,
+    ) -> Vector<T>;
+
+    /// `onto` and a covector of −ω × I ω times its derivative in ω; `across` is the covector × ω.
+    fn back(
+        &self,
+        onto: Vector<T>,
+        omega: Vector<T>,
+        kept: Self::Kept,
+        covector: Vector<T>,
+        across: Vector<T>,
+    ) -> Vector<T>;
 
     /// I⁻¹ v.
     fn inverse(&self, v: Vector<T>) -> Vector<T>;
@@ -152,36 +213,62 @@ pub(super) struct Principal<T> {
     pub(super) inverse: Vector<T>,
 }
 
-/// The six entries of a symmetric matrix.
+/// A symmetric matrix times a vector.
 #[inline(always)]
-pub(super) fn entries(m: &Matrix3<f64>) -> [f64; 6] {
-    [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|entry| m[entry])
-}
-
-#[inline(always)]
-fn symmetric<T: Arithmetic>([xx, yy, zz, xy, xz, yz]: [T; 6], [x, y, z]: Vector<T>) -> Vector<T> {
+pub(super) fn symmetric<T: Arithmetic>(
+    [xx, yy, zz, xy, xz, yz]: [T; 6],
+    v: Vector<T>,
+) -> Vector<T> {
     [
-        xx * x + xy * y + xz * z,
-        xy * x + yy * y + yz * z,
-        xz * x + yz * y + zz * z,
+        dot([xx, xy, xz], v),
+        dot([xy, yy, yz], v),
+        dot([xz, yz, zz], v),
     ]
 }
 
 impl<T: Arithmetic> Tensor<T> for Full<T> {
+    /// The angular momentum.
+    type Kept = Vector<T>;
+
     #[inline(always)]
-    fn gyroscopic(&self, omega: Vector<T>) -> Vector<T> {
-        cross(symmetric(self.entries, omega), omega)
+    fn net(&self, moment: Vector<T>, omega: Vector<T>) -> (Vector<T>, Vector<T>) {
+        let momentum = symmetric(self.entries, omega);
+        (plus_cross(moment, momentum, omega), momentum)
     }
 
     #[inline(always)]
-    fn slope(&self, omega: Vector<T>) -> [Vector<T>; 3] {
-        // [I ω]× − [ω]× I.
-        let [l, m, n] = symmetric(self.entries, omega);
-        let ([x, y, z], [xx, yy, zz, xy, xz, yz]) = (omega, self.entries);
+    fn along(
+        &self,
+        omega: Vector<T>,
+        momentum: Vector<T>,
+        by_omega: Vector<T>,
+        by_inertia: Vector<T>,
+    ) -> Vector<T> {
+        let gained = plus(symmetric(self.entries, by_omega), by_inertia);
+        plus_cross(cross(momentum, by_omega), gained, omega)
+    }
+
+    #[inline(always)]
+    fn back(
+        &self,
+        onto: Vector<T>,
+        _: Vector<T>,
+        momentum: Vector<T>,
+        covector: Vector<T>,
+        [x, y, z]: Vector<T>,
+    ) -> Vector<T> {
+        let [a, b, c] = plus_cross(onto, covector, momentum);
+        let [xx, yy, zz, xy, xz, yz] = self.entries;
         [
-            [z * xy - y * xz, z * yy - y * yz - n, z * yz - y * zz + m],
-            [x * xz - z * xx + n, x * yz - z * xy, x * zz - z * xz - l],
-            [y * xx - x * xy - m, y * xy - x * yy + l, y * xz - x * yz],
+            a.less_product(xx, x)
+                .less_product(xy, y)
+                .less_product(xz, z),
+            b.less_product(xy, x)
+                .less_product(yy, y)
+                .less_product(yz, z),
+            c.less_product(xz, x)
+                .less_product(yz, y)
+                .less_product(zz, z),
         ]
     }
 
@@ -192,19 +279,51 @@ impl<T: Arithmetic> Tensor<T> for Full<T> {
 }
 
 impl<T: Arithmetic> Tensor<T> for Principal<T> {
+    type Kept = ();
+
     #[inline(always)]
-    fn gyroscopic(&self, [x, y, z]: Vector<T>) -> Vector<T> {
+    fn net(&self, [l, m, n]: Vector<T>, [x, y, z]: Vector<T>) -> (Vector<T>, ()) {
         let [a, b, c] = self.differences;
-        [a * (y * z), b * (z * x), c * (x * y)]
+        let net = [
+            l.plus_product(a, y * z),
+            m.plus_product(b, z * x),
+            n.plus_product(c, x * y),
+        ];
+        (net, ())
     }
 
     #[inline(always)]
-    fn slope(&self, [x, y, z]: Vector<T>) -> [Vector<T>; 3] {
-        let ([a, b, c], zero) = (self.differences, x.constant(0.0));
+    fn along(
+        &self,
+        [x, y, z]: Vector<T>,
+        (): (),
+        [p, q, r]: Vector<T>,
+        by_inertia: Vector<T>,
+    ) -> Vector<T> {
+        let [a, b, c] = self.differences;
+        let [l, m, n] = cross(by_inertia, [x, y, z]);
         [
-            [zero, a * z, a * y],
-            [b * z, zero, b * x],
-            [c * y, c * x, zero],
+            l.plus_product(a, (y * r).plus_product(z, q)),
+            m.plus_product(b, (z * p).plus_product(x, r)),
+            n.plus_product(c, (x * q).plus_product(y, p)),
+        ]
+    }
+
+    #[inline(always)]
+    fn back(
+        &self,
+        [l, m, n]: Vector<T>,
+        [x, y, z]: Vector<T>,
+        (): (),
+        [p, q, r]: Vector<T>,
+        _: Vector<T>,
+    ) -> Vector<T> {
+        let [a, b, c] = self.differences;
+        let [p, q, r] = [a * p, b * q, c * r];
+        [
+            l.plus_product(q, z).plus_product(r, y),
+            m.plus_product(p, z).plus_product(r, x),
+            n.plus_product(p, y).plus_product(q, x),
         ]
     }
 

@@ -1,7 +1,7 @@
 //! The Jacobians of eight bodies, the same row of each side by side in registers.
 
-use super::algebra::{Full, Principal, Tensor, loaded, matrix};
-use super::rows::{full, principal};
+use super::algebra::{Full, Principal, Tensor, loaded};
+use super::alone::{full, principal};
 use super::stages::{Moment, Stages, moments};
 use crate::motion::block::{Block, LANES, Lane};
 use crate::motion::registers::{Registers, Work, in_widest};
@@ -100,14 +100,6 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
         for i in 0..7 {
             registers.store(values[i], &mut lanes[i][first..]);
         }
-        let zero = registers.splat(0.0);
-        let turn = matrix(stages.end);
-        for (column, values) in self.columns.iter_mut().zip(turn) {
-            for (r, value) in values.into_iter().enumerate() {
-                registers.store(value * stages.unit, &mut column[r][first..]);
-                registers.store(zero, &mut column[3 + r][first..]);
-            }
-        }
         self.row::<_, 0>(first, &stages);
         self.row::<_, 1>(first, &stages);
         self.row::<_, 2>(first, &stages);
@@ -116,7 +108,7 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
         self.row::<_, 5>(first, &stages);
     }
 
-    /// The row `ROW` of each Jacobian, in the columns after those of θ.
+    /// The row `ROW` of each Jacobian.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn row<I: Tensor<R::Wide>, const ROW: usize>(
         &mut self,
@@ -132,6 +124,7 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
             (None, Some(seed))
         };
         let pulled = stages.pulled_back::<N>(of_theta, of_omega);
+        self.put::<ROW, 3>(first, 0, pulled.theta);
         self.put::<ROW, 3>(first, 3, pulled.omega);
         self.put::<ROW, 3>(first, 6, pulled.torque);
         self.put::<ROW, 6>(first, 9, pulled.inertia);

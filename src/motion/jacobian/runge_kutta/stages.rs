@@ -1,7 +1,8 @@
 //! The stages of a step, forward, and a covector of the result on its way back through them.
 
 use super::algebra::{
-    Tensor, Turn, Vector, applied, between, dot, plus, pulled, splat, splat_rows, times, turned,
+    Tensor, Turn, Vector, applied, between, cross, dot, matrix, plus, plus_times, pulled, splat,
+    splat_rows, times, turned,
 };
 use crate::motion::registers::{Arithmetic, Registers};
 use crate::motion::{System, TorqueLaw};
@@ -58,99 +59,41 @@ impl Moment<f64> {
     }
 }
 
-/// What a stage leaves behind for the way back.
+/// What a stage leaves behind for its derivatives.
 #[derive(Clone, Copy)]
-pub(super) struct Stage<T> {
+pub(super) struct Stage<T, K> {
+    pub(super) omega: Vector<T>,
     /// ω/2.
     pub(super) half: Vector<T>,
+    /// What the tensor needs of the gyroscopic moment again.
+    pub(super) kept: K,
     pub(super) acceleration: Vector<T>,
-    /// The derivative of the net moment in ω, row by component of the moment.
-    pub(super) slope: [Vector<T>; 3],
-    /// The torque's own rate in time.
-    pub(super) by_time: Vector<T>,
-    pub(super) by_inertia: ByInertia<T>,
+    pub(super) moment: Moment<T>,
     /// Attitude since the start of the step, and its rate ½ p ω.
     pub(super) turn: Turn<T>,
     pub(super) turn_rate: Turn<T>,
 }
 
-/// The derivative of the net moment in the tensor, −(δI α + ω × δI ω), which is minus the
-/// [`regressor()`](crate::mechanics::regressor()).
-#[derive(Clone, Copy)]
-pub(super) struct ByInertia<T> {
-    /// −α.
-    pub(super) against: Vector<T>,
-    /// ω_y ω_z and cyclic.
-    pub(super) products: Vector<T>,
-    /// The columns of xy, xz and yz.
-    pub(super) off: [Vector<T>; 3],
-}
-
-impl<T: Arithmetic> ByInertia<T> {
-    #[inline(always)]
-    fn new([x, y, z]: Vector<T>, [a, b, c]: Vector<T>) -> Self {
-        let zero = x.constant(0.0);
-        let [yz, zx, xy] = [y * z, z * x, x * y];
-        let [xx, yy, zz] = [x * x, y * y, z * z];
-        let against = [zero - a, zero - b, zero - c];
-        Self {
-            against,
-            products: [yz, zx, xy],
-            off: [
-                [zx - b, against[0] - yz, yy - xx],
-                [against[2] - xy, xx - zz, yz - a],
-                [zz - yy, xy - c, against[1] - zx],
-            ],
-        }
-    }
-
-    /// A covector of the moment times it.
-    #[inline(always)]
-    fn pulled_back(&self, [x, y, z]: Vector<T>) -> [T; 6] {
-        let ([a, b, c], [yz, zx, xy]) = (self.against, self.products);
-        let [p, q, r] = [yz * x, zx * y, xy * z];
-        let [d, e, f] = applied(self.off, [x, y, z]);
-        [a * x + (r - q), b * y + (p - r), c * z + (q - p), d, e, f]
-    }
-
-    /// The moment of a change of the tensor.
-    #[inline(always)]
-    pub(super) fn along(&self, [xx, yy, zz, xy, xz, yz]: [T; 6]) -> Vector<T> {
-        let ([a, b, c], [p, q, r]) = (self.against, self.products);
-        let [d, e, f] = pulled(self.off, [xy, xz, yz]);
-        [
-            a * xx + p * (yy - zz) + d,
-            b * yy + q * (zz - xx) + e,
-            c * zz + r * (xx - yy) + f,
-        ]
-    }
-}
-
-impl<T: Arithmetic> Stage<T> {
+impl<T: Arithmetic, K> Stage<T, K> {
     /// The stage of an angular velocity and of the attitude since the start, `None` for no turn.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn new(
-        tensor: &impl Tensor<T>,
+    pub(super) fn new(
+        tensor: &impl Tensor<T, Kept = K>,
         moment: &Moment<T>,
         omega: Vector<T>,
         turn: Option<Turn<T>>,
     ) -> Self {
-        let mut net = plus(moment.at_rest, tensor.gyroscopic(omega));
-        let mut slope = tensor.slope(omega);
+        let (mut net, kept) = tensor.net(moment.at_rest, omega);
         if let Some(by_omega) = moment.by_omega {
             net = plus(net, applied(by_omega, omega));
-            for r in 0..3 {
-                slope[r] = plus(slope[r], by_omega[r]);
-            }
         }
-        let acceleration = tensor.inverse(net);
         let half = times(omega, omega[0].constant(0.5));
         let (zero, one) = (omega[0].constant(0.0), omega[0].constant(1.0));
         Self {
-            acceleration,
-            slope,
-            by_time: moment.by_time,
-            by_inertia: ByInertia::new(omega, acceleration),
+            omega,
+            kept,
+            acceleration: tensor.inverse(net),
+            moment: *moment,
             turn: match turn {
                 Some(turn) => turn,
                 None => [one, zero, zero, zero],
@@ -165,25 +108,26 @@ impl<T: Arithmetic> Stage<T> {
 
     /// The stage after this one, a span (s) from the start of the step.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn after(
+    pub(super) fn after(
         &self,
-        tensor: &impl Tensor<T>,
+        tensor: &impl Tensor<T, Kept = K>,
         moment: &Moment<T>,
         start: Vector<T>,
         span: f64,
     ) -> Self {
-        let span = start[0].constant(span);
-        let omega = plus(start, times(self.acceleration, span));
-        let [w, x, y, z] = times(self.turn_rate, span);
-        Self::new(tensor, moment, omega, Some([w + w.constant(1.0), x, y, z]))
+        let (span, one) = (start[0].constant(span), start[0].constant(1.0));
+        let omega = plus_times(start, self.acceleration, span);
+        let [w, x, y, z] = self.turn_rate;
+        let turn = [one.plus_product(w, span), x * span, y * span, z * span];
+        Self::new(tensor, moment, omega, Some(turn))
     }
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Stages<T, I> {
+pub(super) struct Stages<T, I: Tensor<T>> {
     pub(super) tensor: I,
     pub(super) step: f64,
-    pub(super) stages: [Stage<T>; 4],
+    pub(super) stages: [Stage<T, I::Kept>; 4],
     /// The turn of the step before it is made unit, 1/|.|² of it, and the means of the rates.
     pub(super) end: Turn<T>,
     pub(super) unit: T,
@@ -204,7 +148,12 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         let second = first.after(&tensor, midway, start, step * PARTS[1]);
         let third = second.after(&tensor, midway, start, step * PARTS[2]);
         let fourth = third.after(&tensor, at_end, start, step * PARTS[3]);
-        let stages = [first, second, third, fourth];
+        Self::of(tensor, step, [first, second, third, fourth])
+    }
+
+    /// The step of its stages.
+    #[inline(always)]
+    pub(super) fn of(tensor: I, step: f64, stages: [Stage<T, I::Kept>; 4]) -> Self {
         let [a, b, c, d] = &stages;
         let mean_turn = mean([a.turn_rate, b.turn_rate, c.turn_rate, d.turn_rate]);
         let accelerations = [
@@ -213,9 +162,9 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
             c.acceleration,
             d.acceleration,
         ];
-        let [w, x, y, z] = times(mean_turn, start[0].constant(step));
-        let one = w.constant(1.0);
-        let end = [one + w, x, y, z];
+        let [w, x, y, z] = mean_turn;
+        let (span, one) = (w.constant(step), w.constant(1.0));
+        let end = [one.plus_product(w, span), x * span, y * span, z * span];
         Self {
             tensor,
             step,
@@ -231,25 +180,24 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
     #[inline(always)]
     pub(super) fn state(&self, [w, a, b, c]: Turn<T>, omega: Vector<T>) -> (Turn<T>, Vector<T>) {
         let [s, x, y, z] = self.end;
-        let turned = turned([w, a, b, c], [x, y, z]);
-        let whole = plus(turned, times([w, a, b, c], s));
+        let whole = plus_times(turned([w, a, b, c], [x, y, z]), [w, a, b, c], s);
         let size = w.constant(1.0) / dot(whole, whole).root();
-        let gained = times(self.mean, w.constant(self.step));
-        (times(whole, size), plus(omega, gained))
+        let after = plus_times(omega, self.mean, w.constant(self.step));
+        (times(whole, size), after)
     }
 }
 
 /// The mean of the stages by their weights.
 #[inline(always)]
 pub(super) fn mean<T: Arithmetic, const N: usize>([a, b, c, d]: [[T; N]; 4]) -> [T; N] {
-    let inner = plus(b, c);
-    let sum = plus(plus(a, plus(inner, inner)), d);
+    let sum = plus_times(plus(a, d), plus(b, c), a[0].constant(2.0));
     times(sum, sum[0].constant(1.0 / 6.0))
 }
 
-/// A covector of the result times the Jacobian: what stands in the columns after those of θ.
+/// A covector of the result times the Jacobian.
 #[derive(Clone, Copy)]
 pub(super) struct Pulled<T> {
+    pub(super) theta: Vector<T>,
     pub(super) omega: Vector<T>,
     pub(super) torque: Vector<T>,
     pub(super) inertia: [T; 6],
@@ -272,14 +220,8 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         of_omega: Option<Vector<T>>,
     ) -> Pulled<T> {
         let zero = self.unit.constant(0.0);
-        let mut result = Way {
-            turn: None,
-            omega: of_omega,
-        };
-        if let Some(theta) = of_theta {
-            result.turn = Some(times(turned(self.end, theta), self.unit));
-        }
         let mut sums = Pulled {
+            theta: [zero; 3],
             omega: match of_omega {
                 Some(omega) => omega,
                 None => [zero; 3],
@@ -288,6 +230,15 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
             inertia: [zero; 6],
             span: zero,
         };
+        let mut result = Way {
+            turn: None,
+            omega: of_omega,
+        };
+        if let Some(theta) = of_theta {
+            result.turn = Some(times(turned(self.end, theta), self.unit));
+            // ∂θ'/∂θ is the turn of the step backwards.
+            sums.theta = times(applied(matrix(self.end), theta), self.unit);
+        }
         if N > 15 {
             sums.span = self.along_rates(&result, self.mean_turn, self.mean);
         }
@@ -321,17 +272,26 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         }
         if let Some(of) = rates.omega {
             let of = self.tensor.inverse(of);
-            of_moment = Some(of);
-            of_omega = sum(Some(pulled(stage.slope, of)), of_omega);
+            let across = cross(of, stage.omega);
+            let onto = match of_omega {
+                Some(onto) => onto,
+                None => [self.unit.constant(0.0); 3],
+            };
+            let mut through = (self.tensor).back(onto, stage.omega, stage.kept, of, across);
+            if let Some(by_omega) = stage.moment.by_omega {
+                through = plus(through, pulled(by_omega, of));
+            }
+            (of_omega, of_moment) = (Some(through), Some(of));
+            if N > 6 {
+                sums.torque = plus(sums.torque, of);
+            }
+            if N > 9 {
+                sums.of_tensor(of, stage.acceleration);
+                sums.of_tensor(across, stage.omega);
+            }
         }
         if let Some(of) = of_omega {
             sums.omega = plus(sums.omega, of);
-        }
-        if let (true, Some(of)) = (N > 6, of_moment) {
-            sums.torque = plus(sums.torque, of);
-        }
-        if let (true, Some(of)) = (N > 9, of_moment) {
-            sums.inertia = plus(sums.inertia, stage.by_inertia.pulled_back(of));
         }
         let stage_of = Way {
             turn: of_turn,
@@ -344,17 +304,14 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         if N > 15 {
             let part = self.unit.constant(PARTS[i]);
             let moved = self.along_rates(&stage_of, before.turn_rate, before.acceleration);
-            sums.span = sums.span + moved * part;
+            sums.span = sums.span.plus_product(moved, part);
             if let Some(of) = of_moment {
-                sums.span = sums.span + dot(of, stage.by_time) * part;
+                let by_time = dot(of, stage.moment.by_time);
+                sums.span = sums.span.plus_product(by_time, part);
             }
         }
-        let direct = result.scaled(self.step * WEIGHTS[i - 1]);
         let onward = stage_of.scaled(self.step * PARTS[i]);
-        Way {
-            turn: sum(direct.turn, onward.turn),
-            omega: sum(direct.omega, onward.omega),
-        }
+        onward.plus_times(result, self.step * WEIGHTS[i - 1])
     }
 
     #[inline(always)]
@@ -372,6 +329,22 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
     }
 }
 
+impl<T: Arithmetic> Pulled<T> {
+    /// A covector of δI v on its way back to the entries of −δI.
+    #[inline(always)]
+    fn of_tensor(&mut self, [a, b, c]: Vector<T>, [x, y, z]: Vector<T>) {
+        let [xx, yy, zz, xy, xz, yz] = self.inertia;
+        self.inertia = [
+            xx.less_product(a, x),
+            yy.less_product(b, y),
+            zz.less_product(c, z),
+            xy.less_product(a, y).less_product(b, x),
+            xz.less_product(a, z).less_product(c, x),
+            yz.less_product(b, z).less_product(c, y),
+        ];
+    }
+}
+
 impl<T: Arithmetic> Way<T> {
     #[inline(always)]
     fn scaled(mut self, factor: f64) -> Self {
@@ -383,12 +356,27 @@ impl<T: Arithmetic> Way<T> {
         }
         self
     }
+
+    /// This way and `factor` times another; what is 0 in both stays unasked.
+    #[inline(always)]
+    fn plus_times(self, other: &Self, factor: f64) -> Self {
+        Self {
+            turn: sum(self.turn, other.turn, factor),
+            omega: sum(self.omega, other.omega, factor),
+        }
+    }
 }
 
+/// a + b · factor.
 #[inline(always)]
-fn sum<T: Arithmetic, const N: usize>(a: Option<[T; N]>, b: Option<[T; N]>) -> Option<[T; N]> {
+fn sum<T: Arithmetic, const N: usize>(
+    a: Option<[T; N]>,
+    b: Option<[T; N]>,
+    factor: f64,
+) -> Option<[T; N]> {
     match (a, b) {
-        (Some(a), Some(b)) => Some(plus(a, b)),
-        (None, only) | (only, None) => only,
+        (Some(a), Some(b)) => Some(plus_times(a, b, b[0].constant(factor))),
+        (None, Some(b)) => Some(times(b, b[0].constant(factor))),
+        (a, None) => a,
     }
 }
