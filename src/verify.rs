@@ -76,6 +76,7 @@ mod subscript;
 mod symbol;
 mod terms;
 mod theory;
+mod turned_axes;
 mod units;
 mod usage;
 mod value;

@@ -135,3 +135,59 @@ $$
 ";
     assert_eq!(verdicts(text), ["proved", "proved", "proved", "refuted"]);
 }
+
+#[test]
+fn moments_on_turned_axes_are_the_integrals_over_their_coordinates() {
+    let text = r"
+A thin plate lies in the plane $xy$, so that
+
+$$
+I_{xx} = \int y^2\,dm, \qquad I_{yy} = \int x^2\,dm, \qquad I_{xy} = \int xy\,dm
+$$
+
+Turned axes have the coordinates
+
+$$
+u = x\cos\beta + y\sin\beta, \qquad v = y\cos\beta - x\sin\beta
+$$
+
+The moments about them are
+
+$$
+I_{uu} = I_{xx}\cos^2\beta + I_{yy}\sin^2\beta - I_{xy}\sin 2\beta
+$$
+
+$$
+I_{uv} = \tfrac12(I_{xx} - I_{yy})\sin 2\beta + I_{xy}\cos 2\beta
+$$
+
+$$
+I_{vv} = I_{xx}\sin^2\beta + I_{yy}\cos^2\beta - I_{xy}\sin 2\beta
+$$
+";
+    let found = verdicts(text);
+    assert_eq!(found[found.len() - 3..], ["proved", "proved", "refuted"]);
+}
+
+#[test]
+fn three_letters_with_their_differences_are_the_principal_moments() {
+    let text = r"
+A wheel has the inertia $J$ about its shaft, and
+
+$$
+J\dot n = -k n
+$$
+
+A free body obeys
+
+$$
+A\dot\omega_x - (B - C)\omega_y\omega_z = M_x, \quad B\dot\omega_y - (C - A)\omega_z\omega_x = M_y
+$$
+
+$$
+C\dot\omega_z - (B - A)\omega_x\omega_y = M_z
+$$
+";
+    let found = verdicts(text);
+    assert_eq!(found[found.len() - 3..], ["proved", "proved", "refuted"]);
+}

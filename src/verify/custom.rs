@@ -53,6 +53,16 @@ impl Reading {
         used.vector + used.component == 0 && self.usage.get(&Letter::plain("g")).bare > 0
     }
 
+    /// Whether a letter for the tensor is only ever a number, in a document that calls the principal moments A, B and C.
+    fn is_single_moment(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        let named = ["A", "B", "C"].map(Letter::plain);
+        let moment = |l: &Letter| matches!(self.components.get(l), Some((Quantity::Inertia, _)));
+        named.iter().all(moment)
+            && !self.left_sides.contains(letter)
+            && used.vector + used.tensor + used.double + used.component == 0
+    }
+
     /// Whether another letter is the moment already, or is it by a better custom.
     fn has_moment(&self) -> bool {
         let mut whole = self.quantities.values();
@@ -84,6 +94,7 @@ impl Reading {
             }
             "tau" => Some(Quantity::Moment),
             "N" | "Gamma" | "T" if directed && !self.has_moment() => Some(Quantity::Moment),
+            "I" | "J" if self.is_single_moment(letter) => None,
             "I" | "J" => Some(Quantity::Inertia),
             "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
             "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),

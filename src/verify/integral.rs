@@ -29,10 +29,14 @@ impl Lowering<'_> {
             let density = self.letter("rho", node)?;
             value = value.map(|entry| entry.clone() / variable_fraction(density));
         }
-        let entries = value
-            .entries
-            .iter()
-            .map(|entry| self.moment_of(entry, &coordinates));
+        // Coordinates on turned axes are put in by what the document says of them.
+        let entries = value.entries.iter().map(|entry| {
+            let known = self.moment_of(entry, &coordinates);
+            known.or_else(|| {
+                let normal = self.theory.normal(entry);
+                self.moment_of(&normal, &coordinates)
+            })
+        });
         let entries: Option<Vec<Fraction>> = entries.collect();
         let entries = entries.ok_or_else(|| unsupported(reason::INTEGRAL))?;
         let columns = value.columns;
@@ -66,7 +70,7 @@ impl Lowering<'_> {
     }
 
     /// The integral of a quadratic form in the coordinates, in terms of the inertia tensor.
-    fn moment_of(&mut self, entry: &Fraction, coordinates: &[u32]) -> Option<Fraction> {
+    pub(super) fn moment_of(&mut self, entry: &Fraction, coordinates: &[u32]) -> Option<Fraction> {
         let second = self.second_moments();
         let mut rest: Polynomial = entry.numerator().clone();
         let below = Fraction::from(entry.denominator().clone());
@@ -99,7 +103,7 @@ impl Lowering<'_> {
     }
 
     /// ∫ x_a x_b dm from the tensor: J = ½ tr(I) 1 − I, with I the tensor of the equations.
-    fn second_moments(&mut self) -> [[Fraction; 3]; 3] {
+    pub(super) fn second_moments(&mut self) -> [[Fraction; 3]; 3] {
         let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
         let half = constant(Rational::from(1)) / constant(Rational::from(2));
         let trace = tensor[(0, 0)].clone() + tensor[(1, 1)].clone() + tensor[(2, 2)].clone();

@@ -111,6 +111,7 @@ impl Checker<'_> {
             return;
         }
         self.note_origin(&sides);
+        self.note_turned_moments(&sides);
         self.note_translation(&sides);
         self.note_scalars(&sides);
         let role = self.role_by_content(role, &sides);
@@ -125,6 +126,7 @@ impl Checker<'_> {
                 _ => self.accept(&sides, role, finding),
             }
         }
+        self.note_flat_body(&sides, line.span);
         self.note_figures(&sides, finding);
     }
 

@@ -12,6 +12,7 @@ use crate::verify::moments_in_words::NamedMoment;
 use crate::verify::phrases::{apposition, letters_named, reaches, said_after, said_before};
 use crate::verify::prose::{Said, said};
 use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::rivals::has_differences;
 use crate::verify::usage::{Letter, Usage, axis, inner, symbols};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -63,7 +64,7 @@ impl Reading {
             ..Self::default()
         };
         reading.listen(document);
-        reading.sequences();
+        reading.sequences(has_differences(document));
         reading.by_moments(document);
         reading.by_words();
         reading.part_rivals(document);
@@ -243,7 +244,7 @@ impl Reading {
     }
 
     /// Three letters in a row that are the components of one quantity.
-    fn sequences(&mut self) {
+    fn sequences(&mut self, differences: bool) {
         for names in [["p", "q", "r"], ["P", "Q", "R"]] {
             let rates = names.map(Letter::plain);
             let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
@@ -277,9 +278,10 @@ impl Reading {
             self.take_components(forces, Quantity::Force);
         }
         let moments = ["A", "B", "C"].map(Letter::plain);
-        let voted = moments
-            .iter()
-            .any(|l| self.votes_for(l, Quantity::Inertia) > 0);
+        let voted = differences
+            || moments
+                .iter()
+                .any(|l| self.votes_for(l, Quantity::Inertia) > 0);
         let bare = moments.iter().all(|l| self.usage.get(l).bare > 0);
         if voted && bare {
             self.take_components(moments, Quantity::Inertia);

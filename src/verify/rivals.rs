@@ -35,6 +35,18 @@ impl Reading {
     }
 }
 
+/// Whether the three differences of A, B and C stand in a document, as they do in Euler's equations.
+pub(super) fn has_differences(document: &Document) -> bool {
+    let sums: Vec<BTreeSet<Letter>> = lines(document)
+        .flat_map(|line| &line.sides)
+        .flat_map(sums)
+        .collect();
+    let pairs = [["A", "B"], ["B", "C"], ["A", "C"]];
+    pairs
+        .iter()
+        .all(|pair| sums.contains(&pair.iter().map(|name| Letter::plain(name)).collect()))
+}
+
 /// The letters of the terms of each sum in a tree, where a term is a symbol by itself.
 fn sums(node: &Node) -> Vec<BTreeSet<Letter>> {
     let mut found: Vec<BTreeSet<Letter>> = node.children().into_iter().flat_map(sums).collect();
