@@ -48,6 +48,7 @@ mod lost_terms;
 mod lost_vectors;
 mod lower;
 mod matrix;
+
 mod moments_in_words;
 mod names;
 mod news;
@@ -65,6 +66,7 @@ mod reason;
 mod repair;
 mod rivals;
 mod role;
+mod roles_by_law;
 mod shown;
 mod sightings;
 mod slips;

@@ -228,3 +228,24 @@ fn words_bring_a_thing_in_or_name_a_formula() {
         "pp"
     );
 }
+
+#[test]
+fn moments_of_inertia_and_the_torque_are_told_by_their_places_in_a_law() {
+    let text = r"On the principal axes $\mathbf H = \mu_1\omega_1\,\mathbf e_1 + \mu_2\omega_2\,\mathbf e_2 + \mu_3\omega_3\,\mathbf e_3$ and
+
+$$ \mathbf S = \frac{d\mathbf H}{dt} $$
+
+so that
+
+$$ \mu_1\dot\omega_1 + (\mu_3 - \mu_2)\,\omega_2\omega_3 = S_1 $$
+
+$$ \mu_2\dot\omega_2 + (\mu_3 - \mu_1)\,\omega_3\omega_1 = S_2 $$
+
+For a lamina
+
+$$ \mu_3 = \mu_1 + \mu_2 $$
+
+$$ \mu_1(\dot\omega_1 + \omega_2\omega_3) = S_1 $$
+";
+    assert_eq!(verdicts(text), "pppra p".replace(' ', ""));
+}

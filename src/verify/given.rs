@@ -1,5 +1,6 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
@@ -43,6 +44,7 @@ impl Checker<'_> {
             || self.is_news(first, read)
             || self.is_load(sides, read)
             || self.gives_momentum(sides)
+            || self.narrows_the_body(read)
         {
             return true;
         }
@@ -187,6 +189,24 @@ impl Checker<'_> {
                 let value = self.theory.atoms.value(entity, component, 0);
                 self.theory.normal(&value).as_variable().is_some()
             })
+    }
+
+    /// Whether a line speaks of the moments of inertia alone, and so of which bodies it holds for: C = A + B of a lamina.
+    fn narrows_the_body(&mut self, read: &Read) -> bool {
+        let inertia = Owner::Quantity(Quantity::Inertia, String::new());
+        let normals: Vec<Fraction> = read
+            .residuals()
+            .map(|entry| self.theory.normal(entry))
+            .collect();
+        let of_body = |v: u32| self.theory.atoms.owner(v) == Some(&inertia);
+        normals.iter().all(|rest| {
+            let linear = rest
+                .numerator()
+                .terms()
+                .iter()
+                .all(|(monomial, _)| monomial.degree() == 1);
+            linear && rest.is_polynomial() && rest.variables().into_iter().all(of_body)
+        })
     }
 
     /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.

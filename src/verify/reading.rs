@@ -70,6 +70,8 @@ impl Reading {
         reading.part_rivals(document);
         reading.by_attitude(document);
         reading.by_custom();
+        reading.by_coefficients(document);
+        reading.by_moment_law(document);
         reading.in_a_plane();
         if document.format == Format::Text {
             reading.typed_w();
