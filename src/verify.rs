@@ -67,6 +67,7 @@ mod repair;
 mod rivals;
 mod role;
 mod roles_by_law;
+mod sequences;
 mod shown;
 mod sightings;
 mod slips;
@@ -87,6 +88,7 @@ mod verdict;
 mod vocabulary;
 mod wanted;
 mod world;
+mod written_out;
 
 pub use check::check;
 pub use quantity::{Quantity, Shape};

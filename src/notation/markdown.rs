@@ -25,7 +25,10 @@ pub(crate) fn items(text: &str, offset: usize, macros: &Macros) -> Vec<Item> {
     };
     let parser = Parser::new_ext(
         &masked,
-        Options::ENABLE_TABLES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_FOOTNOTES,
+        Options::ENABLE_TABLES
+            | Options::ENABLE_STRIKETHROUGH
+            | Options::ENABLE_FOOTNOTES
+            | Options::ENABLE_WIKILINKS,
     );
     for (event, range) in parser.into_offset_iter() {
         reader.event(event, range);

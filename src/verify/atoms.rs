@@ -348,7 +348,7 @@ fn usual_letter(quantity: Quantity) -> &'static str {
         Quantity::Energy => "T",
         Quantity::Power => "P",
         Quantity::Position => "r",
-        Quantity::Velocity => "v",
+        Quantity::Velocity | Quantity::CentreVelocity => "v",
         Quantity::OriginVelocity => "v_O",
         Quantity::Acceleration => "a",
         Quantity::Force => "F",

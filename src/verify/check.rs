@@ -152,7 +152,8 @@ impl<'a> Checker<'a> {
             dynamics: Dynamics::Inverse,
             origin_moves: false,
             translation: None,
-            newton: !reading.usage.speaks_of_a_centre(),
+            drifts: reading.speaks_of(Quantity::CentreVelocity),
+            newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
             rigid: !inertia_changes(&reading),
             gyrostat: reading
                 .quantities

@@ -1,8 +1,9 @@
 //! What letters mean by the custom of the field, where no word says it.
 
+use crate::notation::ast::Symbol;
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::usage::Letter;
+use crate::verify::usage::{Letter, axis};
 
 impl Reading {
     /// What is left, by the custom of the field.
@@ -18,12 +19,14 @@ impl Reading {
         }
     }
 
-    /// The w of a typewriter is an ω, unless there is an ω, or it stands with x, y and z as the parts of a quaternion do.
-    pub(super) fn typed_w(&mut self) {
+    /// A w with components that stands beside a ×, or that of a typewriter, is an ω, unless there is an ω, or it stands with x, y and z as the parts of a quaternion do.
+    pub(super) fn typed_w(&mut self, typewriter: bool) {
         let quaternion = ["x", "y", "z"].iter().all(|name| self.has(name));
         let letter = Letter::plain("w");
         let indexed = self.usage.get(&letter).component > 0;
-        if self.has("w") && !quaternion && (indexed || !self.has("omega")) {
+        let crossed = self.usage.is_vector(&letter) && indexed && !self.has("omega");
+        let typed = typewriter && self.has("w") && (indexed || !self.has("omega"));
+        if !quaternion && (typed || crossed) && !self.components.contains_key(&letter) {
             self.quantities
                 .entry(letter)
                 .or_insert(Quantity::AngularVelocity);
@@ -73,6 +76,32 @@ impl Reading {
             || self.is_directed("tau")
     }
 
+    /// Whether an i, j or k without a mark is a unit vector: where sums along them are, other than those of a quaternion.
+    pub(super) fn is_plain_unit(&self, symbol: &Symbol) -> bool {
+        self.usage.plain_units
+            && self.attitude.quaternion.is_none()
+            && !self.usage.get(&Letter::of(symbol)).moving
+    }
+
+    /// Whether a position stands beside the velocity of a body, so that the velocity may be that of another point.
+    pub(super) fn drifts_beside_a_point(&self) -> bool {
+        self.speaks_of(Quantity::CentreVelocity) && self.speaks_of(Quantity::Position)
+    }
+
+    /// Whether a velocity is that of the mass centre: it has the components u, v, w, or it changes under a force and no
+    /// position or other velocity is spoken of.
+    fn drifts(&self, letter: &Letter) -> bool {
+        let of_centre = |(q, _): &(Quantity, u8)| *q == Quantity::CentreVelocity;
+        if self.components.values().any(of_centre) {
+            return true;
+        }
+        let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
+        let alone = self.usage.subscripts.get(letter);
+        let alone = alone.is_none_or(|all| all.iter().all(|s| axis(s).is_some()));
+        let moved = self.usage.get(letter).moving && taken(Quantity::Force);
+        moved && alone && !taken(Quantity::Position) && !self.components.contains_key(letter)
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;
@@ -108,6 +137,7 @@ impl Reading {
             "F" if !used.moving => Some(Quantity::Force),
             "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
             "r" if used.vector > 0 => Some(Quantity::Position),
+            "v" | "V" if directed && self.drifts(letter) => Some(Quantity::CentreVelocity),
             "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "m" => Some(Quantity::Mass),

@@ -168,7 +168,7 @@ impl Checker<'_> {
     }
 
     /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
-    fn is_free_input(&mut self, side: &Node) -> bool {
+    pub(super) fn is_free_input(&mut self, side: &Node) -> bool {
         let Kind::Symbol(symbol) = &inner(side).kind else {
             return false;
         };

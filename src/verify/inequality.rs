@@ -1,6 +1,6 @@
 //! Lines that are no equations: ≠, <, ≤, >, ≥.
 
-use crate::notation::ast::{Line, Relation};
+use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::frame::Frame;
 use crate::verify::reason;
@@ -31,9 +31,23 @@ impl Checker<'_> {
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
             }
+            _ if ordered && !self.asserted && self.orders_inputs(line) => {
+                finding.verdict = Verdict::Accepted;
+                finding.reason = None;
+                finding.role = Role::Given;
+                finding.remarks.push("taken as given".to_owned());
+            }
             _ => {}
         }
         true
+    }
+
+    /// `I_1 < I_2 < I_3`, `m > 0`: an order among what nothing determines, and numbers.
+    fn orders_inputs(&mut self, line: &Line) -> bool {
+        let free = |checker: &mut Self, side: &Node| {
+            matches!(side.kind, Kind::Number(_)) || checker.is_free_input(side)
+        };
+        line.sides.iter().all(|side| free(self, side))
     }
 
     /// `a ≠ b` keeps a case apart, and is false where the sides are equal by what stands before.

@@ -5,6 +5,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::atoms::variable_fraction;
 use crate::verify::law::inertia;
 use crate::verify::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
+use crate::verify::quantity::Quantity;
 use crate::verify::reason;
 use crate::verify::value::Value;
 use num_traits::Zero;
@@ -20,11 +21,18 @@ impl Lowering<'_> {
         if !matches!(over.as_str(), "m" | "V") {
             return Err(unsupported(reason::INTEGRAL));
         }
-        let mut coordinates = vec![];
-        for name in ["x", "y", "z"] {
-            coordinates.push(self.letter(name, node)?);
-        }
         let mut value = self.value(integrand)?;
+        let position = self.theory.atoms.quantity(Quantity::Position);
+        let arm = [0, 1, 2].map(|c| self.theory.atoms.part(position, c, 0));
+        let by_arm = |entry: &Fraction| arm.iter().any(|v| entry.variables().contains(v));
+        let mut coordinates = vec![];
+        if value.entries.iter().any(by_arm) {
+            coordinates.extend(arm);
+        } else {
+            for name in ["x", "y", "z"] {
+                coordinates.push(self.letter(name, node)?);
+            }
+        }
         if over == "V" {
             let density = self.letter("rho", node)?;
             value = value.map(|entry| entry.clone() / variable_fraction(density));

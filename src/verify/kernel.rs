@@ -1,7 +1,7 @@
 //! Functions that no polynomial is: sines, roots, exponentials, and derivatives in something other than time.
 
 use crate::algebra::{Fraction, Rational};
-use crate::notation::ast::{Function, Node};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::atoms::Atom;
 use crate::verify::law::Dynamics;
 use crate::verify::lower::{Lowering, Trouble, TroubleKind, constant};
@@ -117,6 +117,12 @@ impl Lowering<'_> {
         };
         let mut value = self.value(operand)?;
         for variable in variables {
+            let time = matches!(&variable.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty());
+            if time && value.is_vector() {
+                // ∂L/∂t beside dL/dt: the rate on the axes that turn.
+                value = self.plain_rate(&value);
+                continue;
+            }
             let by = self.value(variable)?;
             // The moment is held fixed beside the angular velocity: ω̇ is what follows from both.
             let dynamics = self.theory.setting.dynamics;

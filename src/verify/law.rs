@@ -43,6 +43,8 @@ pub(super) struct Setting {
     pub gyrostat: bool,
     /// Whether the only force spoken of is the one on the particle; else what it moves is for the document to say.
     pub newton: bool,
+    /// Whether the velocity is that of the mass centre, which no position gives.
+    pub drifts: bool,
     /// Whether the origin of the moving axes has a velocity that the document speaks of.
     pub origin_moves: bool,
     /// The velocity of the mass centre, where the kinetic energy has a part of it: T = ½ m v_G² + ½ ω·L (König).
@@ -139,6 +141,14 @@ pub(super) fn has_own_rate(atoms: &Atoms, entity: Entity, order: u8) -> bool {
     }
 }
 
+/// The velocity that momentum and acceleration are of.
+fn moving(setting: Setting) -> Quantity {
+    match setting.drifts {
+        true => Quantity::CentreVelocity,
+        false => Quantity::Velocity,
+    }
+}
+
 /// The quantities that others determine, at order zero.
 fn determined(
     atoms: &mut Atoms,
@@ -147,9 +157,9 @@ fn determined(
     component: usize,
 ) -> Option<(&'static str, Fraction)> {
     use Quantity::{
-        Acceleration, AngularAcceleration, AngularVelocity, Energy, Force, FrameRate,
-        LinearMomentum, Mass, Moment, Momentum, OriginVelocity, Position, Power, RelativeMomentum,
-        Velocity,
+        Acceleration, AngularAcceleration, AngularVelocity, CentreVelocity, Energy, Force,
+        FrameRate, LinearMomentum, Mass, Moment, Momentum, OriginVelocity, Position, Power,
+        RelativeMomentum, Velocity,
     };
     match quantity {
         FrameRate if setting.axes == Axes::Body => Some((
@@ -206,21 +216,26 @@ fn determined(
                 origin + space_rate(atoms, Position, component),
             ))
         }
-        Acceleration => Some(("kinematics", space_rate(atoms, Velocity, component))),
+        Acceleration => {
+            let velocity = moving(setting);
+            Some(("kinematics", space_rate(atoms, velocity, component)))
+        }
         Force if setting.newton => {
             let mass = atoms.quantity(Mass);
             let mass = atoms.value(mass, 0, 0);
-            Some((
-                "newton",
-                mass * vector(atoms, Acceleration, 0)[component].clone(),
-            ))
+            let acceleration = match setting.drifts {
+                true => space_rate(atoms, CentreVelocity, component),
+                false => vector(atoms, Acceleration, 0)[component].clone(),
+            };
+            Some(("newton", mass * acceleration))
         }
         LinearMomentum => {
             let mass = atoms.quantity(Mass);
             let mass = atoms.value(mass, 0, 0);
+            let velocity = moving(setting);
             Some((
                 "kinematics",
-                mass * vector(atoms, Velocity, 0)[component].clone(),
+                mass * vector(atoms, velocity, 0)[component].clone(),
             ))
         }
         _ => None,

@@ -193,7 +193,11 @@ impl Checker<'_> {
         let met = self.entities(right);
         let owner = |entity: &Entity| &self.theory.atoms.info(*entity).owner;
         let has = |quantity| met.iter().any(|entity| *owner(entity) == whole(quantity));
-        let of_a_point = |owner: &Owner| matches!(owner, Owner::Quantity(Quantity::Velocity, point) if !matches!(point.as_str(), "" | ANY_POINT));
+        let of_a_point = |owner: &Owner| match owner {
+            Owner::Quantity(Quantity::Velocity, point) => !matches!(point.as_str(), "" | ANY_POINT),
+            Owner::Quantity(quantity, _) => *quantity == Quantity::CentreVelocity,
+            Owner::Symbol(_) => false,
+        };
         let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
             return;
         };

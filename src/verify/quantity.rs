@@ -25,6 +25,8 @@ pub enum Quantity {
     Position,
     /// v, of a point.
     Velocity,
+    /// v, of the mass centre, where no position is spoken of.
+    CentreVelocity,
     /// v_O, of the origin of the moving axes.
     OriginVelocity,
     /// a, of a point.
@@ -102,6 +104,7 @@ impl Quantity {
             Self::Power => "power",
             Self::Position => "position",
             Self::Velocity => "velocity",
+            Self::CentreVelocity => "velocity of the mass centre",
             Self::OriginVelocity => "velocity of the origin",
             Self::Acceleration => "acceleration",
             Self::Force => "force",

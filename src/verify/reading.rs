@@ -46,8 +46,8 @@ pub(super) struct Reading {
     pub speaks_of_products: bool,
     pub(super) speaks_of_energy: bool,
     pub(super) speaks_of_no_torque: bool,
-    speaks_of_force: bool,
-    speaks_of_roll: bool,
+    pub(super) speaks_of_force: bool,
+    pub(super) speaks_of_roll: bool,
     /// Letters that stand alone on the left of a line.
     pub(super) left_sides: BTreeSet<Letter>,
 }
@@ -73,9 +73,7 @@ impl Reading {
         reading.by_coefficients(document);
         reading.by_moment_law(document);
         reading.in_a_plane();
-        if document.format == Format::Text {
-            reading.typed_w();
-        }
+        reading.typed_w(document.format == Format::Text);
         reading
     }
 
@@ -122,6 +120,13 @@ impl Reading {
         let named = self.usage.components_named.contains_key(letter);
         let number = named || self.usage.lengths.contains(letter);
         self.scalars.contains(letter) || (number && self.usage.get(letter).crossed_bare == 0)
+    }
+
+    /// Whether some letter stands for a quantity or a component of it.
+    pub(super) fn speaks_of(&self, quantity: Quantity) -> bool {
+        let mut whole = self.quantities.values();
+        let mut parts = self.components.values();
+        whole.any(|&q| q == quantity) || parts.any(|&(q, _)| q == quantity)
     }
 
     /// Whether a tilde makes a vector the matrix of its cross product: the `[\tilde\omega]` beside a vector ω.
@@ -238,67 +243,11 @@ impl Reading {
         *self.votes.entry((letter, quantity)).or_default() += weight;
     }
 
-    fn votes_for(&self, letter: &Letter, quantity: Quantity) -> usize {
+    pub(super) fn votes_for(&self, letter: &Letter, quantity: Quantity) -> usize {
         self.votes
             .get(&(letter.clone(), quantity))
             .copied()
             .unwrap_or(0)
-    }
-
-    /// Three letters in a row that are the components of one quantity.
-    fn sequences(&mut self, differences: bool) {
-        for names in [["p", "q", "r"], ["P", "Q", "R"]] {
-            let rates = names.map(Letter::plain);
-            let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
-            let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
-            if rates.iter().filter(|l| moving(l)).count() >= 2 || rates.iter().any(named) {
-                self.take_components(rates, Quantity::AngularVelocity);
-            }
-        }
-        let rates = self.components.contains_key(&Letter::plain("p"));
-        for names in [["ell", "m", "n"], ["l", "m", "n"]] {
-            let lower = names.map(Letter::plain);
-            let sides = rates && lower.iter().all(|l| self.left_sides.contains(l));
-            let bare = lower.iter().all(|l| self.usage.get(l).bare > 0);
-            if bare && (sides || self.speaks_of_roll && names[0] == "ell") {
-                self.take_components(lower, Quantity::Moment);
-            }
-        }
-        for calligraphic in [true, false] {
-            let trio = ["L", "M", "N"].map(|name| Letter {
-                name: name.to_owned(),
-                calligraphic,
-            });
-            let bare = |l: &Letter| self.usage.get(l).bare > 0;
-            if trio.iter().all(bare) && self.usage.get(&trio[0]).component == 0 {
-                self.take_components(trio, Quantity::Moment);
-            }
-        }
-        let forces = ["X", "Y", "Z"].map(Letter::plain);
-        let given = forces.iter().all(|l| self.left_sides.contains(l));
-        if self.speaks_of_force && given {
-            self.take_components(forces, Quantity::Force);
-        }
-        let moments = ["A", "B", "C"].map(Letter::plain);
-        let voted = differences
-            || moments
-                .iter()
-                .any(|l| self.votes_for(l, Quantity::Inertia) > 0);
-        let bare = moments.iter().all(|l| self.usage.get(l).bare > 0);
-        if voted && bare {
-            self.take_components(moments, Quantity::Inertia);
-        } else if voted && self.usage.get(&moments[0]).bare * self.usage.get(&moments[2]).bare > 0 {
-            let [a, _, c] = moments;
-            self.components.insert(a, (Quantity::Inertia, 0));
-            self.components.insert(c, (Quantity::Inertia, 2));
-            self.symmetric = true;
-        }
-    }
-
-    fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
-        for (component, letter) in letters.into_iter().enumerate() {
-            self.components.insert(letter, (quantity, component as u8));
-        }
     }
 
     /// Letters that the words name.

@@ -1,13 +1,16 @@
 //! What the formulas of a document show of the letters in them.
 
 use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
-use crate::verify::usage::{Letter, Usage, axes, axis, inner, worn};
+use crate::verify::usage::{Letter, Usage, axes, axis, inner, undotted, worn};
+use crate::verify::written_out::{along_plain_units, is_directed, plain_list};
 
 impl Usage {
     pub(super) fn line(&mut self, line: &Line) {
         for side in &line.sides {
             self.node(side);
         }
+        self.lists.extend(line.sides.iter().filter_map(plain_list));
+        self.plain_units |= line.sides.iter().any(|side| along_plain_units(inner(side)));
         let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
         if !line.sides.iter().any(square) {
             line.sides.iter().for_each(|side| self.under_tilde(side));
@@ -151,6 +154,16 @@ impl Usage {
     }
 
     fn vector_operand(&mut self, operand: &Node) {
+        // A component is no factor of a ×, so the number of `\boldsymbol\nu_2\times` is a part of the name.
+        if let Kind::Symbol(symbol) = &undotted(operand).kind
+            && symbol.style.vector
+            && !symbol.style.hat
+            && matches!(symbol.subscripts.as_slice(), [one] if matches!(one.as_str(), "1" | "2" | "3"))
+            && !matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E")
+        {
+            self.named_wholes
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
+        }
         if let Kind::Symbol(symbol) = &inner(operand).kind
             && symbol.subscripts.iter().all(|s| axis(s).is_none())
         {
@@ -184,23 +197,5 @@ impl Usage {
             .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
-    }
-}
-
-/// Whether an expression is a vector by its unit vectors: `3\,\mathbf i + \mathbf j`, other than those of the letter itself.
-fn is_directed(node: &Node, of: &Symbol) -> bool {
-    match &node.kind {
-        Kind::Symbol(symbol) => {
-            let unit = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
-            unit && (symbol.style.vector || symbol.style.hat) && symbol.name != of.name
-        }
-        Kind::Group(_, inside) | Kind::Negate(inside) => is_directed(inside, of),
-        Kind::Quotient(above, _) => is_directed(above, of),
-        Kind::Sum(terms) => terms.iter().any(|term| is_directed(&term.node, of)),
-        Kind::Product(factors) => {
-            let scaled = |f: &Factor| f.operator == Operator::Juxtaposed;
-            factors.iter().all(scaled) && factors.iter().any(|f| is_directed(&f.node, of))
-        }
-        _ => false,
     }
 }

@@ -127,7 +127,7 @@ fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meani
 
 /// Unit vectors, the identity and π.
 fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<Meaning> {
-    let marked = symbol.style.hat || symbol.style.vector;
+    let marked = symbol.style.hat || symbol.style.vector || reading.is_plain_unit(symbol);
     let axis_of_name = match symbol.name.as_str() {
         "i" | "x" => Some(0),
         "j" | "y" => Some(1),
@@ -145,7 +145,7 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     }
     let basis = matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
     if basis
-        && marked
+        && (symbol.style.hat || symbol.style.vector)
         && sorted.variant.is_empty()
         && let Some(component) = sorted.single
     {

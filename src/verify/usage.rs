@@ -74,6 +74,10 @@ pub(super) struct Usage {
     pub apart_under_tilde: BTreeSet<Letter>,
     /// Letters that without mark or index are the length of their vector: `L = |L|`.
     pub lengths: BTreeSet<Letter>,
+    /// Lists of three plain letters: `[p, q, r]^T`.
+    pub(super) lists: BTreeSet<[String; 3]>,
+    /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.
+    pub plain_units: bool,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }
@@ -188,6 +192,11 @@ impl Usage {
         self.subscripts
             .get(letter)
             .is_some_and(|met| met.iter().any(lettered))
+    }
+
+    /// Whether three plain letters are listed as the components of a vector.
+    pub(super) fn lists(&self, names: [&str; 3]) -> bool {
+        self.lists.contains(&names.map(str::to_owned))
     }
 
     /// Whether the index of a symbol is a part of its name.

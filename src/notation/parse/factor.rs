@@ -334,19 +334,24 @@ impl<'a> Parser<'_, 'a> {
         let of_time =
             matches!(inside, [t] if matches!(t.kind, Lexeme::Letter('t') | Lexeme::Number("0")));
         let callable = matches!(head.kind, Kind::Symbol(_)) || of_time;
-        if !callable
-            || inside.is_empty()
-            || matches!(after, Some(Lexeme::Superscript | Lexeme::Subscript))
-        {
+        if !callable || inside.is_empty() {
             return head;
         }
         let parts = super::split_outside(inside, |t| t.kind == Lexeme::Char(','));
-        let arguments = parts
+        let arguments: Vec<Node> = parts
             .into_iter()
             .map(|part| self.inside(part).whole())
             .collect();
+        // Of two vectors side by side no power is taken, so the `\mathbf S(\mathbf a)^T` is one of a matrix S(a).
+        let vector = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.style.vector);
+        let of_vector = vector(&head) && matches!(arguments.as_slice(), [one] if vector(one));
+        let scripted = matches!(after, Some(Lexeme::Superscript | Lexeme::Subscript));
+        if scripted && !of_vector {
+            return head;
+        }
         self.at = to + 1;
-        called(head, arguments, self.since(start))
+        let node = called(head, arguments, self.since(start));
+        self.scripts(node, start)
     }
 }
 

@@ -199,9 +199,10 @@ fn is_transpose(kinds: &[Lexeme<'_>]) -> bool {
     }
 }
 
-/// A vector has no power but its square: a letter above it is a label.
+/// A vector has no power but its square: letters above it are a label.
 fn is_label_of_vector(symbol: &Symbol, kinds: &[Lexeme<'_>]) -> bool {
-    symbol.style.vector && matches!(kinds, [Lexeme::Letter(_)])
+    let letter = |k: &Lexeme<'_>| matches!(k, Lexeme::Letter(_));
+    symbol.style.vector && !kinds.is_empty() && kinds.iter().all(letter)
 }
 
 /// Superscripts that name a point, a frame or an instant, and are no powers.
