@@ -249,3 +249,16 @@ $$ \mu_1(\dot\omega_1 + \omega_2\omega_3) = S_1 $$
 ";
     assert_eq!(verdicts(text), "pppra p".replace(' ', ""));
 }
+
+#[test]
+fn what_a_supposition_calls_constant_changes_elsewhere() {
+    let text = r"Let $\omega_z = \Omega_z + s$, where the axes turn with $\Omega$. Then
+
+$$ \dot\omega_z = \dot\Omega_z $$
+
+Suppose that $\Omega_z$ and $s$ are constant. Then
+
+$$ \dot\omega_z = 0 $$
+";
+    assert_eq!(verdicts(text), "arp");
+}

@@ -5,8 +5,11 @@ use crate::source::Span;
 use crate::verify::atoms::Owner;
 use crate::verify::check::{Checker, keep_end};
 use crate::verify::frame::Frame;
+use crate::verify::quantity::Quantity;
+use crate::verify::reading::Reading;
 use crate::verify::role::Words;
 use crate::verify::theory::{Premise, Taken};
+use crate::verify::usage::Letter;
 use crate::verify::verdict::FromProse;
 
 /// Words behind a list of symbols.
@@ -32,13 +35,36 @@ const BEFORE: &[&str] = &[
     "constant rates",
 ];
 
+/// Words of a supposition: what it calls constant may change elsewhere.
+const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
+
+fn supposes(sentence: &str) -> bool {
+    let sentence = sentence.to_lowercase();
+    let mut words = sentence.split(|c: char| !c.is_alphabetic());
+    words.any(|word| SUPPOSED.contains(&word))
+}
+
+impl Reading {
+    /// Letters of a list that a supposition calls constant move, as far as the rest of the document goes.
+    pub(super) fn supposed_constant(&mut self, before: &str, text: &str, listed: &mut Vec<Letter>) {
+        let text = text.trim_start().trim_start_matches(',').trim();
+        if matches!(text, "" | "and" | "and the") {
+            return;
+        }
+        let constant = BEHIND.iter().any(|words| text.starts_with(words));
+        for letter in listed.drain(..).filter(|_| constant && supposes(before)) {
+            self.usage.letters.entry(letter).or_default().moving = true;
+        }
+    }
+}
+
 impl Checker<'_> {
     /// Notes an expression that the words may call constant.
     pub(super) fn note_expression(&mut self, node: &Node) {
         let mut before = self.sentence.trim_end().to_lowercase();
         keep_end(&mut before, 40);
         if BEFORE.iter().any(|words| before.ends_with(words)) {
-            self.constant_in_words(node);
+            self.constant_in_words(node, false);
         }
         self.small_before(node);
         self.named.push(node.clone());
@@ -56,12 +82,15 @@ impl Checker<'_> {
         self.small_behind(&text, &named);
         let derived = Words::of(&self.sentence).derive();
         if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
-            named.iter().for_each(|node| self.constant_in_words(node));
+            let supposed = supposes(&self.sentence);
+            named
+                .iter()
+                .for_each(|node| self.constant_in_words(node, supposed));
         }
     }
 
     /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say.
-    fn constant_in_words(&mut self, node: &Node) {
+    fn constant_in_words(&mut self, node: &Node, supposed: bool) {
         let rate = Node {
             kind: Kind::TimeDerivative {
                 operand: Box::new(node.clone()),
@@ -79,7 +108,13 @@ impl Checker<'_> {
             .iter()
             .filter_map(|e| e.as_variable())
             .collect();
-        let own = |&v: &u32| matches!(self.theory.atoms.owner(v), Some(Owner::Symbol(_)));
+        let own = |&v: &u32| match self.theory.atoms.owner(v) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, _)) => {
+                supposed && matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate)
+            }
+            None => false,
+        };
         if parts.is_empty() || parts.len() != value.entries.len() || !parts.iter().all(own) {
             return;
         }

@@ -173,6 +173,7 @@ impl Reading {
     fn listen(&mut self, document: &Document) {
         let mut before = String::new();
         let mut last: Vec<Letter> = vec![];
+        let mut listed: Vec<Letter> = vec![];
         // Whether no paragraph ended since the last formula.
         let mut near = false;
         for item in &document.items {
@@ -182,6 +183,7 @@ impl Reading {
                         self.vote(Letter::plain(&letter), quantity, 3);
                     }
                     let text = text.to_lowercase();
+                    self.supposed_constant(&before, &text, &mut listed);
                     self.speaks_of_energy |= text.contains("energy");
                     self.speaks_of_force |= text.contains("force");
                     self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
@@ -220,6 +222,7 @@ impl Reading {
                         .iter()
                         .filter(|row| matches!(row, Row::Line(_)));
                     self.left_sides.extend(lines.flat_map(named_letters));
+                    listed.extend(named.iter().cloned());
                     last = named;
                     near = !formula.display;
                     if formula.display {
