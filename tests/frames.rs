@@ -88,3 +88,21 @@ fn a_point_may_rest_in_the_body_and_no_word_says_so() {
         "r"
     );
 }
+
+#[test]
+fn labels_put_vectors_on_axes_and_a_pair_of_them_names_the_matrix_between() {
+    let text = r"The attitude of a body is the matrix $\mathbf A_{NB}$, which takes components on its own axes $B$ to the fixed axes $N$. With
+the angular velocity $\boldsymbol\omega_B$ we have
+
+$$ \dot{\mathbf A}_{NB} = \mathbf A_{NB}\,[\boldsymbol\omega_B]_\times $$
+
+The angular momentum is
+
+$$ \mathbf h_N = \mathbf A_{NB}\,\mathbf h_B $$
+
+$$ \dot{\mathbf h}_N = \mathbf A_{NB}\left(\dot{\mathbf h}_B + [\boldsymbol\omega_B]_\times\mathbf h_B\right) $$
+
+$$ \dot{\mathbf h}_N = \mathbf A_{NB}\left(\dot{\mathbf h}_B - [\boldsymbol\omega_B]_\times\mathbf h_B\right) $$
+";
+    assert_eq!(verdicts(text), "pppr");
+}

@@ -1,6 +1,6 @@
 //! Which letter of a document is its attitude matrix.
 
-use crate::notation::ast::{Kind, Node, Operator};
+use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::attitude_words::Sentence;
@@ -87,7 +87,7 @@ impl AttitudeReading {
 fn turns(node: &Node, found: &mut Vec<Letter>) {
     let mut note = |node: &Node| {
         if let Kind::Symbol(symbol) = &undotted(node).kind
-            && symbol.subscripts.is_empty()
+            && (symbol.subscripts.is_empty() || leads(symbol))
         {
             found.push(Letter::of(symbol));
         }
@@ -102,7 +102,9 @@ fn turns(node: &Node, found: &mut Vec<Letter>) {
         {
             match &factor.node.kind {
                 Kind::Transpose(inside) if factors.len() > 1 => note(inside),
-                Kind::Symbol(symbol) if skewed && !symbol.style.vector => note(&factor.node),
+                Kind::Symbol(symbol) if skewed && (!symbol.style.vector || leads(symbol)) => {
+                    note(&factor.node);
+                }
                 _ => {}
             }
         }
@@ -110,6 +112,14 @@ fn turns(node: &Node, found: &mut Vec<Letter>) {
     node.children()
         .into_iter()
         .for_each(|child| turns(child, found));
+}
+
+/// Whether a symbol wears the labels of two frames: `R_{WB}`.
+fn leads(symbol: &Symbol) -> bool {
+    let [labels] = symbol.subscripts.as_slice() else {
+        return false;
+    };
+    labels.chars().count() == 2 && labels.chars().all(|c| c.is_ascii_uppercase())
 }
 
 fn holds_function(node: &Node) -> bool {

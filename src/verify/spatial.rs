@@ -34,6 +34,28 @@ pub(super) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol
     (bare != *symbol).then_some(bare)
 }
 
+/// Letters for the body's axes, where the document speaks of an attitude.
+const BODY: &[&str] = &["B", "b", "body"];
+
+/// A symbol without the label that puts it on the body's axes, `\mathbf h_B`, or the matrix without the two labels that it
+/// leads between, `\mathbf R_{WB}`; `None` where it has none.
+pub(super) fn without_body_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {
+    let marked = symbol.style.vector || symbol.style.tensor || symbol.style.bar;
+    if !reading.attitude.is_spoken_of() {
+        return None;
+    }
+    let matrix = reading.attitude.matrix.as_ref() == Some(&Letter::of(symbol));
+    let labels = |text: &str| {
+        let text = text.trim();
+        let both = text.split_at_checked(1);
+        let leads = both.is_some_and(|(to, from)| LETTERS.contains(&to) && BODY.contains(&from));
+        matrix && leads || marked && !matrix && BODY.contains(&text)
+    };
+    let mut bare = symbol.clone();
+    bare.subscripts.retain(|text| !labels(text));
+    (bare != *symbol).then_some(bare)
+}
+
 /// What stands on space axes for what stands on the axes used.
 pub(super) fn in_space(meaning: Meaning, atoms: &mut Atoms) -> Meaning {
     match meaning {

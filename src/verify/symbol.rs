@@ -5,7 +5,7 @@ use crate::verify::atoms::{Atoms, Entity, Owner};
 use crate::verify::attitude_reading::Part;
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::reading::Reading;
-use crate::verify::spatial::{in_space, without_label};
+use crate::verify::spatial::{in_space, without_body_label, without_label};
 use crate::verify::subscript::{
     POINTS, Subscripts, another_point, is_main_point, step_index, subscripts,
 };
@@ -56,6 +56,9 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
     if let Some(bare) = without_label(symbol, reading) {
         let meaning = meaning(&bare, reading, atoms);
         return in_space(meaning, atoms);
+    }
+    if let Some(bare) = without_body_label(symbol, reading) {
+        return meaning(&bare, reading, atoms);
     }
     if reading.marks_skew(symbol) {
         let mut vector = symbol.clone();
