@@ -19,14 +19,18 @@ use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::role::{Words, role};
+use crate::verify::skew_marks::note_skew_marks;
 use crate::verify::spelling::spell;
 use crate::verify::theory::Theory;
+use crate::verify::triad::Triad;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use std::collections::{BTreeSet, HashMap};
 
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
-    let document = &written_out(document);
+    let mut document = written_out(document);
+    note_skew_marks(&mut document);
+    let document = &document;
     let reading = Reading::of(document);
     let (first, looked_ahead) = checked(document, reading.clone());
     // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its
@@ -127,6 +131,8 @@ pub(super) struct Checker<'a> {
     pub(super) scopes: Vec<(String, u8)>,
     pub(super) level: u8,
     axes_before: Axes,
+    /// How the components of the angular velocity were named last.
+    pub(super) triad: Option<Triad>,
     pub(super) convention: Convention,
     pub(super) figures: Figures,
     pub(super) from_prose: Vec<FromProse>,
@@ -189,6 +195,7 @@ impl<'a> Checker<'a> {
             scopes: vec![],
             level: 0,
             axes_before: axes,
+            triad: None,
             convention,
             figures: Figures::default(),
             from_prose: vec![],

@@ -214,13 +214,17 @@ impl Checker<'_> {
         let [left, right] = sides else { return false };
         let whole = |quantity| Owner::Quantity(quantity, String::new());
         let turns = |owner: &Owner| {
-            use Quantity::{AngularAcceleration, AngularVelocity, Inertia, Moment, Momentum};
+            use Quantity::{
+                AngularAcceleration, AngularVelocity, Energy, Inertia, Moment, Momentum, Power,
+            };
             let of_turning = [
                 AngularVelocity,
                 AngularAcceleration,
                 Inertia,
                 Moment,
                 Momentum,
+                Energy,
+                Power,
             ];
             of_turning
                 .into_iter()

@@ -110,6 +110,7 @@ impl Checker<'_> {
             finding.place = span.1;
             return;
         }
+        self.note_triad(&sides);
         self.note_origin(&sides);
         self.note_turned_moments(&sides);
         self.note_translation(&sides);

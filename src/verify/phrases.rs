@@ -16,6 +16,21 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
             "momentum of the wheel",
             "momentum of the rotor",
             "momentum of the flywheel",
+            "momentum of the wheels",
+            "momentum of the rotors",
+            "wheel's momentum",
+            "wheel's angular momentum",
+            "rotor's momentum",
+            "rotor's angular momentum",
+            "momentum relative to the body",
+            "momentum relative to the satellite",
+            "momentum relative to the spacecraft",
+            "momentum relative to the platform",
+            "momentum relative to the housing",
+            "momentum relative to the carrier",
+            "spin momentum",
+            "stored momentum",
+            "internal momentum",
             "extra momentum",
         ],
     ),
@@ -150,6 +165,12 @@ const ASIDE: &[&str] = &[
     "substituting the ",
     "from the ",
 ];
+
+/// Whether a text in small letters speaks of wheels in the body, which have a momentum of their own.
+pub(super) fn speaks_of_wheels(text: &str) -> bool {
+    let words = ["wheel", "rotor", "gyrostat", "relative angular momentum"];
+    words.iter().any(|word| text.contains(word))
+}
 
 /// Whether "mass" is the end of "centre of mass".
 fn is_of_mass(before: &str, phrase: &str) -> bool {

@@ -9,7 +9,9 @@ use crate::verify::attitude_reading::AttitudeReading;
 use crate::verify::check::keep_end;
 use crate::verify::frame::Frames;
 use crate::verify::moments_in_words::NamedMoment;
-use crate::verify::phrases::{apposition, letters_named, reaches, said_after, said_before};
+use crate::verify::phrases::{
+    apposition, letters_named, reaches, said_after, said_before, speaks_of_wheels,
+};
 use crate::verify::prose::{Said, said};
 use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::rivals::has_differences;
@@ -48,6 +50,7 @@ pub(super) struct Reading {
     pub(super) speaks_of_no_torque: bool,
     pub(super) speaks_of_force: bool,
     pub(super) speaks_of_roll: bool,
+    speaks_of_wheels: bool,
     /// Letters that stand alone on the left of a line.
     pub(super) left_sides: BTreeSet<Letter>,
 }
@@ -186,6 +189,7 @@ impl Reading {
                     self.supposed_constant(&before, &text, &mut listed);
                     self.speaks_of_energy |= text.contains("energy");
                     self.speaks_of_force |= text.contains("force");
+                    self.speaks_of_wheels |= speaks_of_wheels(&text);
                     self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
                     self.speaks_of_products |=
                         text.contains("products of inertia") || text.contains("product of inertia");
@@ -310,7 +314,9 @@ impl Reading {
                 false
             }
             Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
-            Quantity::RelativeMomentum => used.vector + used.component + used.bare > 0,
+            Quantity::RelativeMomentum => {
+                self.speaks_of_wheels && used.vector + used.component + used.bare > 0
+            }
             _ => {
                 used.vector + used.component > 0
                     && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")

@@ -23,7 +23,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         // `[\omega\times]` is the matrix that multiplies by ω ×.
         if let [vector @ .., cross] = super::line::trimmed(inside)
             && matches!(cross.kind, Lexeme::Command("times" | "wedge"))
-            && !vector.is_empty()
+            && !vector.last().is_none_or(marks_script)
         {
             let vector = self.inside(vector).whole();
             return self.node(Kind::Skew(Box::new(vector)), start);
@@ -81,6 +81,11 @@ impl<'t, 'a> Parser<'t, 'a> {
         };
         self.scripts(node, start)
     }
+}
+
+/// Whether what comes next is a script: the cross of `[a]_\times` belongs to its own bracket.
+fn marks_script(token: &Token<'_>) -> bool {
+    matches!(token.kind, Lexeme::Subscript | Lexeme::Superscript)
 }
 
 fn closing_bar(tokens: &[Token<'_>], start: usize, bar: Lexeme<'_>) -> Option<usize> {
