@@ -185,6 +185,8 @@ impl Reading {
                     for (letter, quantity) in letters_named(text) {
                         self.vote(Letter::plain(&letter), quantity, 3);
                     }
+                    // "For the torque …" behind a display opens a sentence of its own.
+                    let opens = text.trim_start().starts_with(char::is_uppercase);
                     let text = text.to_lowercase();
                     self.supposed_constant(&before, &text, &mut listed);
                     self.speaks_of_energy |= text.contains("energy");
@@ -194,7 +196,8 @@ impl Reading {
                     self.speaks_of_products |=
                         text.contains("products of inertia") || text.contains("product of inertia");
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
-                    if let Some(quantity) = said_after(&text).or_else(|| apposition(&text, near)) {
+                    let after = said_after(&text).filter(|_| !opens);
+                    if let Some(quantity) = after.or_else(|| apposition(&text, near)) {
                         last.drain(..)
                             .for_each(|letter| self.vote(letter, quantity, 5));
                     }

@@ -3,7 +3,7 @@
 
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
-use crate::verify::usage::{Letter, Usage, inner};
+use crate::verify::usage::{Letter, Usage, inner, symbols};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -14,6 +14,9 @@ struct Marks {
     vectors: BTreeSet<Letter>,
     /// Symbols of functions that are matrices.
     functions: Vec<Symbol>,
+    /// Matrices R of `dR/dt = [\omega] R`, whose vector stands on the axes that R leads to: lines with them are left as
+    /// they are written.
+    turning: Vec<Symbol>,
 }
 
 /// Reads the marks of a document and puts what they mean in their place.
@@ -41,7 +44,12 @@ pub(super) fn note_skew_marks(document: &mut Document) {
         };
         for row in &mut formula.rows {
             match row {
-                Row::Line(line) => line.sides.iter_mut().for_each(|side| marks.put(side)),
+                Row::Line(line) => {
+                    let mut met = line.sides.iter().flat_map(symbols);
+                    if !met.any(|symbol| marks.turning.contains(symbol)) {
+                        line.sides.iter_mut().for_each(|side| marks.put(side));
+                    }
+                }
                 Row::Expression(node) => marks.put(node),
                 Row::Unreadable { .. } => {}
             }
@@ -66,6 +74,7 @@ impl Marks {
                 if let Some(vector) = acts_as_cross(left, right) {
                     self.vectors.insert(Letter::of(vector));
                 }
+                self.turning.extend(turned_from_the_left(left, right));
                 if let Kind::Transpose(inside) = &left.kind
                     && let Kind::Negate(same) = &right.kind
                     && let (Some(vector), Some(again)) = (bracketed(inside), bracketed(same))
@@ -155,6 +164,23 @@ fn acts_as_cross<'n>(matrix: &'n Node, cross: &Node) -> Option<&'n Symbol> {
     let symbol = bracketed(&first.node)?;
     let same = matches!(&inner(&vector.node).kind, Kind::Symbol(s) if s == symbol);
     (same && other.operator == Operator::Cross).then_some(symbol)
+}
+
+/// The R of `dR/dt = [a] R`.
+fn turned_from_the_left(rate: &Node, product: &Node) -> Option<Symbol> {
+    let (Kind::TimeDerivative { operand, .. }, Kind::Product(factors)) =
+        (&inner(rate).kind, &product.kind)
+    else {
+        return None;
+    };
+    let [first, second] = factors.as_slice() else {
+        return None;
+    };
+    let Kind::Symbol(matrix) = &inner(operand).kind else {
+        return None;
+    };
+    let same = matches!(&inner(&second.node).kind, Kind::Symbol(s) if s == matrix);
+    (same && bracketed(&first.node).is_some()).then(|| matrix.clone())
 }
 
 fn is_square(node: &Node) -> bool {
