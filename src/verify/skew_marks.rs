@@ -146,7 +146,8 @@ fn call_under_power(node: &mut Node, head: &Node) -> bool {
 fn bracketed(node: &Node) -> Option<&Symbol> {
     match &node.kind {
         Kind::Group(Bracket::Square, inside) => match &inside.kind {
-            Kind::Symbol(symbol) => Some(symbol),
+            // Under a tilde a vector is its matrix already.
+            Kind::Symbol(symbol) if !symbol.style.tilde => Some(symbol),
             _ => None,
         },
         _ => None,
