@@ -48,9 +48,10 @@ mod lost_terms;
 mod lost_vectors;
 mod lower;
 mod matrix;
-
 mod moments_in_words;
+mod more_moments;
 mod names;
+mod naming;
 mod news;
 mod numbers;
 mod operators;
@@ -58,6 +59,7 @@ mod phrases;
 mod places;
 mod point;
 mod premise;
+mod primes;
 mod prose;
 mod quantity;
 mod rate;
@@ -89,6 +91,7 @@ mod variety;
 mod verdict;
 mod vocabulary;
 mod wanted;
+mod wholes;
 mod world;
 mod written_out;
 

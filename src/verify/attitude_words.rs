@@ -155,6 +155,10 @@ pub(super) fn rate_in_space(text: &str) -> Option<bool> {
         "axes",
         "coordinates",
         "body rate",
+        "⟨omega⟩ in world",
+        "⟨omega⟩ in the world",
+        "⟨omega⟩ in space",
+        "⟨omega⟩ in the inertial",
     ]);
     match (text.contains("body"), says(SPACE)) {
         _ if !(rate && resolved) => None,

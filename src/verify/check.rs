@@ -13,6 +13,7 @@ use crate::verify::frame::Frame;
 use crate::verify::index::{merged, written_out};
 use crate::verify::law::{Axes, Dynamics, Setting};
 use crate::verify::lower::FunctionOf;
+use crate::verify::more_moments::OtherMoments;
 use crate::verify::names;
 use crate::verify::premise::inertia_changes;
 use crate::verify::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
@@ -100,6 +101,7 @@ pub(super) struct Checker<'a> {
     pub(super) asserted: bool,
     /// Whether the role of the line is in so many words: a mark, "assume", "given".
     pub(super) firm: bool,
+    pub(super) picked: bool,
     /// Whether the sentence names a constraint: "does not slip", "is fixed".
     pub(super) constrained: bool,
     /// Whether the words speak of vectors that may be any.
@@ -165,6 +167,7 @@ impl<'a> Checker<'a> {
                 .quantities
                 .values()
                 .any(|&q| q == Quantity::RelativeMomentum),
+            other_moments: OtherMoments::default(),
             attitude: reading.attitude.convention,
         };
         let mut checker = Self {
@@ -178,6 +181,7 @@ impl<'a> Checker<'a> {
             asserted: false,
             firm: false,
             constrained: false,
+            picked: false,
             displayed: false,
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
@@ -323,6 +327,7 @@ impl<'a> Checker<'a> {
         self.asserted = words.derive();
         self.constrained = words.constrain();
         self.firm = self.mark.is_some() || words.assume();
+        self.picked = words.pick();
         let role = self.mark.unwrap_or_else(|| self.role(formula.display));
         for row in &formula.rows {
             match row {

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Kind, Node, Relation};
+use crate::verify::atoms::Entity;
 use crate::verify::atoms::Owner;
 use crate::verify::check::Checker;
 use crate::verify::decide::{Decision, decide, needed};
@@ -13,6 +14,7 @@ use crate::verify::quantity::{Quantity, Shape};
 use crate::verify::symbol::{MAGNITUDE, Meaning};
 use crate::verify::usage::{axes, axis, symbols};
 use crate::verify::verdict::{Finding, Verdict};
+use num_traits::Zero;
 
 impl Checker<'_> {
     pub(super) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
@@ -33,7 +35,15 @@ impl Checker<'_> {
             }
         }
         if let Some((read, decision)) = failed {
+            if matches!(decision, Decision::False(_))
+                && let Some(proof) = self.proved_without_moment(&read, finding.span)
+            {
+                return self.proved(&read, proof, finding);
+            }
             let open = matches!(decision, Decision::Open(_));
+            if !open && self.names_components(sides, finding) {
+                return;
+            }
             let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
             if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);
@@ -96,7 +106,7 @@ impl Checker<'_> {
         decision: Decision,
         finding: &mut Finding,
     ) {
-        let unknown = self.unknown(sides);
+        let unknown = self.unknown_in(sides, Some(read));
         let loose = match decision {
             Decision::False(_) => self.doubt(read),
             _ => None,
@@ -141,8 +151,7 @@ impl Checker<'_> {
             } else {
                 &reduced
             };
-            (!num_traits::Zero::is_zero(&reduced))
-                .then(|| names::fraction(&self.theory.atoms, shown))
+            (!reduced.is_zero()).then(|| names::fraction(&self.theory.atoms, shown))
         })
     }
 
@@ -177,6 +186,11 @@ impl Checker<'_> {
     /// A symbol of the line that neither the document nor the theory has given a meaning, or a quantity that nothing
     /// determines.
     pub(super) fn unknown(&mut self, sides: &[Node]) -> Option<String> {
+        self.unknown_in(sides, None)
+    }
+
+    /// The same for a line that fails, but for symbols that the difference is a multiple of: it fails whatever they are.
+    fn unknown_in(&mut self, sides: &[Node], failed: Option<&Read>) -> Option<String> {
         for symbol in sides.iter().flat_map(symbols) {
             let Some(entity) = self.entity_named(symbol) else {
                 continue;
@@ -194,11 +208,29 @@ impl Checker<'_> {
             let arrow = symbol.style.vector
                 && symbol.name.len() > 1
                 && symbol.name.chars().all(|c| c.is_ascii_uppercase());
-            if strange && !arrow && !self.known.contains(&entity) && self.is_free(entity) {
+            let unknown = strange && !arrow && !self.known.contains(&entity);
+            let scales = failed.is_some_and(|read| self.only_scales(entity, read));
+            if unknown && !scales && self.is_free(entity) {
                 return Some(format!("`{}`", symbol.name));
             }
         }
         None
+    }
+}
+
+impl Checker<'_> {
+    /// Whether a difference is a power of a symbol that earlier lines have, times something without it.
+    fn only_scales(&mut self, entity: Entity, read: &Read) -> bool {
+        let variable = self.theory.atoms.part(entity, 0, 0);
+        let scalar = self.theory.atoms.info(entity).shape == Shape::Scalar;
+        let mut entries = read.residuals().map(|entry| self.theory.normal(entry));
+        let scales = entries.all(|rest| {
+            let above = rest.numerator();
+            let degree = above.degree_in(variable);
+            let lower = (0..degree).all(|k| above.coefficient_of(variable, k).is_zero());
+            rest.is_zero() || degree > 0 && lower
+        });
+        self.displayed && scalar && scales && self.theory.mentions_entity(entity)
     }
 }
 

@@ -1,9 +1,10 @@
 //! What letters mean by the custom of the field, where no word says it.
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Kind, Symbol};
+use crate::notation::document::{Document, Item, Row};
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
-use crate::verify::usage::{Letter, axis};
+use crate::verify::usage::{Letter, axis, inner};
 
 impl Reading {
     /// What is left, by the custom of the field.
@@ -15,6 +16,41 @@ impl Reading {
             }
             if let Some(quantity) = self.custom(&letter) {
                 self.quantities.insert(letter, quantity);
+            }
+        }
+    }
+
+    /// "With the moments $A$, $A$, $C$": three of the inertia.
+    pub(super) fn listed_moments(&mut self, document: &Document) {
+        let letter = |item: &Item| match item {
+            Item::Formula(formula) => match formula.rows.as_slice() {
+                [Row::Expression(node)] => match &inner(node).kind {
+                    Kind::Symbol(symbol) if symbol.subscripts.is_empty() => {
+                        Some(Letter::of(symbol))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        };
+        let joins = |item: &Item| match item {
+            Item::Prose { text, .. } => matches!(text.trim(), "," | "and" | ", and"),
+            _ => false,
+        };
+        for items in document.items.windows(6) {
+            let [Item::Prose { text, .. }, first, comma, second, and, third] = items else {
+                continue;
+            };
+            let named = text.trim_end().ends_with("moments") && joins(comma) && joins(and);
+            let letters = [first, second, third].map(letter);
+            let names = letters
+                .each_ref()
+                .map(|l| l.as_ref().map(|l| l.name.as_str()));
+            if named && matches!(names, [Some("A"), Some("A" | "B"), Some("C")]) {
+                for letter in letters.into_iter().flatten() {
+                    self.vote(letter, Quantity::Inertia, 3);
+                }
             }
         }
     }

@@ -94,6 +94,7 @@ impl Checker<'_> {
         let mut mechanical = false;
         let tied = self.tied();
         for entry in read.residuals() {
+            mechanical |= self.has_moment(entry);
             for variable in self.theory.normal(entry).variables() {
                 for variable in self.theory.atoms.with_arguments(variable) {
                     let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {

@@ -1,6 +1,6 @@
 //! Symbols that are used before they are defined: "$\dot\omega_1 = -k\,\omega_2$, where $k = …$".
 
-use crate::notation::ast::{Line, Node};
+use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Item, Row};
 use crate::verify::atoms::{Entity, Owner};
 use crate::verify::check::Checker;
@@ -40,7 +40,11 @@ impl<'a> Checker<'a> {
         let [left, right] = line.sides.as_slice() else {
             return;
         };
-        let Some((entity, None)) = self.new_symbol(left) else {
+        let symbol = match &left.kind {
+            Kind::Call(head, _) => head,
+            _ => left,
+        };
+        let Some((entity, None)) = self.new_symbol(symbol) else {
             return;
         };
         let known = self.known.contains(&entity) || self.theory.mentions_entity(entity);
@@ -51,8 +55,10 @@ impl<'a> Checker<'a> {
         if !self.strangers(std::slice::from_ref(right)).is_empty() {
             return;
         }
-        self.looked_ahead = true;
-        if self.reading.by_use {
+        // What a function is, its use does not tell.
+        let function = matches!(left.kind, Kind::Call(..));
+        self.looked_ahead |= !function;
+        if self.reading.by_use && !function {
             self.implicit.insert(entity);
         } else if self.done.insert(line.span.start) {
             self.line(line, Role::Define);

@@ -92,6 +92,10 @@ impl Checker<'_> {
         }
         let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
         let number = |side: &Node| symbols(side).is_empty();
+        // "We take ⟨|h|² = 2 J T⟩": no definition, and no law that it could be.
+        if self.picked && !self.displayed && role == Role::Assume && !alone_left {
+            return role;
+        }
         if alone_left && (rest.iter().any(number) || self.is_free_value(left))
             || self.new_symbol(left).is_some()
         {

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Line, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::primes::dots_for_primes;
 use crate::verify::usage::{Letter, Usage};
 use crate::verify::verdict::{Finding, Verdict};
 use num_traits::ToPrimitive;
@@ -11,8 +12,9 @@ const LONGEST: u32 = 6;
 
 /// The document with running indices written out.
 pub(super) fn written_out(document: &Document) -> Document {
-    let usage = Usage::of(document);
     let mut document = document.clone();
+    dots_for_primes(&mut document);
+    let usage = Usage::of(&document);
     for item in &mut document.items {
         if let Item::Formula(formula) = item {
             let rows = std::mem::take(&mut formula.rows);

@@ -5,6 +5,7 @@ use crate::mechanics::{self, Products};
 use crate::notation::ast::Function;
 use crate::verify::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::attitude_law;
+use crate::verify::more_moments::OtherMoments;
 use crate::verify::quantity::Quantity;
 use crate::verify::symbol::MAGNITUDE;
 use nalgebra::{Matrix3, Vector3};
@@ -49,6 +50,8 @@ pub(super) struct Setting {
     pub origin_moves: bool,
     /// The velocity of the mass centre, where the kinetic energy has a part of it: T = ½ m v_G² + ½ ω·L (König).
     pub translation: Option<Entity>,
+    /// Moments that act beside the one that is written as the moment.
+    pub other_moments: OtherMoments,
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
 }
@@ -181,7 +184,8 @@ fn determined(
             })
         }
         Moment if setting.dynamics == Dynamics::Inverse => {
-            Some(("moment", space_rate(atoms, Momentum, component)))
+            let others = setting.other_moments.sum(atoms, component as u8);
+            Some(("moment", space_rate(atoms, Momentum, component) - others))
         }
         OriginVelocity if !setting.origin_moves => Some(("origin at rest", Fraction::zero())),
         Energy => {
@@ -264,7 +268,9 @@ fn angular_acceleration(
     }
     let inertia = inertia(atoms, setting.products);
     let omega = vector(atoms, Quantity::AngularVelocity, 0);
-    let mut moment = vector(atoms, Quantity::Moment, 0);
+    let written = vector(atoms, Quantity::Moment, 0);
+    let others = Vector3::from([0, 1, 2].map(|c| setting.other_moments.sum(atoms, c)));
+    let mut moment = written + others;
     if setting.gyrostat {
         let wheels = vector(atoms, Quantity::RelativeMomentum, 0);
         let rate = vector(atoms, Quantity::RelativeMomentum, 1);

@@ -115,6 +115,7 @@ impl Checker<'_> {
         self.note_turned_moments(&sides);
         self.note_translation(&sides);
         self.note_scalars(&sides);
+        self.note_other_moments(&sides);
         let role = self.role_by_content(role, &sides);
         finding.role = role;
         let settled = self.says_by_use(&sides, finding)

@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::atoms::{Owner, variable_fraction};
 use crate::verify::check::Checker;
+use crate::verify::decide::Equation;
 use crate::verify::frame::Frame;
 use crate::verify::line::Read;
 use crate::verify::quantity::Quantity;
@@ -34,7 +35,8 @@ impl Checker<'_> {
                 match named.filter(|_| alone) {
                     _ if !differs(rest) => true,
                     Some(v) => self.is_value(v, entry(&equation.right), rest),
-                    None => self.is_balance(rest),
+                    // What an equation of motion says of them is not that they vanish.
+                    None => !self.moment_at(equation, i) && self.is_balance(rest),
                 }
             })
     }
@@ -92,6 +94,17 @@ impl Checker<'_> {
             self.loads.extend(new);
         }
         load
+    }
+
+    fn moment_at(&self, equation: &Equation, place: usize) -> bool {
+        let entry = equation.residual.entries.get(place);
+        entry.is_some_and(|entry| self.has_moment(entry))
+    }
+
+    /// Whether the moment stands in what must vanish.
+    pub(super) fn has_moment(&self, entry: &Fraction) -> bool {
+        let moment = |v: u32| matches!(self.theory.atoms.owner(v), Some(Owner::Quantity(Quantity::Moment, variant)) if variant.is_empty());
+        entry.variables().into_iter().any(moment)
     }
 
     /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.

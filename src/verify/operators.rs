@@ -24,7 +24,14 @@ impl Lowering<'_> {
         };
         for factor in factors {
             let value = self.value(&factor.node)?;
-            match factor.operator {
+            // In `r × I · r` the dot is the product of the tensor with what stands behind it.
+            let tensor = |run: &Value| run.rows == 3 && run.columns == 3;
+            let applied = crossing && factor.operator == Operator::Dot && value.rows == 3;
+            let operator = match run.as_ref().filter(|_| applied && crossed.is_some()) {
+                Some(run) if tensor(run) => Operator::Juxtaposed,
+                _ => factor.operator,
+            };
+            match operator {
                 Operator::Juxtaposed => {
                     run = Some(match run.take() {
                         // Two vectors side by side are a dyad.

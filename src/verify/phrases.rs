@@ -101,6 +101,18 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
 /// How something is said to turn: "rotates with the angular velocity".
 const TURNING: &[&str] = &["turn", "turns", "turning", "rotate", "rotates", "rotating"];
 
+/// What is said of a quantity, and is not the quantity.
+const LAWS: &[&str] = &[
+    "theorem of",
+    "law of",
+    "principle of",
+    "balance of",
+    "conservation of",
+    "rate of change of",
+    "change of",
+    "derivative of",
+];
+
 /// Phrases and what they name.
 static PHRASES: LazyLock<Vec<(String, Option<Quantity>)>> = LazyLock::new(|| {
     let named = NAMES
@@ -205,6 +217,14 @@ pub(super) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
         .filter_map(near)
         .max_by_key(|&(end, len, _)| (end, len))?;
     let clause = text[..end - length].rsplit([',', ';', '.']).next();
+    // "The theorem of angular momentum is": the letter before the sign is the moment, or what else it speaks of.
+    let lead = clause
+        .unwrap_or_default()
+        .trim_end()
+        .trim_end_matches(" the");
+    if LAWS.iter().any(|law| lead.ends_with(law)) {
+        return None;
+    }
     let of_axes = clause.is_some_and(|words| {
         let subject = |name: &str| words.split_whitespace().any(|word| word == name);
         (subject("frame") || subject("axes")) && !subject("body")

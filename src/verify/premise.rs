@@ -1,17 +1,21 @@
 //! Premises that nobody writes as a line: in words, by the letters that are used, by the kind of motion.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Proof, Variable};
 use crate::notation::ast::Symbol;
 use crate::source::Span;
+use crate::verify::atoms::Atom;
 use crate::verify::check::Checker;
+use crate::verify::decide::{Decision, decide};
 use crate::verify::frame::Frame;
 use crate::verify::law::Axes;
+use crate::verify::line::Read;
 use crate::verify::prose::Said;
 use crate::verify::quantity::Quantity;
 use crate::verify::reading::Reading;
 use crate::verify::symbol::Meaning;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::usage::Letter;
+use std::collections::BTreeSet;
 
 impl Checker<'_> {
     /// Takes in a premise that words set.
@@ -72,6 +76,41 @@ impl Checker<'_> {
             return true;
         }
         false
+    }
+
+    /// Whether equations hold with no moment, in a document that writes no moment or force anywhere; it is then assumed.
+    pub(super) fn proved_without_moment(&mut self, read: &Read, at: Span) -> Option<Proof> {
+        let acts = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
+        let parts = self.reading.components.values().map(|(q, _)| q);
+        let all: BTreeSet<&Quantity> = self.reading.quantities.values().chain(parts).collect();
+        if all.iter().any(|&q| acts(q)) || !all.contains(&Quantity::Inertia) {
+            return None;
+        }
+        let name = "no moment is written anywhere: ΣM = 0".to_owned();
+        if !self.theory.relations.kept.is_empty() || !self.speaks_of_a_spin_rate(read) {
+            return None;
+        }
+        if !self.vanish(&name, Quantity::Moment, &[0, 1, 2]) {
+            return None;
+        }
+        if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
+            self.tell(at, name);
+            return Some(proof);
+        }
+        self.theory.exhausted = false;
+        self.theory.retain(|premise| premise.name != name);
+        self.scopes.retain(|(scope, _)| *scope != name);
+        None
+    }
+
+    /// Whether the rate of the angular velocity makes a difference.
+    fn speaks_of_a_spin_rate(&mut self, read: &Read) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let entries: Vec<Fraction> = read.residuals().cloned().collect();
+        let mut rests = entries.iter().map(|entry| self.theory.normal(entry));
+        let found: BTreeSet<Variable> = rests.by_ref().flat_map(|r| r.variables()).collect();
+        let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity, order, .. } if *entity == omega && *order > 0);
+        found.into_iter().any(rate)
     }
 
     /// Moments with one index and no product anywhere: the axes are principal, though no word says so.

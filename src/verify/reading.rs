@@ -67,6 +67,7 @@ impl Reading {
             ..Self::default()
         };
         reading.listen(document);
+        reading.listed_moments(document);
         reading.sequences(has_differences(document));
         reading.by_moments(document);
         reading.by_words();
@@ -141,6 +142,17 @@ impl Reading {
             && (self.usage.is_vector(&letter)
                 || quantity.is_some_and(|q| q.shape() == Shape::Vector))
             && !self.usage.apart_under_tilde.contains(&letter)
+    }
+
+    /// Whether an e without a mark stands for unit vectors: it is only met with the number of an axis, and no line says
+    /// what it is.
+    pub(super) fn numbers_unit_vectors(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        let met = self.usage.subscripts.get(letter);
+        letter.name == "e"
+            && used.bare == 0
+            && met.is_some_and(|all| all.iter().all(|s| axis(s).is_some()))
+            && !self.left_sides.contains(letter)
     }
 
     /// The letters of the attitude, those apart that stand for something else.
@@ -245,7 +257,7 @@ impl Reading {
         }
     }
 
-    fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
+    pub(super) fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
         // "The force at the end x": a coordinate.
         if matches!(letter.name.as_str(), "x" | "y" | "z" | "t") {
             return;

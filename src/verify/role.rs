@@ -294,6 +294,13 @@ impl Words {
         last_of(&self.0, &words).is_some_and(|at| !self.0[at..].contains('⟩'))
     }
 
+    /// Whether the last of them picks out a case: "we take ⟨…⟩".
+    pub(super) fn pick(&self) -> bool {
+        let verbs = ["take", "choose", "pick", "require", "prescribe", "set"];
+        let last = self.0.split_whitespace().next_back();
+        last.is_some_and(|word| verbs.contains(&word))
+    }
+
     /// Whether they name a constraint that a body or a point of it is under.
     pub(super) fn constrain(&self) -> bool {
         let words = [

@@ -1,8 +1,8 @@
 //! What the formulas of a document show of the letters in them.
 
 use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
-use crate::verify::usage::{Letter, Usage, axes, axis, inner, undotted, worn};
-use crate::verify::written_out::{along_plain_units, is_directed, plain_list};
+use crate::verify::usage::{Letter, Usage, axes, axis, inner, worn};
+use crate::verify::written_out::{along_plain_units, plain_list};
 
 impl Usage {
     pub(super) fn line(&mut self, line: &Line) {
@@ -28,24 +28,6 @@ impl Usage {
                     _ => used.tensor += 1,
                 }
             }
-        }
-        if let [left, right, ..] = line.sides.as_slice()
-            && let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
-                (&inner(left).kind, &inner(right).kind)
-            && rows.len() > 1
-            && symbol.subscripts.iter().any(|s| axis(s).is_some())
-        {
-            self.named_wholes
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
-        }
-        if let [left, right, ..] = line.sides.as_slice()
-            && let Kind::Symbol(symbol) = &inner(left).kind
-            && symbol.style.vector
-            && symbol.subscripts.iter().any(|s| axis(s).is_some())
-            && is_directed(right, symbol)
-        {
-            self.named_wholes
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
@@ -154,16 +136,6 @@ impl Usage {
     }
 
     fn vector_operand(&mut self, operand: &Node) {
-        // A component is no factor of a ×, so the number of `\boldsymbol\nu_2\times` is a part of the name.
-        if let Kind::Symbol(symbol) = &undotted(operand).kind
-            && symbol.style.vector
-            && !symbol.style.hat
-            && matches!(symbol.subscripts.as_slice(), [one] if matches!(one.as_str(), "1" | "2" | "3"))
-            && !matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E")
-        {
-            self.named_wholes
-                .insert((Letter::of(symbol), symbol.subscripts.clone()));
-        }
         if let Kind::Symbol(symbol) = &inner(operand).kind
             && symbol.subscripts.iter().all(|s| axis(s).is_none())
         {

@@ -3,6 +3,7 @@
 
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::attitude_words::{rate_in_space, sentences};
 use crate::verify::usage::{Letter, Usage, inner, symbols};
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -14,6 +15,8 @@ struct Marks {
     vectors: BTreeSet<Letter>,
     /// Symbols of functions that are matrices.
     functions: Vec<Symbol>,
+    /// Whether brackets with an x under them are marks, for want of a small ×: `[a]_x b = a \times b`.
+    crossed: bool,
     /// Matrices R of `dR/dt = [\omega] R`, whose vector stands on the axes that R leads to: lines with them are left as
     /// they are written.
     turning: Vec<Symbol>,
@@ -27,6 +30,11 @@ pub(super) fn note_skew_marks(document: &mut Document) {
             marks.look(line);
         }
     }
+    // Where the words put ω on those axes, the lines can be read.
+    let said = sentences(document);
+    if said.iter().any(|s| rate_in_space(&s.text) == Some(true)) {
+        marks.turning.clear();
+    }
     if !marks.vectors.is_empty() {
         let usage = Usage::of(document);
         let vectors = usage
@@ -35,7 +43,7 @@ pub(super) fn note_skew_marks(document: &mut Document) {
         marks
             .vectors
             .extend(vectors.map(|(letter, _)| letter.clone()));
-    } else if marks.functions.is_empty() {
+    } else if marks.functions.is_empty() && !marks.crossed {
         return;
     }
     for item in &mut document.items {
@@ -71,9 +79,11 @@ impl Marks {
                 if let Some(vector) = bracketed(left).filter(|_| is_skew_matrix(right)) {
                     self.vectors.insert(Letter::of(vector));
                 }
-                if let Some(vector) = acts_as_cross(left, right) {
+                if let Some(vector) = acts_as_cross(left, right, &bracketed) {
                     self.vectors.insert(Letter::of(vector));
                 }
+                self.crossed |=
+                    acts_as_cross(left, right, &|node| under_x(node).and_then(lone)).is_some();
                 self.turning.extend(turned_from_the_left(left, right));
                 if let Kind::Transpose(inside) = &left.kind
                     && let Kind::Negate(same) = &right.kind
@@ -98,6 +108,9 @@ impl Marks {
             if let [only] = factors.as_slice() {
                 *node = only.node.clone();
             }
+        }
+        if let Some(inside) = under_x(node).filter(|_| self.crossed) {
+            node.kind = Kind::Skew(Box::new(inside.clone()));
         }
         let framed = matches!(node.kind, Kind::InFrame(..));
         if let Some(vector) = bracketed(node)
@@ -145,9 +158,26 @@ fn call_under_power(node: &mut Node, head: &Node) -> bool {
 /// The lone symbol in square brackets.
 fn bracketed(node: &Node) -> Option<&Symbol> {
     match &node.kind {
-        Kind::Group(Bracket::Square, inside) => match &inside.kind {
+        Kind::Group(Bracket::Square, inside) => {
             // Under a tilde a vector is its matrix already.
-            Kind::Symbol(symbol) if !symbol.style.tilde => Some(symbol),
+            lone(inside).filter(|symbol| !symbol.style.tilde)
+        }
+        _ => None,
+    }
+}
+
+fn lone(node: &Node) -> Option<&Symbol> {
+    match &node.kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
+}
+
+/// What stands in square brackets with an x under them.
+fn under_x(node: &Node) -> Option<&Node> {
+    match &node.kind {
+        Kind::InFrame(group, label) if label.text.trim() == "x" => match &group.kind {
+            Kind::Group(Bracket::Square, inside) => Some(inside),
             _ => None,
         },
         _ => None,
@@ -155,14 +185,18 @@ fn bracketed(node: &Node) -> Option<&Symbol> {
 }
 
 /// The a of `[a] u = a × u`.
-fn acts_as_cross<'n>(matrix: &'n Node, cross: &Node) -> Option<&'n Symbol> {
+fn acts_as_cross<'n>(
+    matrix: &'n Node,
+    cross: &Node,
+    vector_of: &impl Fn(&'n Node) -> Option<&'n Symbol>,
+) -> Option<&'n Symbol> {
     let (Kind::Product(left), Kind::Product(right)) = (&matrix.kind, &cross.kind) else {
         return None;
     };
     let ([first, _], [vector, other]) = (left.as_slice(), right.as_slice()) else {
         return None;
     };
-    let symbol = bracketed(&first.node)?;
+    let symbol = vector_of(&first.node)?;
     let same = matches!(&inner(&vector.node).kind, Kind::Symbol(s) if s == symbol);
     (same && other.operator == Operator::Cross).then_some(symbol)
 }

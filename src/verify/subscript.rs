@@ -9,6 +9,8 @@ use crate::verify::usage::{Letter, axes, axis};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Subscripts {
     pub(super) single: Option<u8>,
+    /// Whether it is a component of a vector with an index of its own: `\tau_{d1}`.
+    pub(super) of_named: bool,
     pub(super) double: Option<(u8, u8)>,
     /// What tells apart several entities of one letter: a step index, a word.
     pub(super) variant: String,
@@ -21,15 +23,15 @@ pub(super) const POINTS: &[&str] = &[
 
 pub(super) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let mut sorted = Subscripts::default();
-    if reading.usage.names_whole(symbol) {
+    let whole = reading.usage.wholes.names(symbol);
+    if whole {
         sorted.variant = symbol.subscripts.join(",");
-        return sorted;
     }
     // Beside I_xx, an I_1 is a moment with a name of its own.
     let letter = Letter::of(symbol);
     let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
         && reading.usage.has_lettered_entries(&letter);
-    for text in &symbol.subscripts {
+    for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
         if named_apart && matches!(text, "1" | "2" | "3") {
             sorted.variant.push_str(text);
@@ -37,6 +39,10 @@ pub(super) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.single = Some(index);
         } else if let Some(pair) = axes(text) {
             sorted.double = Some(pair);
+        } else if let Some((name, index)) = name_and_index(text, &letter, reading) {
+            sorted.single = Some(index);
+            sorted.variant.push_str(name);
+            sorted.of_named = true;
         } else if let Some((point, index)) = point_and_index(text) {
             sorted.single = Some(index);
             sorted.variant.push_str(point);
@@ -60,6 +66,15 @@ pub(super) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         sorted.variant.push('δ');
     }
     sorted
+}
+
+/// `d1` and `gg,x` are components of the vectors `d` and `gg` of that letter.
+fn name_and_index<'t>(text: &'t str, letter: &Letter, reading: &Reading) -> Option<(&'t str, u8)> {
+    let (at, _) = text.char_indices().last()?;
+    let name = text[..at].trim_end_matches([',', ' ']);
+    let index = axis(&text[at..])?;
+    let met = !name.is_empty() && reading.usage.has_index(letter, name);
+    (met && !POINTS.contains(&name)).then_some((name, index))
 }
 
 /// `Gx` is the x component about G.

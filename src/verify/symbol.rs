@@ -67,7 +67,7 @@ pub(super) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
     }
     let sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
-    let named = reading.usage.names_whole(symbol);
+    let named = reading.usage.wholes.names(symbol);
     if let Some(meaning) = constant(symbol, &sorted, reading).filter(|_| !named) {
         return meaning;
     }
@@ -148,7 +148,9 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     }
     let basis = matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
     if basis
-        && (symbol.style.hat || symbol.style.vector)
+        && (symbol.style.hat
+            || symbol.style.vector
+            || reading.numbers_unit_vectors(&Letter::of(symbol)))
         && sorted.variant.is_empty()
         && let Some(component) = sorted.single
     {
@@ -182,7 +184,10 @@ fn is_quantity(
     reading: &Reading,
 ) -> bool {
     let letter = Letter::of(symbol);
-    let marked = symbol.style.vector || symbol.style.bar || sorted.single.is_some();
+    let marked = symbol.style.vector
+        || symbol.style.bar
+        || sorted.single.is_some()
+        || reading.usage.wholes.is_vector(symbol);
     match quantity {
         Quantity::Inertia => sorted.variant.is_empty(),
         Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
@@ -277,6 +282,8 @@ fn of_symbol(
     let marks = symbol.style.vector
         || always_hatted
         || (symbol.style.bar && sorted.single.is_some())
+        || reading.usage.wholes.is_vector(symbol)
+        || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
         || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
         || used.component > 1 && sorted.single.is_some();
     let tensor = symbol.style.tensor || sorted.double.is_some();

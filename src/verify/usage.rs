@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::wholes::Wholes;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A letter as people tell letters apart: `L` and `𝓛` are two.
@@ -68,8 +69,8 @@ pub(super) struct Usage {
     pub(super) superscripts: BTreeMap<Letter, BTreeSet<Vec<String>>>,
     /// Letters with subscripts and superscripts that stand under a derivative in time.
     pub(super) moving: BTreeSet<(Letter, Vec<String>, Vec<String>)>,
-    /// Symbols with an index that name a matrix or a list: `A_2 = [[…]]`.
-    pub(super) named_wholes: BTreeSet<(Letter, Vec<String>)>,
+    /// Symbols whose index is a part of their name.
+    pub wholes: Wholes,
     /// Letters that are something else under a tilde: they stand alone or in a sum with it.
     pub apart_under_tilde: BTreeSet<Letter>,
     /// Letters that without mark or index are the length of their vector: `L = |L|`.
@@ -109,7 +110,10 @@ pub(super) fn axes(index: &str) -> Option<(u8, u8)> {
 impl Usage {
     /// Goes through every formula of a document.
     pub(super) fn of(document: &Document) -> Self {
-        let mut usage = Self::default();
+        let mut usage = Self {
+            wholes: Wholes::of(document),
+            ..Self::default()
+        };
         for item in &document.items {
             let Item::Formula(formula) = item else {
                 continue;
@@ -197,12 +201,6 @@ impl Usage {
     /// Whether three plain letters are listed as the components of a vector.
     pub(super) fn lists(&self, names: [&str; 3]) -> bool {
         self.lists.contains(&names.map(str::to_owned))
-    }
-
-    /// Whether the index of a symbol is a part of its name.
-    pub(super) fn names_whole(&self, symbol: &Symbol) -> bool {
-        self.named_wholes
-            .contains(&(Letter::of(symbol), symbol.subscripts.clone()))
     }
 
     /// Whether a letter always wears these superscripts, so that they tell nothing apart: ᴺωᴮ.

@@ -170,7 +170,9 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
                 }
                 next.end = end.max(next.start);
                 next.strong |= strong;
-                if word.ends_with(['.', ',', ';', ':']) {
+                // The commas of `ω = (p, q, r)` stand inside it.
+                let inside = word.ends_with(',') && is_open(&text[next.start..next.end]);
+                if word.ends_with(['.', ',', ';', ':']) && !inside {
                     out.push(next);
                 } else {
                     run = Some(next);
@@ -187,6 +189,12 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
         .filter(|run| run.strong && run.end > run.start)
         .map(|run| (run.start, run.end))
         .collect()
+}
+
+/// Whether a bracket of a text is not closed in it.
+fn is_open(text: &str) -> bool {
+    let opened = text.matches(['(', '[']).count();
+    opened > text.matches([')', ']']).count()
 }
 
 /// Whether a word goes on with the run before it.
