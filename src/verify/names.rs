@@ -2,8 +2,8 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::Function;
-use crate::verify::atoms::{Atom, Atoms, Owner};
-use crate::verify::quantity::{Quantity, Shape};
+use crate::verify::values::atoms::{Atom, Atoms, Owner};
+use crate::verify::values::quantity::{Quantity, Shape};
 use num_traits::One;
 
 /// Every variable in LaTeX, by its number.

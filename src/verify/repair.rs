@@ -1,17 +1,30 @@
 //! The cheapest change that makes a false line provable: where it stands, what it is, and the line as it should be.
 
+pub(super) mod carried;
+pub(super) mod convention_slips;
+pub(super) mod edit;
+pub(super) mod hollow;
+pub(super) mod lost_terms;
+pub(super) mod lost_vectors;
+pub(super) mod places;
+pub(super) mod shown;
+pub(super) mod slips;
+pub(super) mod terms;
+pub(super) mod vocabulary;
+pub(super) mod wanted;
+
 use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::check::Checker;
-use crate::verify::convention_slips::sign_flips;
-use crate::verify::decide::{passes_filter, vanishes};
-use crate::verify::edit::{Edit, edited};
-use crate::verify::frame::{Frame, labels};
-use crate::verify::line::Read;
-use crate::verify::slips::Slips;
-use crate::verify::value::Value;
+use crate::verify::letters::frame::{Frame, labels};
+use crate::verify::lines::line::Read;
+use crate::verify::repair::convention_slips::sign_flips;
+use crate::verify::repair::edit::{Edit, edited};
+use crate::verify::repair::slips::Slips;
+use crate::verify::theory::decide::{passes_filter, vanishes};
+use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding};
 
 /// Texts that are tried for one line at most.

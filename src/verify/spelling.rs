@@ -2,10 +2,10 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
-use crate::verify::atoms::Atoms;
-use crate::verify::reading::Reading;
-use crate::verify::symbol::{Meaning, latex_name, meaning};
-use crate::verify::usage::symbols;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::symbols;
+use crate::verify::values::atoms::Atoms;
+use crate::verify::values::symbol::{Meaning, latex_name, meaning};
 
 /// Notes the first spelling of every component that stands in a formula.
 pub(super) fn spell(document: &Document, reading: &Reading, atoms: &mut Atoms) {

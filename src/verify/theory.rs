@@ -3,14 +3,27 @@
 //! Together they form a triangular set (Ritt, Wu): every rule gives one variable in terms of others, and a
 //! formula is brought to normal form by putting all rules in.
 
+pub(super) mod attitude_law;
+pub(super) mod certify;
+pub(super) mod decide;
+pub(super) mod kept;
+pub(super) mod kernel_facts;
+pub(super) mod law;
+pub(super) mod ledger;
+pub(super) mod more_moments;
+pub(super) mod point;
+pub(super) mod solve;
+pub(super) mod variety;
+pub(super) mod world;
+
 use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
 use crate::notation::ast::Function;
-use crate::verify::atoms::{Atom, Atoms, Entity, variable_fraction};
-use crate::verify::attitude_law::{UNIT, square_of_scalar_part};
-use crate::verify::figures::Alternative;
-use crate::verify::kept::Relations;
-use crate::verify::law::{Setting, law};
-use crate::verify::ledger::{Ledger, Source};
+use crate::verify::theory::attitude_law::{UNIT, square_of_scalar_part};
+use crate::verify::theory::kept::Relations;
+use crate::verify::theory::law::{Setting, law};
+use crate::verify::theory::ledger::{Ledger, Source};
+use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
+use crate::verify::values::figures::Alternative;
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;

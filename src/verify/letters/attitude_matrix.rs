@@ -1,0 +1,127 @@
+//! Which letter of a document is its attitude matrix.
+
+use crate::notation::ast::{Kind, Node, Operator, Symbol};
+use crate::notation::document::Document;
+use crate::verify::letters::attitude_reading::AttitudeReading;
+use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
+use crate::verify::repair::lines;
+use crate::verify::words::attitude_words::Sentence;
+use std::collections::BTreeSet;
+
+/// Letters that an attitude matrix has.
+const MATRIX_LETTERS: &[&str] = &["R", "A", "C", "Q", "D", "T", "S", "B", "Lambda"];
+/// Words that name an attitude matrix.
+const MATRIX_WORDS: &[&str] = &[
+    "rotation matrix",
+    "attitude matrix",
+    "orientation matrix",
+    "direction cosine",
+    "direction-cosine",
+    "orthogonal matrix",
+    "matrix of rotation",
+    "rotation tensor",
+];
+impl AttitudeReading {
+    /// Takes the letter that the words name so, or that stands as such a matrix does, and that is made of nothing else.
+    pub(crate) fn find_matrix(
+        &mut self,
+        document: &Document,
+        said: &[Sentence],
+        taken: &impl Fn(&Letter) -> bool,
+    ) {
+        let stems = [
+            "rotat",
+            "attitude",
+            "orientation",
+            "orthogonal",
+            "direction cosin",
+        ];
+        let about_turning = said
+            .iter()
+            .any(|s| stems.iter().any(|stem| s.text.contains(stem)));
+        let mut found: Vec<Letter> = vec![];
+        let mut made: BTreeSet<Letter> = BTreeSet::new();
+        for line in lines(document) {
+            if about_turning {
+                line.sides.iter().for_each(|side| turns(side, &mut found));
+            }
+            if let [left, rest @ ..] = line.sides.as_slice()
+                && let Kind::Symbol(symbol) = &inner(left).kind
+                && rest.iter().any(|side| self.makes_matrix(side))
+            {
+                made.insert(Letter::of(symbol));
+            }
+        }
+        let spoken = said
+            .iter()
+            .filter(|s| MATRIX_WORDS.iter().any(|w| s.text.contains(w)));
+        found.extend(
+            spoken
+                .flat_map(|s| &s.letters)
+                .map(|name| Letter::plain(name)),
+        );
+        let fit = |letter: &&Letter| {
+            let usual = MATRIX_LETTERS.contains(&letter.name.as_str());
+            usual && !taken(letter) && !made.contains(letter)
+        };
+        self.matrix = found.iter().find(fit).cloned();
+    }
+
+    /// Whether a side is a matrix that is written out, or a product of others, without the quaternion in it.
+    fn makes_matrix(&self, side: &Node) -> bool {
+        let of_quaternion = symbols(side).into_iter().any(|s| self.part(s).is_some());
+        let written = match &inner(side).kind {
+            Kind::Matrix(rows) => rows.len() > 1 && rows.iter().all(|row| row.len() > 1),
+            Kind::Product(factors) => factors.iter().all(|f| {
+                matches!(f.node.kind, Kind::Call(..) | Kind::Matrix(_))
+                    || matches!(&f.node.kind, Kind::Symbol(s) if !s.subscripts.is_empty())
+            }),
+            Kind::Sum(_) => holds_function(side),
+            _ => false,
+        };
+        written && !of_quaternion
+    }
+}
+
+/// Letters that stand as an attitude matrix does: transposed beside a factor, or differentiated beside a skew matrix.
+fn turns(node: &Node, found: &mut Vec<Letter>) {
+    let mut note = |node: &Node| {
+        if let Kind::Symbol(symbol) = &undotted(node).kind
+            && (symbol.subscripts.is_empty() || leads(symbol))
+        {
+            found.push(Letter::of(symbol));
+        }
+    };
+    if let Kind::Product(factors) = &node.kind {
+        let skewed = factors
+            .iter()
+            .any(|f| matches!(inner(&f.node).kind, Kind::Skew(_)));
+        for factor in factors
+            .iter()
+            .filter(|f| f.operator == Operator::Juxtaposed)
+        {
+            match &factor.node.kind {
+                Kind::Transpose(inside) if factors.len() > 1 => note(inside),
+                Kind::Symbol(symbol) if skewed && (!symbol.style.vector || leads(symbol)) => {
+                    note(&factor.node);
+                }
+                _ => {}
+            }
+        }
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| turns(child, found));
+}
+
+/// Whether a symbol wears the labels of two frames: `R_{WB}`.
+fn leads(symbol: &Symbol) -> bool {
+    let [labels] = symbol.subscripts.as_slice() else {
+        return false;
+    };
+    labels.chars().count() == 2 && labels.chars().all(|c| c.is_ascii_uppercase())
+}
+
+fn holds_function(node: &Node) -> bool {
+    matches!(node.kind, Kind::Function(..)) || node.children().into_iter().any(holds_function)
+}

@@ -1,0 +1,101 @@
+//! The sign convention for products of inertia, found from the document.
+
+use crate::mechanics::Products;
+use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, axes, symbols};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::Convention;
+
+/// The sign convention: front matter, an integral or a written matrix of the document, or the default.
+pub(crate) fn convention(document: &Document, reading: &Reading) -> (Products, Convention) {
+    let named = |entries: bool, decided_by| {
+        let (products, name) = if entries {
+            (Products::Entries, "entries")
+        } else {
+            (Products::Integrals, "integrals")
+        };
+        (products, Convention { name, decided_by })
+    };
+    if let Some(products) = document.front_matter.products.as_deref() {
+        return named(products == "entries", "front matter");
+    }
+    let lines = || {
+        document
+            .items
+            .iter()
+            .filter_map(|item| match item {
+                Item::Formula(formula) => Some(formula.rows.iter()),
+                _ => None,
+            })
+            .flatten()
+            .filter_map(|row| match row {
+                Row::Line(line) => Some(line),
+                _ => None,
+            })
+    };
+    if let Some(entries) = lines().find_map(|line| integral_convention(line, reading)) {
+        return named(entries, "an integral of the document");
+    }
+    match lines()
+        .flat_map(|line| &line.sides)
+        .find_map(|side| matrix_convention(side, reading))
+    {
+        Some(entries) => named(entries, "a matrix of the document"),
+        None => named(false, "default"),
+    }
+}
+
+/// `I_xy = ∫ xy dm` says integrals, `I_xy = −∫ xy dm` entries.
+fn integral_convention(line: &Line, reading: &Reading) -> Option<bool> {
+    let [left, right, ..] = line.sides.as_slice() else {
+        return None;
+    };
+    let product = symbols(left).into_iter().any(|s| is_product(s, reading));
+    match &right.kind {
+        Kind::Integral { .. } if product => Some(false),
+        Kind::Negate(inside) if product && matches!(inside.kind, Kind::Integral { .. }) => {
+            Some(true)
+        }
+        _ => None,
+    }
+}
+
+/// A written inertia matrix: its entries off the diagonal show their sign. The most of them decide, as one may have slipped.
+fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
+    if let Kind::Matrix(rows) = &node.kind
+        && rows.len() == 3
+        && rows.iter().all(|row| row.len() == 3)
+    {
+        let (mut plain, mut negated) = (0, 0);
+        for (r, row) in rows.iter().enumerate() {
+            for (_, entry) in row.iter().enumerate().filter(|(c, _)| *c != r) {
+                match &entry.kind {
+                    Kind::Symbol(symbol) if is_product(symbol, reading) => plain += 1,
+                    Kind::Negate(inside) => {
+                        let product =
+                            matches!(&inside.kind, Kind::Symbol(s) if is_product(s, reading));
+                        negated += usize::from(product);
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if plain != negated {
+            return Some(plain > negated);
+        }
+    }
+    node.children()
+        .into_iter()
+        .find_map(|child| matrix_convention(child, reading))
+}
+
+fn is_product(symbol: &Symbol, reading: &Reading) -> bool {
+    reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Inertia)
+        && symbol
+            .subscripts
+            .iter()
+            .filter_map(|s| axes(s))
+            .any(|(r, c)| r != c)
+}

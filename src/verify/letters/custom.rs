@@ -1,0 +1,184 @@
+//! What letters mean by the custom of the field, where no word says it.
+
+use crate::notation::ast::{Kind, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::values::quantity::Quantity;
+
+impl Reading {
+    /// What is left, by the custom of the field.
+    pub(crate) fn by_custom(&mut self) {
+        let letters: Vec<Letter> = self.usage.letters().map(|(l, _)| l.clone()).collect();
+        for letter in letters {
+            if self.quantities.contains_key(&letter) {
+                continue;
+            }
+            if let Some(quantity) = self.custom(&letter) {
+                self.quantities.insert(letter, quantity);
+            }
+        }
+    }
+
+    /// "With the moments $A$, $A$, $C$": three of the inertia.
+    pub(crate) fn listed_moments(&mut self, document: &Document) {
+        let letter = |item: &Item| match item {
+            Item::Formula(formula) => match formula.rows.as_slice() {
+                [Row::Expression(node)] => match &inner(node).kind {
+                    Kind::Symbol(symbol) if symbol.subscripts.is_empty() => {
+                        Some(Letter::of(symbol))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            },
+            _ => None,
+        };
+        let joins = |item: &Item| match item {
+            Item::Prose { text, .. } => matches!(text.trim(), "," | "and" | ", and"),
+            _ => false,
+        };
+        for items in document.items.windows(6) {
+            let [Item::Prose { text, .. }, first, comma, second, and, third] = items else {
+                continue;
+            };
+            let named = text.trim_end().ends_with("moments") && joins(comma) && joins(and);
+            let letters = [first, second, third].map(letter);
+            let names = letters
+                .each_ref()
+                .map(|l| l.as_ref().map(|l| l.name.as_str()));
+            if named && matches!(names, [Some("A"), Some("A" | "B"), Some("C")]) {
+                for letter in letters.into_iter().flatten() {
+                    self.vote(letter, Quantity::Inertia, 3);
+                }
+            }
+        }
+    }
+
+    /// A w with components that stands beside a ×, or that of a typewriter, is an ω, unless there is an ω, or it stands with x, y and z as the parts of a quaternion do.
+    pub(crate) fn typed_w(&mut self, typewriter: bool) {
+        let quaternion = ["x", "y", "z"].iter().all(|name| self.has(name));
+        let letter = Letter::plain("w");
+        let indexed = self.usage.get(&letter).component > 0;
+        let crossed = self.usage.is_vector(&letter) && indexed && !self.has("omega");
+        let typed = typewriter && self.has("w") && (indexed || !self.has("omega"));
+        if !quaternion && (typed || crossed) && !self.components.contains_key(&letter) {
+            self.quantities
+                .entry(letter)
+                .or_insert(Quantity::AngularVelocity);
+        }
+    }
+
+    /// Whether a letter is used in the document, with the marks of a rate.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        let used = self.usage.get(&Letter::plain(name));
+        used.vector + used.component + used.bare > 0
+    }
+
+    /// Whether a letter is used, and never as a vector or with an index.
+    pub(crate) fn has_bare(&self, name: &str) -> bool {
+        self.has(name) && !self.is_directed(name)
+    }
+
+    /// Whether a letter is used as a vector or with an index.
+    fn is_directed(&self, name: &str) -> bool {
+        let used = self.usage.get(&Letter::plain(name));
+        used.vector + used.component > 0
+    }
+
+    /// Whether a letter stands for a mass: the document has a `g` and no vector or component of the letter.
+    fn weighs(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        used.vector + used.component == 0 && self.usage.get(&Letter::plain("g")).bare > 0
+    }
+
+    /// Whether a letter for the tensor is only ever a number, in a document that calls the principal moments A, B and C.
+    fn is_single_moment(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        let named = ["A", "B", "C"].map(Letter::plain);
+        let moment = |l: &Letter| matches!(self.components.get(l), Some((Quantity::Inertia, _)));
+        named.iter().all(moment)
+            && !self.left_sides.contains(letter)
+            && used.vector + used.tensor + used.double + used.component == 0
+    }
+
+    /// Whether another letter is the moment already, or is it by a better custom.
+    fn has_moment(&self) -> bool {
+        let mut whole = self.quantities.values();
+        let mut parts = self.components.values();
+        whole.any(|q| *q == Quantity::Moment)
+            || parts.any(|(q, _)| *q == Quantity::Moment)
+            || self.is_directed("M")
+            || self.is_directed("tau")
+    }
+
+    /// Whether an i, j or k without a mark is a unit vector: where sums along them are, other than those of a quaternion.
+    pub(crate) fn is_plain_unit(&self, symbol: &Symbol) -> bool {
+        self.usage.plain_units
+            && self.attitude.quaternion.is_none()
+            && !self.usage.get(&Letter::of(symbol)).moving
+    }
+
+    /// Whether a position stands beside the velocity of a body, so that the velocity may be that of another point.
+    pub(crate) fn drifts_beside_a_point(&self) -> bool {
+        self.speaks_of(Quantity::CentreVelocity) && self.speaks_of(Quantity::Position)
+    }
+
+    /// Whether a velocity is that of the mass centre: it has the components u, v, w, or it changes under a force and no
+    /// position or other velocity is spoken of.
+    fn drifts(&self, letter: &Letter) -> bool {
+        let of_centre = |(q, _): &(Quantity, u8)| *q == Quantity::CentreVelocity;
+        if self.components.values().any(of_centre) {
+            return true;
+        }
+        let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
+        let alone = self.usage.subscripts.get(letter);
+        let alone = alone.is_none_or(|all| all.iter().all(|s| axis(s).is_some()));
+        let moved = self.usage.get(letter).moving && taken(Quantity::Force);
+        moved && alone && !taken(Quantity::Position) && !self.components.contains_key(letter)
+    }
+
+    fn custom(&self, letter: &Letter) -> Option<Quantity> {
+        let used = self.usage.get(letter);
+        let directed = used.vector + used.component > 0;
+        let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
+        match letter.name.as_str() {
+            "omega" => Some(Quantity::AngularVelocity),
+            "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
+            "Omega" if directed => Some(Quantity::FrameRate),
+            "alpha" if directed => Some(Quantity::AngularAcceleration),
+            // Lagrange's function.
+            "L" if letter.calligraphic && !directed => None,
+            // Beside a momentum L, an H without index or arrow is Hamilton's function.
+            "H" if !directed && self.is_directed("L") => Some(Quantity::Energy),
+            "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
+            "h" | "ell" if directed && !taken(Quantity::Momentum) => Some(Quantity::Momentum),
+            "M" if directed || used.resultant > 0 => Some(Quantity::Moment),
+            "M" if used.bare > 0 && !self.weighs(letter) && !self.speaks_of_no_torque => {
+                Some(Quantity::Moment)
+            }
+            "tau" => Some(Quantity::Moment),
+            "N" | "Gamma" | "T" if directed && !self.has_moment() => Some(Quantity::Moment),
+            "I" | "J" if self.is_single_moment(letter) => None,
+            "I" | "J" => Some(Quantity::Inertia),
+            "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
+            "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
+            "E" if used.bare > 0
+                && self.speaks_of_energy
+                && !taken(Quantity::Energy)
+                && !self.has_bare("T") =>
+            {
+                Some(Quantity::Energy)
+            }
+            "F" if !used.moving => Some(Quantity::Force),
+            "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
+            "r" if used.vector > 0 => Some(Quantity::Position),
+            "v" | "V" if directed && self.drifts(letter) => Some(Quantity::CentreVelocity),
+            "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
+            "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
+            "m" => Some(Quantity::Mass),
+            "t" => Some(Quantity::Time),
+            _ => None,
+        }
+    }
+}

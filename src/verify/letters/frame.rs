@@ -1,0 +1,247 @@
+//! Which frame a label means: by the words of the document, by its other labels, or by custom.
+
+use crate::notation::ast::{FrameLabel, Kind, Node, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The frame that a derivative is taken in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Frame {
+    /// Of fixed orientation.
+    Space,
+    /// The axes used, which turn.
+    Moving,
+}
+
+/// Words that say of a frame that it turns, or does not; the first that fits decides.
+const WORDS: &[(Frame, &[&str])] = &[
+    (
+        Frame::Space,
+        &[
+            "not turn",
+            "not rotat",
+            "non-rotating",
+            "nonrotating",
+            "not mov",
+        ],
+    ),
+    (
+        Frame::Moving,
+        &[
+            "turn", "rotat", "moves", "moving", "body", "attached", "spin",
+        ],
+    ),
+    (
+        Frame::Space,
+        &[
+            "inertial",
+            "galile",
+            "newtonian",
+            "fixed",
+            "space",
+            "laborator",
+            "absolute",
+            "at rest",
+        ],
+    ),
+];
+/// How far behind a label words may still speak of it.
+const NEAR: usize = 80;
+
+/// The frames that a document names by labels.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Frames {
+    named: BTreeMap<String, Frame>,
+}
+
+impl Frames {
+    /// What a document says of the labels that it writes.
+    pub(crate) fn of(document: &Document) -> Self {
+        let mut written = BTreeSet::new();
+        for item in &document.items {
+            let Item::Formula(formula) = item else {
+                continue;
+            };
+            for row in &formula.rows {
+                if let Row::Line(line) = row {
+                    line.sides.iter().for_each(|side| {
+                        labels(side, &mut |label| {
+                            written.insert(key(&label.text));
+                        });
+                    });
+                }
+            }
+        }
+        let mut frames = Self::default();
+        if !written.is_empty() {
+            frames.by_words(document, &written);
+            frames.by_neighbours(&written);
+        }
+        frames
+    }
+
+    /// The frame of a label; `None` where nothing says which.
+    pub(crate) fn of_label(&self, label: &FrameLabel) -> Option<Frame> {
+        let named = self.named.get(&key(&label.text)).copied();
+        named.or_else(|| by_custom(&label.text))
+    }
+
+    /// "$R_0$ is a Galilean frame", "the body frame $B$".
+    fn by_words(&mut self, document: &Document, written: &BTreeSet<String>) {
+        let items = &document.items;
+        let prose = |at: Option<usize>| match at.and_then(|at| items.get(at)) {
+            Some(Item::Prose { text, .. }) => text.to_lowercase(),
+            _ => String::new(),
+        };
+        for (at, item) in items.iter().enumerate() {
+            let Item::Formula(formula) = item else {
+                continue;
+            };
+            let [Row::Expression(node)] = formula.rows.as_slice() else {
+                continue;
+            };
+            let Some(name) = name(node).filter(|name| written.contains(name)) else {
+                continue;
+            };
+            let before = prose(at.checked_sub(1));
+            let behind = prose(Some(at + 1));
+            let clause = behind.split(['.', ';', ',']).next().unwrap_or_default();
+            let clause: String = clause.chars().take(NEAR).collect();
+            let verb = [" is ", " be ", " turns ", " rotates ", " moves ", " does "]
+                .iter()
+                .any(|verb| clause.starts_with(verb));
+            let lead = before.rsplit(['.', ';', ',']).next().unwrap_or_default();
+            let lead = lead.trim_end();
+            let lead = ["frame", "axes", "frame of reference", "system", "observer"]
+                .iter()
+                .find_map(|noun| lead.strip_suffix(noun));
+            let noun: Option<String> = lead.map(|lead| {
+                let words: Vec<&str> = lead.rsplit(' ').take(3).collect();
+                words.join(" ")
+            });
+            let said = noun.as_deref().and_then(in_words);
+            let said = said.or_else(|| in_words(&clause).filter(|_| verb));
+            if let Some(frame) = said {
+                self.named.entry(name).or_insert(frame);
+            }
+        }
+    }
+
+    /// Beside an `R_0` an `R` turns, beside a `B'` that turns a `B` does not; of two labels one turns.
+    fn by_neighbours(&mut self, written: &BTreeSet<String>) {
+        let known = |frames: &Self, text: &str| {
+            let named = frames.named.get(text).copied();
+            named.or_else(|| by_custom(text))
+        };
+        for text in written {
+            let base = text.trim_end_matches(['0', '\'']);
+            let marked = text.len() > base.len() && written.contains(base);
+            if !marked || base.is_empty() {
+                continue;
+            }
+            let primed = text.ends_with('\'');
+            let (still, turning) = if primed {
+                (base, text.as_str())
+            } else {
+                (text.as_str(), base)
+            };
+            if known(self, still) == known(self, turning) && !self.named.contains_key(base) {
+                self.named.insert(still.to_owned(), Frame::Space);
+                self.named.insert(turning.to_owned(), Frame::Moving);
+            }
+        }
+        let both: Vec<&String> = written.iter().collect();
+        if let [first, second] = both.as_slice() {
+            for (one, other) in [(first, second), (second, first)] {
+                if let (Some(frame), None) = (known(self, one), known(self, other)) {
+                    self.named.insert((*other).clone(), frame.other());
+                }
+            }
+        }
+    }
+}
+
+impl Frame {
+    fn other(self) -> Self {
+        match self {
+            Self::Space => Self::Moving,
+            Self::Moving => Self::Space,
+        }
+    }
+}
+
+/// Goes through the labels of a tree.
+pub(crate) fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
+    match &node.kind {
+        Kind::TimeDerivative {
+            frame: Some(label), ..
+        }
+        | Kind::InFrame(_, label) => look(label),
+        _ => {}
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| labels(child, look));
+}
+
+fn in_words(text: &str) -> Option<Frame> {
+    let said = WORDS
+        .iter()
+        .find(|(_, words)| words.iter().any(|word| text.contains(word)));
+    said.map(|(frame, _)| *frame)
+}
+
+/// A label without the signs around it.
+fn key(label: &str) -> String {
+    label
+        .chars()
+        .filter(|c| c.is_alphanumeric() || *c == '\'')
+        .collect()
+}
+
+/// The label that a lone symbol would be.
+fn name(node: &Node) -> Option<String> {
+    let Kind::Symbol(Symbol {
+        name,
+        subscripts,
+        primes,
+        ..
+    }) = &node.kind
+    else {
+        return None;
+    };
+    let primes = "'".repeat((*primes).into());
+    Some(format!("{name}{}{primes}", subscripts.concat()))
+}
+
+/// The frame of a label by what people write.
+fn by_custom(label: &str) -> Option<Frame> {
+    let text: String = label.chars().filter(|c| c.is_alphanumeric()).collect();
+    let lower = text.to_lowercase();
+    let lower = lower
+        .strip_prefix("in")
+        .filter(|rest| rest.len() < 3 && !rest.is_empty())
+        .unwrap_or(&lower);
+    if label.trim() == "'" {
+        return Some(Frame::Moving);
+    }
+    match text.as_str() {
+        "XYZ" | "XY" | "N" | "A" | "E" | "OXYZ" | "S0" | "R0" | "F" | "I" | "S" | "R" => {
+            return Some(Frame::Space);
+        }
+        "xyz" | "xy" | "B" | "b" | "Oxyz" | "Gxyz" | "M" | "R1" | "S1" => {
+            return Some(Frame::Moving);
+        }
+        _ => {}
+    }
+    match lower {
+        "space" | "inertial" | "fixed" | "f" | "n" | "i" | "in" | "lab" | "abs" | "absolute"
+        | "world" | "w" | "inert" | "ground" | "0" | "s" | "fix" | "s0" | "r0" => {
+            Some(Frame::Space)
+        }
+        "body" | "rot" | "rotating" | "b" | "m" | "moving" | "rel" | "relative" | "bodyfixed"
+        | "r" | "rotate" | "turning" | "s1" | "r1" | "1" | "bodyaxes" | "rotatingframe"
+        | "local" => Some(Frame::Moving),
+        _ => None,
+    }
+}

@@ -1,0 +1,381 @@
+//! Which letter stands for which quantity, decided for the document as a whole.
+//!
+//! The words beside a letter come first ("the angular momentum $\mathbf h$"), then what letters usually mean
+//! in this field, given how they are used.
+
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::{Document, Format, Item, Row};
+use crate::verify::check::keep_end;
+use crate::verify::letters::attitude_reading::AttitudeReading;
+use crate::verify::letters::frame::Frames;
+use crate::verify::letters::rivals::has_differences;
+use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::words::moments_in_words::NamedMoment;
+use crate::verify::words::phrases::{
+    apposition, letters_named, reaches, said_after, said_before, speaks_of_wheels,
+};
+use crate::verify::words::prose::{Said, said};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What letters stand for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Reading {
+    /// Letters that are whole quantities, with components by index.
+    pub quantities: BTreeMap<Letter, Quantity>,
+    /// Letters without index that are one component: p, q, r; A, B, C; L, M, N.
+    pub components: BTreeMap<Letter, (Quantity, u8)>,
+    /// What a vector's letter is where it stands without mark and index: the mass M beside a moment **M**.
+    pub bare: BTreeMap<Letter, Quantity>,
+    /// How letters are used.
+    pub usage: Usage,
+    /// The frames that labels name.
+    pub frames: Frames,
+    /// The attitude matrix and the quaternion.
+    pub attitude: AttitudeReading,
+    /// Letters of vectors that are numbers in the line that is being read.
+    pub scalars: BTreeSet<Letter>,
+    votes: BTreeMap<(Letter, Quantity), usize>,
+    /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
+    pub plane: bool,
+    /// Whether two letters, A and C, stand for the three moments A, A, C.
+    pub symmetric: bool,
+    /// Whether a symbol that is used before its definition is what its use makes it.
+    pub by_use: bool,
+    /// Moments that the words give a letter.
+    pub moments: Vec<NamedMoment>,
+    /// Whether the words name products of inertia.
+    pub speaks_of_products: bool,
+    pub(crate) speaks_of_energy: bool,
+    pub(crate) speaks_of_no_torque: bool,
+    pub(crate) speaks_of_force: bool,
+    pub(crate) speaks_of_roll: bool,
+    speaks_of_wheels: bool,
+    /// Letters that stand alone on the left of a line.
+    pub(crate) left_sides: BTreeSet<Letter>,
+}
+
+/// Bytes before a formula in which words may name it.
+const NEAR: usize = 400;
+
+impl Reading {
+    /// Reads the letters of a document.
+    pub(crate) fn of(document: &Document) -> Self {
+        let mut reading = Self {
+            usage: Usage::of(document),
+            frames: Frames::of(document),
+            ..Self::default()
+        };
+        reading.listen(document);
+        reading.listed_moments(document);
+        reading.sequences(has_differences(document));
+        reading.by_moments(document);
+        reading.by_words();
+        reading.part_rivals(document);
+        reading.by_attitude(document);
+        reading.by_custom();
+        reading.by_coefficients(document);
+        reading.by_moment_law(document);
+        reading.in_a_plane();
+        reading.typed_w(document.format == Format::Text);
+        reading
+    }
+
+    /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
+    fn in_a_plane(&mut self) {
+        let turning = |q: &Quantity| {
+            matches!(
+                q,
+                Quantity::AngularVelocity
+                    | Quantity::AngularAcceleration
+                    | Quantity::Momentum
+                    | Quantity::Moment
+                    | Quantity::Inertia
+            )
+        };
+        let letters: Vec<(Letter, Quantity)> = self
+            .quantities
+            .iter()
+            .filter(|(_, q)| turning(q))
+            .map(|(l, q)| (l.clone(), *q))
+            .collect();
+        let number = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            let indices = self.usage.subscripts.get(letter);
+            let points = indices.is_none_or(|all| !all.iter().any(|s| runs(s)));
+            points && used.vector + used.tensor + used.component + used.double == 0
+        };
+        let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
+        let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);
+        let weighs = letters.iter().any(|(_, q)| *q == Quantity::Inertia);
+        let parts = self.components.values().any(|(q, _)| turning(q));
+        if turns && weighs && !parts && letters.iter().all(|(l, _)| number(l)) {
+            for (letter, quantity) in letters {
+                self.quantities.remove(&letter);
+                self.components.insert(letter, (quantity, 2));
+            }
+            self.plane = true;
+        }
+    }
+
+    /// Whether a vector's letter without a mark is a number: where the document sets it equal to a component, or where
+    /// only that makes sense of a line.
+    pub(crate) fn is_scalar(&self, letter: &Letter) -> bool {
+        let named = self.usage.components_named.contains_key(letter);
+        let number = named || self.usage.lengths.contains(letter);
+        self.scalars.contains(letter) || (number && self.usage.get(letter).crossed_bare == 0)
+    }
+
+    /// Whether some letter stands for a quantity or a component of it.
+    pub(crate) fn speaks_of(&self, quantity: Quantity) -> bool {
+        let mut whole = self.quantities.values();
+        let mut parts = self.components.values();
+        whole.any(|&q| q == quantity) || parts.any(|&(q, _)| q == quantity)
+    }
+
+    /// Whether a tilde makes a vector the matrix of its cross product: the `[\tilde\omega]` beside a vector ω.
+    pub(crate) fn marks_skew(&self, symbol: &Symbol) -> bool {
+        let letter = Letter::of(symbol);
+        let quantity = self.quantities.get(&letter);
+        symbol.style.tilde
+            && symbol.subscripts.iter().all(|s| axis(s).is_none())
+            && (self.usage.is_vector(&letter)
+                || quantity.is_some_and(|q| q.shape() == Shape::Vector))
+            && !self.usage.apart_under_tilde.contains(&letter)
+    }
+
+    /// Whether an e without a mark stands for unit vectors: it is only met with the number of an axis, and no line says
+    /// what it is.
+    pub(crate) fn numbers_unit_vectors(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        let met = self.usage.subscripts.get(letter);
+        letter.name == "e"
+            && used.bare == 0
+            && met.is_some_and(|all| all.iter().all(|s| axis(s).is_some()))
+            && !self.left_sides.contains(letter)
+    }
+
+    /// The letters of the attitude, those apart that stand for something else.
+    fn by_attitude(&mut self, document: &Document) {
+        let taken = |letter: &Letter| {
+            self.components.contains_key(letter) || self.quantities.contains_key(letter)
+        };
+        self.attitude = AttitudeReading::of(document, &taken);
+        if let Some(letter) = self.attitude.matrix.clone() {
+            self.quantities.insert(letter, Quantity::Attitude);
+        }
+    }
+
+    /// The readings in words, for the report.
+    pub(crate) fn describe(&self) -> Vec<String> {
+        let whole = self
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q != Quantity::Attitude)
+            .map(|(l, q)| format!("{}: {}", l.name, q.name()));
+        let parts = self.components.iter().map(|(l, (q, c))| {
+            format!(
+                "{}: {} of the {}",
+                l.name,
+                ["first", "second", "third"][usize::from(*c) % 3],
+                q.name()
+            )
+        });
+        whole.chain(parts).chain(self.attitude.describe()).collect()
+    }
+
+    /// Votes of the words that stand before and after a letter.
+    fn listen(&mut self, document: &Document) {
+        let mut before = String::new();
+        let mut last: Vec<Letter> = vec![];
+        let mut listed: Vec<Letter> = vec![];
+        // Whether no paragraph ended since the last formula.
+        let mut near = false;
+        for item in &document.items {
+            match item {
+                Item::Prose { text, .. } => {
+                    for (letter, quantity) in letters_named(text) {
+                        self.vote(Letter::plain(&letter), quantity, 3);
+                    }
+                    // "For the torque …" behind a display opens a sentence of its own.
+                    let opens = text.trim_start().starts_with(char::is_uppercase);
+                    let text = text.to_lowercase();
+                    self.supposed_constant(&before, &text, &mut listed);
+                    self.speaks_of_energy |= text.contains("energy");
+                    self.speaks_of_force |= text.contains("force");
+                    self.speaks_of_wheels |= speaks_of_wheels(&text);
+                    self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
+                    self.speaks_of_products |=
+                        text.contains("products of inertia") || text.contains("product of inertia");
+                    self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
+                    let after = said_after(&text).filter(|_| !opens);
+                    if let Some(quantity) = after.or_else(|| apposition(&text, near)) {
+                        last.drain(..)
+                            .for_each(|letter| self.vote(letter, quantity, 5));
+                    }
+                    before.push_str(&text);
+                    if let Some(end) = before.rfind(['.', '!', '?']) {
+                        before.drain(..=end);
+                    }
+                }
+                Item::Formula(formula) => {
+                    keep_end(&mut before, NEAR);
+                    let named = formula
+                        .rows
+                        .iter()
+                        .flat_map(named_letters)
+                        .collect::<Vec<_>>();
+                    let display = formula.display;
+                    let said = said_before(&before, |after| reaches(after, display));
+                    if let Some(quantity) = said {
+                        for letter in &named {
+                            self.vote(
+                                letter.clone(),
+                                quantity,
+                                if formula.display { 2 } else { 3 },
+                            );
+                        }
+                    }
+                    let lines = formula
+                        .rows
+                        .iter()
+                        .filter(|row| matches!(row, Row::Line(_)));
+                    self.left_sides.extend(lines.flat_map(named_letters));
+                    listed.extend(named.iter().cloned());
+                    last = named;
+                    near = !formula.display;
+                    if formula.display {
+                        before.clear();
+                    } else {
+                        before.push('⟨');
+                    }
+                }
+                Item::Heading { .. } => before.clear(),
+                Item::Break => near = false,
+                Item::Comment { .. } => {}
+            }
+        }
+    }
+
+    pub(crate) fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
+        // "The force at the end x": a coordinate.
+        if matches!(letter.name.as_str(), "x" | "y" | "z" | "t") {
+            return;
+        }
+        *self.votes.entry((letter, quantity)).or_default() += weight;
+    }
+
+    pub(crate) fn votes_for(&self, letter: &Letter, quantity: Quantity) -> usize {
+        self.votes
+            .get(&(letter.clone(), quantity))
+            .copied()
+            .unwrap_or(0)
+    }
+
+    /// Letters that the words name.
+    fn by_words(&mut self) {
+        let mut best: BTreeMap<&Letter, (usize, Quantity)> = BTreeMap::new();
+        for ((letter, quantity), votes) in &self.votes {
+            if best.get(letter).is_none_or(|(most, _)| votes > most) && self.fits(letter, *quantity)
+            {
+                best.insert(letter, (*votes, *quantity));
+            }
+        }
+        let chosen: Vec<_> = best.into_iter().map(|(l, (_, q))| (l.clone(), q)).collect();
+        let masses = self.votes.keys().filter(|(_, q)| *q == Quantity::Mass);
+        let apart = masses.map(|(letter, _)| letter.clone()).filter(|letter| {
+            let used = self.usage.get(letter);
+            used.bare > 0 && used.vector > 0 && self.is_mass(letter)
+        });
+        self.bare = apart.map(|letter| (letter, Quantity::Mass)).collect();
+        for (letter, quantity) in chosen {
+            self.quantities.entry(letter).or_insert(quantity);
+        }
+    }
+
+    /// Whether a letter may be the body's mass: an m, or an M without an m beside it.
+    fn is_mass(&self, letter: &Letter) -> bool {
+        // The m of dm stands in integrals alone.
+        let other = self.votes_for(&Letter::plain("m"), Quantity::Mass) > 0;
+        letter.name == "m" || letter.name == "M" && !other
+    }
+
+    /// Whether a letter is used as such a quantity is.
+    fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
+        let used = self.usage.get(letter);
+        match quantity {
+            // Beside a T, E is the sum of it and a potential energy.
+            Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
+            Quantity::Energy | Quantity::Power => used.bare > 0 && used.vector == 0,
+            Quantity::Inertia => {
+                matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
+                    && !self.components.contains_key(letter)
+            }
+            // An ω without an Ω beside it is the body's own.
+            Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
+            Quantity::FrameRate | Quantity::AngularVelocity => {
+                used.vector + used.component > 0
+                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
+            }
+            Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
+            Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
+            // "The moment of F": the force is meant, and its own letter stays its own.
+            Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
+                false
+            }
+            Quantity::Force
+                if matches!(letter.name.as_str(), "M" | "tau" | "Gamma" | "T" | "L") =>
+            {
+                false
+            }
+            Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
+            Quantity::RelativeMomentum => {
+                self.speaks_of_wheels && used.vector + used.component + used.bare > 0
+            }
+            _ => {
+                used.vector + used.component > 0
+                    && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
+            }
+        }
+    }
+}
+
+/// The letters that a row names: of an expression, or of the left side of a line.
+fn named_letters(row: &Row) -> Vec<Letter> {
+    let node = match row {
+        Row::Expression(node) => node,
+        Row::Line(line) if !line.continues => match line.sides.first() {
+            Some(side) => side,
+            None => return vec![],
+        },
+        _ => return vec![],
+    };
+    lone_letters(node)
+}
+
+/// The letter of a lone symbol, or the letters of the entries of a column.
+fn lone_letters(node: &Node) -> Vec<Letter> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol)
+            if symbol
+                .subscripts
+                .iter()
+                .all(|s| axis(s).is_some() || s.len() <= 2) =>
+        {
+            vec![Letter::of(symbol)]
+        }
+        Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
+            rows.iter().flatten().flat_map(lone_letters).collect()
+        }
+        Kind::Tuple(entries) => entries.iter().flat_map(lone_letters).collect(),
+        Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
+        _ => vec![],
+    }
+}
+
+/// Whether an index runs: i, jk, k+1.
+fn runs(index: &str) -> bool {
+    let mut letters = index.chars().filter(|c| c.is_alphabetic());
+    let runs = |c| matches!(c, 'i'..='n');
+    index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
+}

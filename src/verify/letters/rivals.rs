@@ -1,0 +1,61 @@
+//! Letters to which the words give one quantity, and which the document adds to one another: the control torque beside the
+//! external one. One of them at most is the whole.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Document;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::repair::lines;
+use crate::verify::values::quantity::Quantity;
+use std::collections::BTreeSet;
+
+impl Reading {
+    /// Of moments or momenta that are added to one another, those that a line of its own tells are symbols of the
+    /// document, and the others too where several are left.
+    pub(crate) fn part_rivals(&mut self, document: &Document) {
+        let sums: Vec<BTreeSet<Letter>> = lines(document)
+            .flat_map(|line| &line.sides)
+            .flat_map(sums)
+            .collect();
+        for quantity in [Quantity::Moment, Quantity::Momentum] {
+            let own = |letter: &&Letter| self.quantities.get(*letter) == Some(&quantity);
+            let rivals: BTreeSet<Letter> = sums
+                .iter()
+                .map(|sum| sum.iter().filter(own).cloned().collect::<Vec<_>>())
+                .filter(|letters| letters.len() > 1)
+                .flatten()
+                .collect();
+            let told = |letter: &&Letter| self.left_sides.contains(letter);
+            let untold = rivals.iter().filter(|l| !told(l)).count();
+            let parted = rivals.iter().filter(|l| told(l) || untold > 1);
+            for letter in parted.cloned().collect::<Vec<_>>() {
+                self.quantities.remove(&letter);
+            }
+        }
+    }
+}
+
+/// Whether the three differences of A, B and C stand in a document, as they do in Euler's equations.
+pub(crate) fn has_differences(document: &Document) -> bool {
+    let sums: Vec<BTreeSet<Letter>> = lines(document)
+        .flat_map(|line| &line.sides)
+        .flat_map(sums)
+        .collect();
+    let pairs = [["A", "B"], ["B", "C"], ["A", "C"]];
+    pairs
+        .iter()
+        .all(|pair| sums.contains(&pair.iter().map(|name| Letter::plain(name)).collect()))
+}
+
+/// The letters of the terms of each sum in a tree, where a term is a symbol by itself.
+fn sums(node: &Node) -> Vec<BTreeSet<Letter>> {
+    let mut found: Vec<BTreeSet<Letter>> = node.children().into_iter().flat_map(sums).collect();
+    if let Kind::Sum(terms) = &node.kind {
+        let lone = |node: &Node| match &inner(node).kind {
+            Kind::Symbol(symbol) if symbol.subscripts.is_empty() => Some(Letter::of(symbol)),
+            _ => None,
+        };
+        found.push(terms.iter().filter_map(|term| lone(&term.node)).collect());
+    }
+    found
+}

@@ -1,0 +1,83 @@
+//! Three letters in a row that are the components of one quantity: p, q, r; u, v, w; L, M, N; X, Y, Z; A, B, C.
+
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::Letter;
+use crate::verify::values::quantity::Quantity;
+
+impl Reading {
+    /// Takes the sequences that the document uses for components; `differences` of A, B and C show that they are moments.
+    pub(crate) fn sequences(&mut self, differences: bool) {
+        self.rates_and_velocities();
+        self.moments_in_a_row();
+        let forces = ["X", "Y", "Z"].map(Letter::plain);
+        let given = forces.iter().all(|l| self.left_sides.contains(l));
+        if self.speaks_of_force && given {
+            self.take_components(forces, Quantity::Force);
+        }
+        let moments = ["A", "B", "C"].map(Letter::plain);
+        let voted = differences
+            || moments
+                .iter()
+                .any(|l| self.votes_for(l, Quantity::Inertia) > 0);
+        let bare = moments.iter().all(|l| self.usage.get(l).bare > 0);
+        if voted && bare {
+            self.take_components(moments, Quantity::Inertia);
+        } else if voted && self.usage.get(&moments[0]).bare * self.usage.get(&moments[2]).bare > 0 {
+            let [a, _, c] = moments;
+            self.components.insert(a, (Quantity::Inertia, 0));
+            self.components.insert(c, (Quantity::Inertia, 2));
+            self.symmetric = true;
+        }
+    }
+
+    fn rates_and_velocities(&mut self) {
+        for names in [["p", "q", "r"], ["P", "Q", "R"]] {
+            let rates = names.map(Letter::plain);
+            let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
+            let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
+            if rates.iter().filter(|l| moving(l)).count() >= 2
+                || rates.iter().any(named)
+                || self.usage.lists(names)
+            {
+                self.take_components(rates, Quantity::AngularVelocity);
+            }
+        }
+        for names in [["u", "v", "w"], ["U", "V", "W"]] {
+            let velocities = names.map(Letter::plain);
+            let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
+            let all_move = [0, 2].iter().all(|&i| moving(&velocities[i]))
+                && self.usage.get(&velocities[1]).bare > 0;
+            if all_move || self.usage.lists(names) {
+                self.take_components(velocities, Quantity::CentreVelocity);
+            }
+        }
+    }
+
+    fn moments_in_a_row(&mut self) {
+        let rates = self.components.contains_key(&Letter::plain("p"));
+        for names in [["ell", "m", "n"], ["l", "m", "n"]] {
+            let lower = names.map(Letter::plain);
+            let sides = rates && lower.iter().all(|l| self.left_sides.contains(l));
+            let bare = lower.iter().all(|l| self.usage.get(l).bare > 0);
+            if bare && (sides || self.speaks_of_roll && names[0] == "ell") {
+                self.take_components(lower, Quantity::Moment);
+            }
+        }
+        for calligraphic in [true, false] {
+            let trio = ["L", "M", "N"].map(|name| Letter {
+                name: name.to_owned(),
+                calligraphic,
+            });
+            let bare = |l: &Letter| self.usage.get(l).bare > 0;
+            if trio.iter().all(bare) && self.usage.get(&trio[0]).component == 0 {
+                self.take_components(trio, Quantity::Moment);
+            }
+        }
+    }
+
+    fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
+        for (component, letter) in letters.into_iter().enumerate() {
+            self.components.insert(letter, (quantity, component as u8));
+        }
+    }
+}

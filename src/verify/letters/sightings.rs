@@ -1,0 +1,173 @@
+//! What the formulas of a document show of the letters in them.
+
+use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
+use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, worn};
+use crate::verify::values::written_out::{along_plain_units, plain_list};
+
+impl Usage {
+    pub(crate) fn line(&mut self, line: &Line) {
+        for side in &line.sides {
+            self.node(side);
+        }
+        self.lists.extend(line.sides.iter().filter_map(plain_list));
+        self.plain_units |= line.sides.iter().any(|side| along_plain_units(inner(side)));
+        let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
+        if !line.sides.iter().any(square) {
+            line.sides.iter().for_each(|side| self.under_tilde(side));
+        }
+        // What is set against a column is a vector, and against a square of numbers a tensor.
+        for pair in line.sides.windows(2) {
+            if let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
+                (&inner(&pair[0]).kind, &inner(&pair[1]).kind)
+                && rows.len() > 1
+                && !symbol.style.tilde
+            {
+                let used = self.letters.entry(Letter::of(symbol)).or_default();
+                match rows.first().map_or(0, Vec::len) {
+                    1 => used.vector += 1,
+                    _ => used.tensor += 1,
+                }
+            }
+        }
+        for pair in line.sides.windows(2) {
+            self.named_component(&pair[0], &pair[1]);
+            self.named_component(&pair[1], &pair[0]);
+            self.named_length(&pair[0], &pair[1]);
+        }
+    }
+
+    /// Notes letters with a tilde that are a side or a term.
+    fn under_tilde(&mut self, side: &Node) {
+        match &inner(side).kind {
+            Kind::Symbol(symbol) if symbol.style.tilde => {
+                self.apart_under_tilde.insert(Letter::of(symbol));
+            }
+            Kind::Sum(terms) => terms.iter().for_each(|term| self.under_tilde(&term.node)),
+            _ => {}
+        }
+    }
+
+    /// `L = |L|`: the bare letter is the length.
+    fn named_length(&mut self, bare: &Node, length: &Node) {
+        let (Kind::Symbol(bare), Kind::Norm(inside)) = (&inner(bare).kind, &inner(length).kind)
+        else {
+            return;
+        };
+        let of_its_own = matches!(&inner(inside).kind, Kind::Symbol(s) if s.name == bare.name && s.subscripts.is_empty());
+        if of_its_own && !bare.style.vector && bare.subscripts.is_empty() {
+            self.lengths.insert(Letter::of(bare));
+        }
+    }
+
+    /// `ω_z = ω`: the bare letter is that component.
+    fn named_component(&mut self, whole: &Node, part: &Node) {
+        let (Kind::Symbol(bare), Kind::Symbol(component)) = (&inner(whole).kind, &inner(part).kind)
+        else {
+            return;
+        };
+        let unmarked = !bare.style.vector && bare.subscripts.is_empty();
+        let index = component.subscripts.iter().find_map(|s| axis(s));
+        if let (true, Some(index)) = (unmarked && bare.name == component.name, index) {
+            self.components_named.insert(Letter::of(bare), index);
+        }
+    }
+
+    pub(crate) fn node(&mut self, node: &Node) {
+        match &node.kind {
+            Kind::Symbol(symbol) => self.symbol(symbol),
+            Kind::TimeDerivative { operand, .. } => {
+                self.moving(operand);
+                self.node(operand);
+            }
+            Kind::Call(head, arguments) => {
+                if arguments
+                    .iter()
+                    .any(|a| matches!(&a.kind, Kind::Symbol(s) if s.name == "t"))
+                {
+                    self.moving(head);
+                    if let Kind::Symbol(symbol) = &inner(head).kind {
+                        self.functions_of_time.insert(Letter::of(symbol));
+                    }
+                }
+                self.node(head);
+                arguments.iter().for_each(|a| self.node(a));
+            }
+            Kind::Skew(operand) => {
+                self.vector_operand(operand);
+                self.node(operand);
+            }
+            Kind::Product(factors) => {
+                self.crossed(factors);
+                factors.iter().for_each(|factor| self.node(&factor.node));
+            }
+            _ => node
+                .children()
+                .into_iter()
+                .for_each(|child| self.node(child)),
+        }
+    }
+
+    fn moving(&mut self, operand: &Node) {
+        if let Kind::Symbol(symbol) = &inner(operand).kind {
+            self.letters.entry(Letter::of(symbol)).or_default().moving = true;
+            self.moving.insert(worn(symbol));
+        }
+    }
+
+    /// The factors beside a × are vectors, other than the ℓ of `\mathbf k\times\ell\,\mathbf i`.
+    fn crossed(&mut self, factors: &[Factor]) {
+        let operands: Vec<&[Factor]> = factors
+            .chunk_by(|_, next| next.operator != Operator::Cross)
+            .collect();
+        for (i, operand) in operands.iter().enumerate() {
+            let marked = |f: &Factor| matches!(&inner(&f.node).kind, Kind::Symbol(s) if s.style.vector || s.style.hat);
+            // What stands behind a ∇ is no vector either.
+            let directed = |f: &Factor| marked(f) || matches!(f.node.kind, Kind::Error(_));
+            let ends = [
+                operand.first().filter(|_| i > 0),
+                operand.last().filter(|_| i + 1 < operands.len()),
+            ];
+            for end in ends.into_iter().flatten() {
+                if marked(end) || !operand.iter().any(directed) {
+                    self.vector_operand(&end.node);
+                }
+            }
+        }
+    }
+
+    fn vector_operand(&mut self, operand: &Node) {
+        if let Kind::Symbol(symbol) = &inner(operand).kind
+            && symbol.subscripts.iter().all(|s| axis(s).is_none())
+        {
+            let entry = self.letters.entry(Letter::of(symbol)).or_default();
+            entry.vector += 1;
+            entry.crossed_bare += usize::from(!symbol.style.vector && !symbol.style.bar);
+        }
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) {
+        let entry = self.letters.entry(Letter::of(symbol)).or_default();
+        let index = symbol.subscripts.iter().find_map(|s| axis(s));
+        let double = symbol.subscripts.iter().find_map(|s| axes(s));
+        if symbol.style.tensor {
+            entry.tensor += 1;
+        } else if double.is_some() {
+            entry.double += 1;
+        } else if index.is_some() {
+            entry.component += 1;
+        } else if symbol.style.vector || symbol.style.bar {
+            entry.vector += 1;
+            entry.hatted += usize::from(symbol.style.hat);
+        } else {
+            entry.bare += 1;
+            entry.hats += usize::from(symbol.style.hat);
+        }
+        entry.resultant += usize::from(symbol.resultant);
+        self.superscripts
+            .entry(Letter::of(symbol))
+            .or_default()
+            .insert(symbol.superscripts.clone());
+        let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
+        subscripts.extend(symbol.subscripts.iter().cloned());
+    }
+}

@@ -1,0 +1,182 @@
+//! Symbols whose index is a part of their name, not the number of an axis: `\mathbf r_2`, the ω₁ after a step from ω₀.
+
+use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::usage::{Letter, axis, inner, symbols};
+use crate::verify::values::written_out::is_directed;
+use std::collections::BTreeSet;
+
+/// A letter and what is written under it.
+type Name = (Letter, Vec<String>);
+
+/// The symbols of a document whose index is a part of the name.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Wholes {
+    /// Of any shape: `A_2 = [[…]]`.
+    named: BTreeSet<Name>,
+    /// Vectors among them that are told by a number.
+    vectors: BTreeSet<Name>,
+}
+
+impl Wholes {
+    /// Goes through every line of a document.
+    pub(crate) fn of(document: &Document) -> Self {
+        let mut wholes = Self::default();
+        let mut met: Vec<&Symbol> = vec![];
+        let mut used: Vec<&Symbol> = vec![];
+        let formulas = document.items.iter().filter_map(|item| match item {
+            Item::Formula(formula) => Some(formula),
+            _ => None,
+        });
+        for row in formulas.flat_map(|formula| &formula.rows) {
+            match row {
+                Row::Line(line) => {
+                    wholes.line(line);
+                    met.extend(line.sides.iter().flat_map(symbols));
+                    line.sides.iter().for_each(|side| crossed(side, &mut used));
+                    if line.sides.iter().flat_map(terms).any(is_cross) {
+                        used.extend(line.sides.iter().flat_map(terms).filter_map(lone));
+                    }
+                }
+                Row::Expression(node) => met.extend(symbols(node)),
+                Row::Unreadable { .. } => {}
+            }
+        }
+        used.retain(|symbol| number(symbol).is_some() && !is_basis(symbol));
+        for symbol in used {
+            wholes.numbered(symbol, &met);
+        }
+        wholes
+    }
+
+    /// Whether the index of a symbol is a part of its name.
+    pub(crate) fn names(&self, symbol: &Symbol) -> bool {
+        let name = (Letter::of(symbol), symbol.subscripts.clone());
+        self.named.contains(&name) || self.vectors.contains(&name)
+    }
+
+    /// Whether a symbol is a vector that a number tells from others of its letter.
+    pub(crate) fn is_vector(&self, symbol: &Symbol) -> bool {
+        let name = (Letter::of(symbol), symbol.subscripts.clone());
+        self.vectors.contains(&name)
+    }
+
+    fn line(&mut self, line: &Line) {
+        let [left, right, ..] = line.sides.as_slice() else {
+            return;
+        };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return;
+        };
+        let grid = matches!(&inner(right).kind, Kind::Matrix(rows) if rows.len() > 1);
+        let indexed = symbol.subscripts.iter().any(|s| axis(s).is_some());
+        if indexed && (grid || symbol.style.vector && is_directed(right, symbol)) {
+            self.named
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
+        }
+    }
+
+    /// Takes in a symbol with a number that is used as a vector, and with it the others of its letter.
+    fn numbered(&mut self, symbol: &Symbol, met: &[&Symbol]) {
+        let letter = Letter::of(symbol);
+        let same: Vec<&Symbol> = met
+            .iter()
+            .copied()
+            .filter(|s| Letter::of(s) == letter)
+            .collect();
+        let marked = |s: &Symbol| s.style.vector || s.style.bar;
+        let plain = |s: &Symbol| {
+            same.iter()
+                .any(|o| !marked(o) && o.subscripts == s.subscripts)
+        };
+        let axes = ["3", "x", "y", "z"];
+        let components = same
+            .iter()
+            .flat_map(|s| &s.subscripts)
+            .any(|s| axes.contains(&s.as_str()));
+        // ω₁ is the value after a step only beside an ω₀, and where no ω₃ is met.
+        let steps = |s: &Symbol| number(s).is_some_and(|n| axis(n).is_none());
+        let stepped = !components && same.iter().any(|s| steps(s));
+        for other in same.iter().filter(|s| number(s).is_some()) {
+            let whole = match (marked(symbol), marked(other)) {
+                (true, true) => steps(other) || !plain(other),
+                (false, false) => stepped || steps(other),
+                _ => false,
+            };
+            if whole {
+                let name = (letter.clone(), other.subscripts.clone());
+                self.vectors.insert(name);
+            }
+        }
+    }
+}
+
+/// The number under a symbol, if that is all that is written there: 0, 1, 1/2.
+fn number(symbol: &Symbol) -> Option<&str> {
+    let [index] = symbol.subscripts.as_slice() else {
+        return None;
+    };
+    let digits = index.chars().all(|c| c.is_ascii_digit() || c == '/');
+    (digits && !index.is_empty()).then_some(index)
+}
+
+/// Whether a symbol is a unit vector of some axes: `\mathbf e_1`.
+fn is_basis(symbol: &Symbol) -> bool {
+    let names = ["e", "b", "n", "u", "E", "i", "j", "k"];
+    symbol.style.hat || names.contains(&symbol.name.as_str())
+}
+
+/// The symbols that stand beside a ×, alone or in a sum.
+fn crossed<'a>(node: &'a Node, found: &mut Vec<&'a Symbol>) {
+    match &node.kind {
+        Kind::Product(factors) => {
+            let operands: Vec<&[Factor]> = factors
+                .chunk_by(|_, next| next.operator != Operator::Cross)
+                .collect();
+            if operands.len() > 1 {
+                // In `ω × I₁ ω` the vector is the product, unless a mark says that the first factor is one.
+                let vectors = operands.iter().flat_map(|operand| match operand {
+                    [only] => terms(&only.node),
+                    [first, .., last] => [&first.node, &last.node]
+                        .into_iter()
+                        .filter(|end| lone(end).is_some_and(|symbol| symbol.style.vector))
+                        .collect(),
+                    [] => vec![],
+                });
+                found.extend(vectors.filter_map(lone));
+            }
+        }
+        Kind::Skew(operand) => found.extend(terms(operand).into_iter().filter_map(lone)),
+        _ => {}
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| crossed(child, found));
+}
+
+/// The terms of a sum, or the node itself.
+fn terms(node: &Node) -> Vec<&Node> {
+    match &inner(node).kind {
+        Kind::Sum(terms) => terms.iter().map(|term| inner(&term.node)).collect(),
+        _ => vec![inner(node)],
+    }
+}
+
+/// Whether a term is a product with a ×, and not with a dot as well.
+fn is_cross(node: &Node) -> bool {
+    let Kind::Product(factors) = &node.kind else {
+        return false;
+    };
+    let has = |operator| factors.iter().any(|f| f.operator == operator);
+    has(Operator::Cross) && !has(Operator::Dot)
+}
+
+/// The symbol that a term is, but for its sign and dots.
+fn lone(node: &Node) -> Option<&Symbol> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        Kind::Negate(inside) => lone(inside),
+        Kind::TimeDerivative { operand, .. } => lone(operand),
+        _ => None,
+    }
+}

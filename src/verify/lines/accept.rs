@@ -1,0 +1,121 @@
+//! Assumptions, given lines and definitions: what a document adds to the laws.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::Node;
+use crate::verify::check::Checker;
+use crate::verify::lines::line::Read;
+use crate::verify::theory::decide::passes_filter;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::lower::TroubleKind;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::{Finding, Role, Verdict};
+
+impl Checker<'_> {
+    /// Takes a given line, an assumption or a definition in.
+    pub(crate) fn accept(&mut self, sides: &[Node], role: Role, finding: &mut Finding) {
+        let mut readings = match self.readings(sides) {
+            Ok(readings) => readings,
+            Err(trouble) if trouble.kind == TroubleKind::Unsupported => {
+                // What is only named, such as an integral that defines a product, contradicts nothing.
+                finding.verdict = if role == Role::Define {
+                    Verdict::Accepted
+                } else {
+                    Verdict::Undecided
+                };
+                finding.reason = Some(trouble.message);
+                return;
+            }
+            Err(trouble) => return self.troubled(sides, trouble, finding),
+        };
+        let holds = |checker: &mut Self, read: &Read| {
+            read.equations
+                .iter()
+                .all(|e| passes_filter(&mut checker.theory, &e.residual) == Some(true))
+        };
+        let index = (0..readings.len())
+            .find(|&i| holds(self, &readings[i]))
+            .unwrap_or(0);
+        let read = readings.swap_remove(index);
+        let residuals = against_last(&read);
+        if !residuals.iter().all(Fraction::is_valid) {
+            finding.reason = Some("something is divided by zero".to_owned());
+            return;
+        }
+        let left = read.equations.first().map(|e| e.left.entries.clone());
+        let left = left.unwrap_or_default();
+        let mut preferred: Vec<Variable> = left.iter().flat_map(Fraction::variables).collect();
+        // A momentum that is given says how the body turns.
+        let normals: Vec<Fraction> = left.iter().map(|entry| self.theory.normal(entry)).collect();
+        let omega = Some(Owner::Quantity(Quantity::AngularVelocity, String::new()));
+        let turning = normals.iter().flat_map(Fraction::variables);
+        preferred.extend(turning.filter(|&v| self.theory.atoms.owner(v) == omega.as_ref()));
+        let name = self.line_name(finding);
+        let definition = role == Role::Define;
+        if let Some(first) = read.equations.first() {
+            let left: Option<Vec<Variable>> = first
+                .left
+                .entries
+                .iter()
+                .map(Fraction::as_variable)
+                .collect();
+            self.mark_instant(&name, &left.unwrap_or_default(), &first.right.entries);
+        }
+        match self.theory.assume(Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition,
+        }) {
+            Taken::Contradiction if self.fits_rounded(sides, finding) => {}
+            Taken::Contradiction => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason =
+                    Some("nothing satisfies this together with what stands before".to_owned());
+                finding.residual = self.residual(&read);
+            }
+            Taken::Known => finding.verdict = Verdict::Accepted,
+            Taken::Solved | Taken::Kept => {
+                finding.verdict = Verdict::Accepted;
+                self.keep(&name, definition);
+            }
+        }
+        self.now_known(sides);
+    }
+
+    /// Whether numbers that contradict what stands before are those that it gives, rounded.
+    fn fits_rounded(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        if finding.role == Role::Claim || !self.is_in_numbers(&sides[1..]) {
+            return false;
+        }
+        let mut claim = finding.clone();
+        claim.role = Role::Claim;
+        self.claim(sides, &mut claim);
+        let fits = matches!(claim.verdict, Verdict::Proved(_));
+        if fits {
+            *finding = claim;
+        }
+        fits
+    }
+}
+
+/// What a line says, each side of a chain against the last: of `a = b = 0` that both are zero.
+fn against_last(read: &Read) -> Vec<Fraction> {
+    let mut residuals: Vec<Vec<Fraction>> = read
+        .equations
+        .iter()
+        .map(|e| e.residual.entries.clone())
+        .collect();
+    for i in (1..residuals.len()).rev() {
+        let (before, after) = residuals.split_at_mut(i);
+        let (Some(left), Some(right)) = (before.last_mut(), after.first()) else {
+            break;
+        };
+        if left.len() == right.len() {
+            left.iter_mut()
+                .zip(right)
+                .for_each(|(l, r)| *l += r.clone());
+        }
+    }
+    residuals.into_iter().flatten().collect()
+}

@@ -1,0 +1,240 @@
+//! Claims: proved, refuted or open.
+
+use crate::algebra::{Fraction, Proof};
+use crate::notation::ast::{Kind, Node, Relation};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{axes, axis, symbols};
+use crate::verify::lines::line::Read;
+use crate::verify::names;
+use crate::verify::theory::decide::{Decision, decide, needed};
+use crate::verify::values::atoms::Entity;
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::lower::{Trouble, TroubleKind};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::symbol::{MAGNITUDE, Meaning};
+use crate::verify::verdict::{Finding, Verdict};
+use num_traits::Zero;
+
+impl Checker<'_> {
+    pub(crate) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
+        let readings = match self.readings(sides) {
+            Ok(readings) => readings,
+            Err(trouble) => {
+                if !self.wrong_arithmetic(sides, finding) {
+                    self.troubled(sides, trouble, finding);
+                }
+                return;
+            }
+        };
+        let mut failed = None;
+        for read in readings {
+            match decide(&mut self.theory, &read.equations) {
+                Decision::True(proof) => return self.proved(&read, proof, finding),
+                other => failed = failed.or(Some((read, other))),
+            }
+        }
+        if let Some((read, decision)) = failed {
+            if matches!(decision, Decision::False(_))
+                && let Some(proof) = self.proved_without_moment(&read, finding.span)
+            {
+                return self.proved(&read, proof, finding);
+            }
+            let open = matches!(decision, Decision::Open(_));
+            if !open && self.names_components(sides, finding) {
+                return;
+            }
+            let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
+            if may_be_given && self.is_given(sides, &read) {
+                return self.given(sides, finding);
+            }
+            if self.settled_by_numbers(sides, &read, open, finding)
+                || self.holds_still(sides, finding)
+            {
+                return;
+            }
+            if self.lacks_numbers(sides) {
+                finding.reason = Some("nothing before gives the numbers for this".to_owned());
+                return;
+            }
+            self.failed(sides, &read, decision, finding);
+        }
+    }
+
+    pub(crate) fn proved(&mut self, read: &Read, proof: Proof, finding: &mut Finding) {
+        finding.uses = needed(&mut self.theory, &read.equations, &proof);
+        finding.conditions = self.conditions(&proof);
+        finding.verdict = Verdict::Proved(proof);
+        if read.to_order {
+            let order = "to the order of small quantities to which it is written";
+            finding.remarks.push(order.to_owned());
+        }
+        if read.ambiguous && self.dots.is_none() {
+            let seen = match read.unlabelled {
+                Frame::Space => "a dot without a frame is read as the rate seen from space",
+                Frame::Moving => "a dot without a frame is read as the rate on the axes used",
+            };
+            finding.remarks.push(seen.to_owned());
+        }
+    }
+
+    /// Denominators that must not vanish.
+    pub(crate) fn conditions(&mut self, proof: &Proof) -> Vec<String> {
+        let mut conditions = vec![];
+        for below in proof.arguments().iter().flat_map(|a| &a.conditions) {
+            // The length of a unit quaternion needs no mention.
+            if self
+                .theory
+                .normal(&Fraction::from(below.clone()))
+                .to_rational()
+                .is_some()
+            {
+                continue;
+            }
+            let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
+            if !conditions.contains(&text) {
+                conditions.push(text);
+            }
+        }
+        conditions
+    }
+
+    pub(crate) fn failed(
+        &mut self,
+        sides: &[Node],
+        read: &Read,
+        decision: Decision,
+        finding: &mut Finding,
+    ) {
+        let unknown = self.unknown_in(sides, Some(read));
+        let loose = match decision {
+            Decision::False(_) => self.doubt(read),
+            _ => None,
+        };
+        let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);
+        match decision {
+            Decision::Open(reason) => finding.reason = Some(reason),
+            _ if approximate => {
+                finding.reason =
+                    Some("an approximation is decided where both sides are numbers".to_owned());
+            }
+            _ if unknown.is_some() => {
+                finding.reason = unknown.map(|name| format!("nothing before says what {name} is"));
+            }
+            Decision::FalseWithoutWitness => {
+                finding.reason = Some(
+                    "it differs in the prime field, and no small counterexample was found"
+                        .to_owned(),
+                );
+            }
+            Decision::False(_) if loose.is_some() => {
+                finding.reason = loose;
+            }
+            Decision::False(witness) => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason = Some("the sides differ".to_owned());
+                finding.counterexample = Some(*witness);
+                finding.residual = self.residual(read);
+                self.carry(&read.equations, finding);
+            }
+            Decision::True(_) => {}
+        }
+    }
+
+    /// The first component that is not zero, in the author's symbols.
+    pub(crate) fn residual(&mut self, read: &Read) -> Option<String> {
+        read.residuals().find_map(|entry| {
+            let reduced = self.theory.normal(entry);
+            let entry = &self.theory.kernels_reduced(entry.clone());
+            let shown = if entry.numerator().len() <= reduced.numerator().len() {
+                entry
+            } else {
+                &reduced
+            };
+            (!reduced.is_zero()).then(|| names::fraction(&self.theory.atoms, shown))
+        })
+    }
+
+    pub(crate) fn troubled(&mut self, sides: &[Node], trouble: Trouble, finding: &mut Finding) {
+        finding.place = trouble.span;
+        let sure = trouble.kind == TroubleKind::IllTyped
+            && self.unknown(sides).is_none()
+            && self.all_marked(sides);
+        finding.verdict = match trouble.kind {
+            TroubleKind::Unreadable => Verdict::Unreadable,
+            TroubleKind::IllTyped if sure => Verdict::Refuted,
+            _ => Verdict::Undecided,
+        };
+        finding.reason = Some(trouble.message);
+    }
+
+    /// Whether every symbol shows its kind by a mark or an index, or is a quantity of the theory.
+    pub(crate) fn all_marked(&mut self, sides: &[Node]) -> bool {
+        if sides.iter().any(has_list) {
+            return false;
+        }
+        sides.iter().flat_map(symbols).all(|symbol| {
+            let index = symbol.subscripts.iter().any(|s| axis(s).is_some() || axes(s).is_some());
+            let marked = symbol.style.vector || index;
+            marked || !matches!(
+                self.meaning_of(symbol),
+                Meaning::Whole(entity) if !matches!(self.theory.atoms.info(entity).shape, Shape::Scalar)
+            )
+        })
+    }
+
+    /// A symbol of the line that neither the document nor the theory has given a meaning, or a quantity that nothing
+    /// determines.
+    pub(crate) fn unknown(&mut self, sides: &[Node]) -> Option<String> {
+        self.unknown_in(sides, None)
+    }
+
+    /// The same for a line that fails, but for symbols that the difference is a multiple of: it fails whatever they are.
+    fn unknown_in(&mut self, sides: &[Node], failed: Option<&Read>) -> Option<String> {
+        for symbol in sides.iter().flat_map(symbols) {
+            let Some(entity) = self.entity_named(symbol) else {
+                continue;
+            };
+            let info = self.theory.atoms.info(entity).clone();
+            let strange = match &info.owner {
+                Owner::Symbol(_) => true,
+                Owner::Quantity(quantity, variant) => {
+                    !variant.is_empty()
+                        && variant != MAGNITUDE
+                        && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
+                }
+            };
+            // The arrow from one point to another says itself what it is.
+            let arrow = symbol.style.vector
+                && symbol.name.len() > 1
+                && symbol.name.chars().all(|c| c.is_ascii_uppercase());
+            let unknown = strange && !arrow && !self.known.contains(&entity);
+            let scales = failed.is_some_and(|read| self.only_scales(entity, read));
+            if unknown && !scales && self.is_free(entity) {
+                return Some(format!("`{}`", symbol.name));
+            }
+        }
+        None
+    }
+}
+
+impl Checker<'_> {
+    /// Whether a difference is a power of a symbol that earlier lines have, times something without it.
+    fn only_scales(&mut self, entity: Entity, read: &Read) -> bool {
+        let variable = self.theory.atoms.part(entity, 0, 0);
+        let scalar = self.theory.atoms.info(entity).shape == Shape::Scalar;
+        let mut entries = read.residuals().map(|entry| self.theory.normal(entry));
+        let scales = entries.all(|rest| {
+            let above = rest.numerator();
+            let degree = above.degree_in(variable);
+            let lower = (0..degree).all(|k| above.coefficient_of(variable, k).is_zero());
+            rest.is_zero() || degree > 0 && lower
+        });
+        self.displayed && scalar && scales && self.theory.mentions_entity(entity)
+    }
+}
+
+/// Whether a list stands in a node: what brackets around several things mean is the author's own.
+fn has_list(node: &Node) -> bool {
+    matches!(node.kind, Kind::Tuple(_)) || node.children().into_iter().any(has_list)
+}

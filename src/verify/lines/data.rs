@@ -1,0 +1,254 @@
+//! Data: values in numbers that a document hands over, and lines that need them.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::lines::decimals::holds_decimals;
+use crate::verify::lines::numbers::Numerical;
+use crate::verify::theory::decide::{Decision, decide};
+use crate::verify::theory::{MOMENTARY, Name, Rule, Taken, Theory};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::figures::{Alternative, is_number};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
+use std::collections::BTreeSet;
+
+impl Checker<'_> {
+    /// A free symbol, its value in numbers, and that value worked out: the first pair is data, the others are claims.
+    pub(crate) fn works_out(&mut self, sides: &[Node], role: Role, finding: &mut Finding) -> bool {
+        // Numbers on all sides can be checked, whatever the words make of them.
+        let lone = sides.first().is_some_and(|side| self.is_free_symbol(side));
+        let known = sides.len() > 1 && !lone && role != Role::Claim;
+        if known && self.is_in_numbers(sides) {
+            self.claim(sides, finding);
+            return true;
+        }
+        if sides.len() < 3 || !lone || !self.is_in_numbers(&sides[1..]) {
+            return false;
+        }
+        self.accept(&sides[..2], role, finding);
+        if finding.verdict != Verdict::Accepted {
+            return true;
+        }
+        finding.verdict = Verdict::Undecided;
+        let before = std::mem::take(&mut finding.remarks);
+        self.claim(&sides[1..], finding);
+        finding.remarks.splice(0..0, before);
+        true
+    }
+
+    /// Reads letters as numbers that were given as numbers before; `false` where the line makes no sense so.
+    pub(crate) fn given_scalars(&mut self, sides: &[Node]) -> bool {
+        let bare = |s: &&Symbol| !s.style.vector && s.subscripts.is_empty();
+        let letters = sides.iter().flat_map(symbols).filter(bare).map(Letter::of);
+        let known = |letter: &Letter| self.figures.scalars.contains(letter);
+        let scalars: BTreeSet<Letter> = letters.filter(known).collect();
+        if scalars.is_empty() {
+            return false;
+        }
+        self.reading.scalars = scalars;
+        let fits = self.read(sides, Frame::Moving).is_ok();
+        if !fits {
+            self.reading.scalars.clear();
+        }
+        fits
+    }
+
+    /// Whether a side is a lone symbol of which nothing says the value.
+    fn is_free_symbol(&mut self, side: &Node) -> bool {
+        matches!(inner(side).kind, Kind::Symbol(_)) && self.is_free_value(side)
+    }
+
+    /// Whether a side stands for variables of which nothing says the value.
+    pub(crate) fn is_free_value(&mut self, side: &Node) -> bool {
+        let Ok(value) = self.lowering(Frame::Moving).value(side) else {
+            return false;
+        };
+        let mut free = |entry: &Fraction| {
+            let variable = entry.as_variable();
+            variable.is_some_and(|v| {
+                matches!(self.theory.atoms.atom(v), Atom::Part { .. })
+                    && self.theory.normal(entry) == variable_fraction(v)
+            })
+        };
+        value.entries.iter().all(&mut free)
+    }
+
+    /// Whether all sides come down to numbers.
+    pub(crate) fn is_in_numbers(&mut self, sides: &[Node]) -> bool {
+        sides.iter().all(|side| {
+            let value = self.lowering(Frame::Moving).value(side);
+            value.is_ok_and(|value| {
+                value.entries.iter().all(|entry| {
+                    let normal = self.theory.normal(entry);
+                    is_number(&self.theory.atoms, &normal)
+                })
+            })
+        })
+    }
+
+    /// Whether a line sets numbers with a decimal point against something of which the numbers are not known.
+    pub(crate) fn lacks_numbers(&mut self, sides: &[Node]) -> bool {
+        let figures = |side: &Node| symbols(side).is_empty() && holds_decimals(side);
+        sides.iter().any(figures) && !self.is_in_numbers(sides)
+    }
+
+    /// Sides without symbols that are worked out wrongly refute a line, whatever its other sides mean.
+    pub(crate) fn wrong_arithmetic(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let plain = |side: &Node| symbols(side).into_iter().all(|s| s.name == "pi");
+        for (i, pair) in sides.windows(2).enumerate() {
+            if !pair.iter().all(plain) {
+                continue;
+            }
+            let after = sides.len() - 2 - i;
+            if let Numerical::Fails(shown, place, value, _) =
+                self.by_numbers(pair, after, Frame::Moving)
+            {
+                self.wrong_digits(&pair[shown], place, &value, finding);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// A vector that moves, given in numbers, is so at one instant: its rate is not zero for that.
+    pub(crate) fn mark_instant(&mut self, name: &str, left: &[Variable], right: &[Fraction]) {
+        let moves = |checker: &Self, variable: Variable| match *checker.theory.atoms.atom(variable)
+        {
+            Atom::Part {
+                entity, order: 0, ..
+            } => match checker.theory.atoms.info(entity).owner {
+                Owner::Quantity(quantity, _) => matches!(
+                    quantity,
+                    Quantity::AngularVelocity
+                        | Quantity::FrameRate
+                        | Quantity::Momentum
+                        | Quantity::Position
+                        | Quantity::Velocity
+                ),
+                Owner::Symbol(_) => !checker.theory.atoms.info(entity).constant,
+            },
+            _ => false,
+        };
+        let moving = !left.is_empty() && left.iter().all(|&v| moves(self, v));
+        let values = right.iter().map(|entry| self.theory.normal(entry));
+        let values: Vec<Fraction> = values.collect();
+        let numbers = values.iter().all(|v| is_number(&self.theory.atoms, v));
+        if moving && numbers && values.iter().any(|v| !v.is_zero()) {
+            self.theory.instants.insert(name.to_owned());
+        }
+    }
+
+    /// Whether a line holds if what is given in numbers stays as it is.
+    pub(crate) fn holds_still(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        if self.theory.instants.is_empty() {
+            return false;
+        }
+        let instants = std::mem::take(&mut self.theory.instants);
+        let steady = self.theory.rebuild() != Taken::Contradiction;
+        let mut holds = false;
+        if steady && let Ok(readings) = self.readings(sides) {
+            for read in readings {
+                if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
+                    self.proved(&read, proof, finding);
+                    finding
+                        .remarks
+                        .push("what is given in numbers is taken as constant".to_owned());
+                    holds = true;
+                    break;
+                }
+            }
+        }
+        self.theory.instants = instants;
+        self.theory.rebuild();
+        holds
+    }
+}
+
+impl Theory {
+    /// Works with other values in the place of what gives some variables; `None` where these contradict the rest.
+    pub(crate) fn with_values<R>(
+        &mut self,
+        values: &[Alternative],
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> Option<R> {
+        if values.is_empty() {
+            return Some(work(self));
+        }
+        let mut left_out = self.left_out.clone();
+        for value in values {
+            if let Atom::Part {
+                entity, component, ..
+            } = *self.atoms.atom(value.variable)
+            {
+                let parts = [component, component | MOMENTARY];
+                let rules = parts.map(|c| self.rules.get(&(entity, c)));
+                left_out.extend(
+                    rules
+                        .into_iter()
+                        .flatten()
+                        .map(|(_, rule)| rule.name.clone()),
+                );
+            }
+        }
+        let fixed = std::mem::replace(&mut self.fixed, values.to_vec());
+        let result = self.without(left_out, |theory| {
+            (theory.rebuild() != Taken::Contradiction).then(|| work(theory))
+        });
+        self.fixed = fixed;
+        result
+    }
+
+    /// Leaves out what gives these symbols values in numbers, as a derivative in them is one of the formula and not of
+    /// its value; what was left out before is returned.
+    pub(crate) fn leave_out_point(&mut self, by: &Value) -> BTreeSet<Name> {
+        let before = self.left_out.clone();
+        for variable in by.entries.iter().filter_map(Fraction::as_variable) {
+            let Some(rule) = self.rule(variable) else {
+                continue;
+            };
+            let document = self.premises().iter().any(|p| p.name == rule.name);
+            let value = self.normal(&rule.value);
+            if document && is_number(&self.atoms, &value) {
+                self.left_out.insert(rule.name);
+            }
+        }
+        before
+    }
+
+    /// Puts the other values in force.
+    pub(crate) fn put_fixed(&mut self) {
+        for fixed in self.fixed.clone() {
+            if self.left_out.contains(&fixed.name) {
+                continue;
+            }
+            let residual = variable_fraction(fixed.variable) - fixed.value.clone();
+            let rule = Rule {
+                name: fixed.name,
+                value: fixed.value.into(),
+            };
+            self.insert(fixed.variable, &residual, rule);
+        }
+    }
+
+    /// Every variable that some fractions lead to.
+    pub(crate) fn reached_variables<'a>(
+        &mut self,
+        fractions: impl Iterator<Item = &'a Fraction>,
+    ) -> BTreeSet<Variable> {
+        let mut open: Vec<Variable> = fractions.flat_map(Fraction::variables).collect();
+        let mut seen = BTreeSet::new();
+        while let Some(variable) = open.pop() {
+            if seen.insert(variable)
+                && let Some(rule) = self.rule(variable)
+            {
+                open.extend(rule.value.variables());
+            }
+        }
+        seen
+    }
+}

@@ -1,0 +1,293 @@
+//! Definitions: lines that give a symbol its meaning.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Line, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::names;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
+use crate::verify::values::lower::{FunctionOf, TroubleKind};
+use crate::verify::values::quantity::Shape;
+use crate::verify::values::symbol::{ANY_POINT, Meaning};
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Role, Verdict};
+
+/// Rows and columns of a matrix that a symbol may stand for.
+const LARGEST: usize = 12;
+
+impl Checker<'_> {
+    /// A line whose left side is a symbol without a meaning gives it one. Further sides of a chain are then claims.
+    pub(crate) fn defines(
+        &mut self,
+        sides: &[Node],
+        line: &Line,
+        role: Role,
+        finding: &mut Finding,
+    ) -> bool {
+        if self.defines_function(sides, finding) {
+            return true;
+        }
+        let [left, right, rest @ ..] = sides else {
+            return false;
+        };
+        let Some((entity, place)) = self.new_symbol(left) else {
+            return rest.is_empty()
+                && (self.defines_entries(left, right, finding)
+                    || self.defines_power(sides, finding));
+        };
+        if self.entities([right]).contains(&entity) || line.continues {
+            return false;
+        }
+        if role == Role::Claim && self.is_in_doubt(entity) {
+            let symbol = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
+            let name = names::latex(&self.theory.atoms, symbol);
+            finding.reason = Some(format!("a line about `{name}` was left open before"));
+            return true;
+        }
+        // What is said of a symbol that earlier lines have already may follow from them, or not.
+        if role == Role::Claim
+            && self.theory.mentions_part(entity, place)
+            && !self.is_new_fact(sides)
+        {
+            let mut tried = finding.clone();
+            self.claim(sides, &mut tried);
+            if matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+                *finding = tried;
+                return true;
+            }
+        }
+        let value = match self.lowering(Frame::Moving).value(right) {
+            Ok(value) => value,
+            Err(trouble) => {
+                if trouble.kind == TroubleKind::Unsupported && role != Role::Claim {
+                    finding.verdict = Verdict::Accepted;
+                    self.known.insert(entity);
+                } else {
+                    self.troubled(sides, trouble, finding);
+                }
+                return true;
+            }
+        };
+        let Some(residuals) = self.bind(entity, place, &value) else {
+            return false;
+        };
+        let preferred: Vec<Variable> = residuals.iter().map(|(v, _)| *v).collect();
+        let residuals = residuals.into_iter().map(|(_, r)| r).collect();
+        let name = self.line_name(finding);
+        // What earlier lines have already is narrowed down, for as long as the section goes.
+        let definition = role != Role::Assume || !self.theory.mentions_part(entity, place);
+        self.mark_instant(&name, &preferred, &value.entries);
+        if self.theory.assume(Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition,
+        }) == Taken::Contradiction
+        {
+            return false;
+        }
+        self.keep(&name, definition);
+        self.known.insert(entity);
+        finding.verdict = Verdict::Accepted;
+        if role == Role::Claim {
+            finding.role = Role::Define;
+        }
+        if !rest.is_empty() {
+            finding.role = role;
+            finding.verdict = Verdict::Undecided;
+            self.claim(&sides[1..], finding);
+        }
+        true
+    }
+
+    /// `2E = …`, `M^2 = …` for an E and an M that nothing has said anything of.
+    fn defines_power(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let whole = |node: &Node| matches!(node.kind, Kind::Number(_));
+        let bases: Vec<&Node> = match &inner(&sides[0]).kind {
+            Kind::Power(base, exponent) if whole(exponent) => vec![base],
+            Kind::Product(factors) => {
+                let factors = factors.iter().map(|f| match &f.node.kind {
+                    Kind::Power(base, exponent) if whole(exponent) => base,
+                    _ => &f.node,
+                });
+                factors.filter(|node| !whole(node)).collect()
+            }
+            _ => return false,
+        };
+        let [base] = bases.as_slice() else {
+            return false;
+        };
+        let Some((entity, None)) = self.new_symbol(base) else {
+            return false;
+        };
+        if self.known.contains(&entity) || self.theory.mentions_entity(entity) {
+            return false;
+        }
+        let mut others = sides[1..].iter().flat_map(symbols);
+        if others.any(|symbol| self.meaning_of(symbol) == Meaning::Whole(entity)) {
+            return false;
+        }
+        self.accept(sides, Role::Define, finding);
+        let accepted = finding.verdict == Verdict::Accepted;
+        if accepted {
+            finding.role = Role::Define;
+        }
+        accepted
+    }
+
+    /// A matrix of new symbols on the left, with signs or zeros among them: each gets its value.
+    fn defines_entries(&mut self, left: &Node, right: &Node, finding: &mut Finding) -> bool {
+        let Kind::Matrix(rows) = &inner(left).kind else {
+            return false;
+        };
+        let mut new: Vec<Entity> = vec![];
+        for entry in rows.iter().flatten() {
+            let entry = match &inner(entry).kind {
+                Kind::Negate(inside) => inside,
+                Kind::Number(_) => continue,
+                _ => entry,
+            };
+            match self.new_symbol(entry) {
+                Some((entity, None)) if !self.known.contains(&entity) => new.push(entity),
+                _ => return false,
+            }
+        }
+        let sides = [left.clone(), right.clone()];
+        let Ok(read) = self.read(&sides, Frame::Moving) else {
+            return false;
+        };
+        for &entity in &new {
+            self.theory.atoms.info_mut(entity).constant = false;
+        }
+        let preferred = new
+            .iter()
+            .map(|&e| self.theory.atoms.part(e, 0, 0))
+            .collect();
+        let residuals = read
+            .equations
+            .into_iter()
+            .flat_map(|e| e.residual.entries)
+            .collect();
+        let name = self.line_name(finding);
+        let premise = Premise {
+            name: name.clone(),
+            residuals,
+            preferred,
+            definition: true,
+        };
+        if self.theory.assume(premise) != Taken::Solved || new.is_empty() {
+            self.theory.retain(|premise| premise.name != name);
+            return false;
+        }
+        self.keep(&name, true);
+        self.known.extend(new);
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Define;
+        true
+    }
+
+    /// The entity of a lone symbol, or of a component, that has no meaning yet.
+    pub(crate) fn new_symbol(&mut self, node: &Node) -> Option<(Entity, Option<u8>)> {
+        let Kind::Symbol(symbol) = &inner(node).kind else {
+            return None;
+        };
+        let (entity, place) = match self.meaning_of(symbol) {
+            Meaning::Whole(entity) => (entity, None),
+            Meaning::Component(entity, component) => (entity, Some(component)),
+            _ => return None,
+        };
+        let owner = self.theory.atoms.info(entity).owner.clone();
+        let strange = match &owner {
+            Owner::Symbol(_) => true,
+            Owner::Quantity(_, variant) => !variant.is_empty() && variant != ANY_POINT,
+        };
+        // τ_i with a running index is no new symbol but each component of a known one.
+        let running = symbol
+            .subscripts
+            .iter()
+            .any(|s| matches!(s.as_str(), "i" | "j" | "k" | "l"));
+        let known_letter = self.reading.quantities.contains_key(&Letter::of(symbol));
+        if running && known_letter {
+            return None;
+        }
+        let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
+        (strange && self.theory.rule(variable).is_none()).then_some((entity, place))
+    }
+
+    /// Residuals that say that an entity, or one component, has a value; its shape becomes the value's.
+    pub(crate) fn bind(
+        &mut self,
+        entity: Entity,
+        place: Option<u8>,
+        value: &Value,
+    ) -> Option<Vec<(Variable, Fraction)>> {
+        let shape = match (value.rows, value.columns) {
+            (1, 1) => Shape::Scalar,
+            (3, 1) | (1, 3) => Shape::Vector,
+            (3, 3) => Shape::Matrix,
+            (rows @ 1..=LARGEST, columns @ 1..=LARGEST) => Shape::Grid(rows as u8, columns as u8),
+            _ => return None,
+        };
+        self.theory.atoms.info_mut(entity).constant = false;
+        let mut residual = |component: u8, entry: &Fraction| {
+            let variable = self.theory.atoms.part(entity, component, 0);
+            (variable, variable_fraction(variable) - entry.clone())
+        };
+        if let Some(component) = place {
+            return (shape == Shape::Scalar).then(|| vec![residual(component, &value.entries[0])]);
+        }
+        let bound = value
+            .entries
+            .iter()
+            .enumerate()
+            .map(|(i, e)| residual(i as u8, e))
+            .collect();
+        self.theory.atoms.info_mut(entity).shape = shape;
+        Some(bound)
+    }
+
+    /// `F(ω) = …` defines a function.
+    pub(crate) fn defines_function(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Call(head, arguments) = &left.kind else {
+            return false;
+        };
+        let (Some((entity, None)), [argument]) = (self.new_symbol(head), arguments.as_slice())
+        else {
+            return false;
+        };
+        if matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t") {
+            return false;
+        }
+        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+            return false;
+        };
+        let mut lowering = self.lowering(Frame::Moving);
+        let (Ok(value), Ok(at)) = (lowering.value(right), lowering.value(argument)) else {
+            return false;
+        };
+        let Some(parameter) = at.entries.iter().map(Fraction::as_variable).collect() else {
+            return false;
+        };
+        let Some(residuals) = self.bind(entity, None, &value) else {
+            return false;
+        };
+        let preferred = residuals.iter().map(|(v, _)| *v).collect();
+        let residuals = residuals.into_iter().map(|(_, r)| r).collect();
+        let line = self.line_name(finding);
+        self.theory.assume(Premise {
+            name: line.clone(),
+            residuals,
+            preferred,
+            definition: true,
+        });
+        self.keep(&line, true);
+        self.functions.insert(name, FunctionOf { parameter, value });
+        self.known.insert(entity);
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Define;
+        true
+    }
+}

@@ -1,0 +1,271 @@
+//! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
+
+use crate::algebra::{Fraction, Monomial, Rational};
+use crate::notation::ast::{Function, Kind, Line};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::lines::line::Read;
+use crate::verify::names;
+use crate::verify::reason::leaves_no_doubt;
+use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// What earlier lines leave in doubt.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Doubts {
+    /// Symbols of the document in lines that were left open.
+    symbols: BTreeSet<Entity>,
+    /// The line that sets the body or its motion up, and was left open.
+    setting: Option<String>,
+}
+
+/// Quantities that set a body and its motion up.
+const SETTING: &[Quantity] = &[
+    Quantity::Inertia,
+    Quantity::AngularVelocity,
+    Quantity::FrameRate,
+    Quantity::Momentum,
+    Quantity::Moment,
+];
+
+impl Checker<'_> {
+    /// Notes what a line that was left open leaves in doubt.
+    pub(crate) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
+        let open = match finding.verdict {
+            Verdict::Undecided => !finding.reason.as_deref().is_some_and(leaves_no_doubt),
+            Verdict::Unreadable => true,
+            _ => false,
+        };
+        if !open {
+            return;
+        }
+        let mut sets_up = finding.role != Role::Claim;
+        for side in &line.sides {
+            let lone = matches!(inner(side).kind, Kind::Symbol(_));
+            for entity in self.entities([side]) {
+                match &self.theory.atoms.info(entity).owner {
+                    Owner::Quantity(quantity, variant) if variant.is_empty() => {
+                        sets_up |= lone && SETTING.contains(quantity);
+                    }
+                    _ => {
+                        self.doubts.symbols.insert(entity);
+                    }
+                }
+            }
+        }
+        if sets_up && self.doubts.setting.is_none() {
+            self.doubts.setting = Some(self.line_name(finding));
+        }
+    }
+
+    /// Whether a line that was left open speaks of an entity.
+    pub(crate) fn is_in_doubt(&self, entity: Entity) -> bool {
+        self.doubts.symbols.contains(&entity)
+    }
+
+    /// Why a difference need not be a mistake of this line; `None` where it must be one.
+    pub(crate) fn doubt(&mut self, read: &Read) -> Option<String> {
+        if let Some(name) = self.untied(read) {
+            return Some(format!("nothing before ties `{name}` to the motion"));
+        }
+        for entry in read.residuals() {
+            for variable in self.theory.normal(entry).variables() {
+                for entity in self.entities_in(variable) {
+                    if self.doubts.symbols.contains(&entity) {
+                        let name = names::latex(&self.theory.atoms, variable);
+                        return Some(format!("a line about `{name}` was left open before"));
+                    }
+                    let owner = &self.theory.atoms.info(entity).owner;
+                    if let (Owner::Quantity(..), Some(line)) = (owner, &self.doubts.setting) {
+                        return Some(format!("{line}, which sets the motion up, was left open"));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// A number or matrix of the document alone that stands beside quantities of the theory in what differs, and that
+    /// no accepted line connects with them: with another value of it the sides might be equal.
+    fn untied(&mut self, read: &Read) -> Option<String> {
+        let mut loose = None;
+        let mut mechanical = false;
+        let tied = self.tied();
+        for entry in read.residuals() {
+            mechanical |= self.has_moment(entry);
+            for variable in self.theory.normal(entry).variables() {
+                for variable in self.theory.atoms.with_arguments(variable) {
+                    let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                        continue;
+                    };
+                    let info = self.theory.atoms.info(entity);
+                    match &info.owner {
+                        Owner::Quantity(_, variant) if variant.is_empty() => mechanical = true,
+                        // The moment about some other point follows no law that is known here.
+                        _ if self.is_about_another_point(entity) => {
+                            mechanical = true;
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ if order > 0 && info.shape == Shape::Vector => {
+                            let moves_freely = !self.any_vector && !self.rate_is_tied(entity);
+                            loose = moves_freely
+                                .then(|| names::latex(&self.theory.atoms, variable))
+                                .or(loose);
+                        }
+                        _ if tied.contains(&entity) => {}
+                        _ if info.shape != Shape::Vector => {
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        if let Some(name) = self
+            .may_rest(read)
+            .or_else(|| self.angle_beside_omega(read))
+        {
+            return Some(name);
+        }
+        // The law of a force speaks of a particle; how it makes a moment is not known here.
+        let owned = |v: u32, quantity: Quantity| {
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(found, _)) if *found == quantity)
+        };
+        let of = |quantity: Quantity| {
+            let mut variables = read.residuals().flat_map(Fraction::variables);
+            variables.any(|v| owned(v, quantity))
+        };
+        if of(Quantity::Force) && of(Quantity::Moment) {
+            return Some("the force".to_owned());
+        }
+        loose.filter(|_| mechanical)
+    }
+
+    /// The rate of an angle in a difference that has a component of ω too: what turns by the angles is not all said.
+    fn angle_beside_omega(&mut self, read: &Read) -> Option<String> {
+        let whole = Owner::Quantity(Quantity::AngularVelocity, String::new());
+        let mut rate = None;
+        let (mut omega, mut angle) = (false, false);
+        for entry in read.residuals() {
+            for variable in self.theory.normal(entry).variables() {
+                angle |= matches!(
+                    self.theory.atoms.atom(variable),
+                    Atom::Kernel {
+                        function: Function::Sin | Function::Cos,
+                        ..
+                    }
+                );
+                let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                    continue;
+                };
+                let info = self.theory.atoms.info(entity);
+                omega |= order == 0 && info.owner == whole;
+                let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Scalar;
+                if own && order > 0 {
+                    rate = Some(names::latex(&self.theory.atoms, variable));
+                }
+            }
+        }
+        rate.filter(|_| omega && angle)
+    }
+
+    /// The rate of a position that alone makes the difference: the point may be one of the body, and nothing says so.
+    fn may_rest(&mut self, read: &Read) -> Option<String> {
+        let written: Vec<u32> = read.residuals().flat_map(Fraction::variables).collect();
+        let from_space = |&v: &u32| matches!(self.theory.atoms.atom(v), Atom::SpaceRate { .. });
+        // Who writes the rate on the axes used has it that the point moves there.
+        let moves = written.iter().any(|&v| self.is_rate_of_a_point(v));
+        if moves || !written.iter().any(from_space) {
+            return None;
+        }
+        let mut rate = None;
+        for entry in read.residuals() {
+            let rest = self.theory.normal(entry);
+            let rates: Vec<u32> = rest
+                .variables()
+                .into_iter()
+                .filter(|&v| self.is_rate_of_a_point(v))
+                .collect();
+            let without = |(monomial, _): &(Monomial, Rational)| {
+                rates.iter().all(|&v| monomial.exponent(v) == 0)
+            };
+            if rest.numerator().terms().iter().any(without) {
+                return None;
+            }
+            rate = rate.or(rates.first().copied());
+        }
+        rate.map(|v| names::latex(&self.theory.atoms, v))
+    }
+
+    fn is_rate_of_a_point(&self, variable: u32) -> bool {
+        let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+            return false;
+        };
+        let owner = &self.theory.atoms.info(entity).owner;
+        order > 0
+            && matches!(owner, Owner::Quantity(Quantity::Position, _))
+            && !self.rate_is_tied(entity)
+    }
+
+    /// Entities that accepted lines connect with a quantity of the theory, however long the way.
+    fn tied(&self) -> BTreeSet<Entity> {
+        let groups: Vec<BTreeSet<Entity>> = self
+            .theory
+            .premises()
+            .iter()
+            .map(|p| p.residuals.iter().flat_map(Fraction::variables))
+            .map(|variables| variables.flat_map(|v| self.entities_in(v)).collect())
+            .collect();
+        let mechanical = |&e: &Entity| matches!(&self.theory.atoms.info(e).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
+        let mut tied: BTreeSet<Entity> = groups
+            .iter()
+            .flatten()
+            .copied()
+            .filter(mechanical)
+            .collect();
+        loop {
+            let before = tied.len();
+            for group in &groups {
+                if group.iter().any(|e| tied.contains(e)) {
+                    tied.extend(group);
+                }
+            }
+            if tied.len() == before {
+                return tied;
+            }
+        }
+    }
+
+    /// Whether a symbol has the letter of the moment or the momentum: the M_P beside an M.
+    fn is_about_another_point(&self, entity: Entity) -> bool {
+        let laws = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Momentum);
+        let info = self.theory.atoms.info(entity);
+        match &info.owner {
+            Owner::Quantity(quantity, variant) => laws(quantity) && !variant.is_empty(),
+            Owner::Symbol(key) => {
+                let letter = key.split(' ').next().unwrap_or_default();
+                let quantity = self.reading.quantities.get(&Letter::plain(letter));
+                info.shape == Shape::Vector && quantity.is_some_and(laws)
+            }
+        }
+    }
+
+    /// Whether an accepted line has a rate of an entity in it.
+    fn rate_is_tied(&self, entity: Entity) -> bool {
+        let rate = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, order, .. } if *e == entity && *order > 0);
+        let premises = self.theory.premises().iter();
+        premises
+            .flat_map(|p| &p.residuals)
+            .any(|r| r.variables().into_iter().any(rate))
+    }
+
+    /// The entity of a variable, or those in the argument of a kernel.
+    fn entities_in(&self, variable: u32) -> Vec<Entity> {
+        let atoms = &self.theory.atoms;
+        let inside = atoms.with_arguments(variable).into_iter();
+        inside.filter_map(|v| atoms.entity_of(v)).collect()
+    }
+}

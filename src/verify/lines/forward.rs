@@ -1,0 +1,125 @@
+//! Symbols that are used before they are defined: "$\dot\omega_1 = -k\,\omega_2$, where $k = …$".
+
+use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::document::{Item, Row};
+use crate::verify::check::Checker;
+use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// Items that are looked at behind a formula.
+const FARTHEST: usize = 12;
+
+impl<'a> Checker<'a> {
+    /// Looks for definitions behind a formula that name symbols of it. They are taken in at once; or, where the other
+    /// way is tried, the formula itself says what they are, and the definition is a claim.
+    pub(crate) fn look_ahead(&mut self, at: usize) {
+        let Some(Item::Formula(formula)) = self.document.items.get(at) else {
+            return;
+        };
+        let mut used: BTreeSet<Entity> = BTreeSet::new();
+        for row in &formula.rows {
+            if let Row::Line(line) = row {
+                self.defined_behind(line, &used);
+                let own = line.sides.first().and_then(|side| self.new_symbol(side));
+                let strangers = self.strangers(&line.sides);
+                let own = |e: &Entity| own.is_some_and(|(entity, _)| entity == *e);
+                used.extend(strangers.into_iter().filter(|e| !own(e)));
+            }
+        }
+        if used.is_empty() {
+            return;
+        }
+        for line in lines_behind(&self.document.items[at + 1..]) {
+            self.defined_behind(line, &used);
+        }
+    }
+
+    /// A line that says what a symbol is that was used before.
+    fn defined_behind(&mut self, line: &'a Line, used: &BTreeSet<Entity>) {
+        let [left, right] = line.sides.as_slice() else {
+            return;
+        };
+        let symbol = match &left.kind {
+            Kind::Call(head, _) => head,
+            _ => left,
+        };
+        let Some((entity, None)) = self.new_symbol(symbol) else {
+            return;
+        };
+        let known = self.known.contains(&entity) || self.theory.mentions_entity(entity);
+        if known || !used.contains(&entity) || line.continues {
+            return;
+        }
+        // What it is made of must be known already.
+        if !self.strangers(std::slice::from_ref(right)).is_empty() {
+            return;
+        }
+        // What a function is, its use does not tell.
+        let function = matches!(left.kind, Kind::Call(..));
+        self.looked_ahead |= !function;
+        if self.reading.by_use && !function {
+            self.implicit.insert(entity);
+        } else if self.done.insert(line.span.start) {
+            self.line(line, Role::Define);
+        }
+    }
+
+    /// Symbols of the document that nothing is known of.
+    fn strangers(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
+        let mut found = BTreeSet::new();
+        for entity in self.entities(sides) {
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            if own && !self.known.contains(&entity) && !self.theory.mentions_entity(entity) {
+                found.insert(entity);
+            }
+        }
+        found
+    }
+
+    /// A line that says what a symbol is by its use, where the definition behind it is to be checked against that.
+    pub(crate) fn says_by_use(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let strangers = self.strangers(sides);
+        let implicit = strangers.len() == 1 && strangers.iter().all(|e| self.implicit.contains(e));
+        if !implicit {
+            return false;
+        }
+        self.accept(sides, Role::Define, finding);
+        let accepted = finding.verdict == Verdict::Accepted;
+        if accepted {
+            finding.role = Role::Define;
+            self.known.extend(strangers);
+        }
+        accepted
+    }
+}
+
+/// The lines of the clause that opens behind a formula with "where" or "with".
+fn lines_behind(items: &[Item]) -> Vec<&Line> {
+    let mut lines = vec![];
+    let mut open = false;
+    for item in items.iter().take(FARTHEST) {
+        match item {
+            Item::Break | Item::Comment { .. } => {}
+            Item::Heading { .. } => break,
+            Item::Prose { text, .. } => {
+                let text = text.trim_start_matches([',', ' ', '\n', ';', ':']);
+                let opens = ["where", "with", "here", "in which"];
+                open |= opens
+                    .iter()
+                    .any(|word| text.to_lowercase().starts_with(word));
+                if !open || text.contains(". ") || text.trim_end().ends_with('.') {
+                    break;
+                }
+            }
+            Item::Formula(formula) if open => {
+                lines.extend(formula.rows.iter().filter_map(|row| match row {
+                    Row::Line(line) => Some(line),
+                    _ => None,
+                }));
+            }
+            Item::Formula(_) => break,
+        }
+    }
+    lines
+}

@@ -1,0 +1,281 @@
+//! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
+
+use crate::algebra::{Monomial, Rational};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::{inner, symbols, undotted};
+use crate::verify::lines::line::Read;
+use crate::verify::reason;
+use crate::verify::theory::decide::passes_filter;
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::{MAGNITUDE, Meaning};
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::{One, Zero};
+
+/// Quantities that a problem hands over.
+const INPUTS: &[Quantity] = &[
+    Quantity::Inertia,
+    Quantity::AngularVelocity,
+    Quantity::FrameRate,
+    Quantity::RelativeMomentum,
+    Quantity::OriginVelocity,
+    Quantity::Position,
+    Quantity::Mass,
+];
+
+impl Checker<'_> {
+    /// Whether a line only hands over what nothing determines: the mass, a moment of inertia, the angular velocity, by
+    /// numbers or by symbols that the theory does not know; or the form of the inertia matrix.
+    pub(crate) fn is_given(&mut self, sides: &[Node], read: &Read) -> bool {
+        let [first, .., last] = sides else {
+            return false;
+        };
+        let mut named = sides.iter().flat_map(symbols);
+        let tied = named.any(|symbol| match self.meaning_of(symbol) {
+            Meaning::Whole(entity) => self.theory.is_in_relation(entity),
+            _ => false,
+        });
+        if tied {
+            return false;
+        }
+        let wheels = self.theory.setting.gyrostat && self.only_wheels(first, read);
+        if wheels
+            || self.is_news(first, read)
+            || self.is_load(sides, read)
+            || self.gives_momentum(sides)
+            || self.narrows_the_body(sides, read)
+        {
+            return true;
+        }
+        let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
+        if (zero && self.asserted && self.displayed) || !self.is_free_input(first) {
+            return false;
+        }
+        if sides.len() == 2 && (self.is_free_input(last) || self.is_form_of_inertia(read)) {
+            return true;
+        }
+        (0..read.equations.len()).all(|i| {
+            let [left, right] = [&sides[i], &sides[i + 1]].map(|side| self.hands_over(side));
+            let holds = passes_filter(&mut self.theory, &read.equations[i].residual) == Some(true);
+            holds
+                || (left.is_some()
+                    && right.is_some()
+                    && (left, right) != (Some(false), Some(false)))
+                || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
+        })
+    }
+
+    /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
+    /// stands in is a claim, whatever "with" or "where" is before it.
+    pub(crate) fn role_by_content(&mut self, role: Role, sides: &[Node]) -> Role {
+        let [left, rest @ ..] = sides else {
+            return role;
+        };
+        let still = |side: &Node| {
+            is_zero(side) || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
+        };
+        if !self.displayed && self.constrained && rest.last().is_some_and(still) {
+            return Role::Assume;
+        }
+        if role == Role::Claim || self.firm {
+            return role;
+        }
+        let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
+            return role;
+        }
+        // One triad by another: neither is determined.
+        let axis = matches!(&inner(left).kind, Kind::Symbol(symbol) if matches!(self.meaning_of(symbol), Meaning::UnitVector(_)));
+        if axis {
+            return role;
+        }
+        let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
+        let number = |side: &Node| symbols(side).is_empty();
+        // "We take ⟨|h|² = 2 J T⟩": no definition, and no law that it could be.
+        if self.picked && !self.displayed && role == Role::Assume && !alone_left {
+            return role;
+        }
+        if alone_left && (rest.iter().any(number) || self.is_free_value(left))
+            || self.new_symbol(left).is_some()
+        {
+            return role;
+        }
+        let new = rest.iter().chain([left]).flat_map(symbols).any(|symbol| {
+            let Some(entity) = self.entity_named(symbol) else {
+                return false;
+            };
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            own && self.is_free(entity) && !self.theory.mentions_entity(entity)
+        });
+        if new { role } else { Role::Claim }
+    }
+
+    /// Whether a line speaks of the magnitude of a vector, or of a symbol that a relation has: it may set an angle by it,
+    /// or a value, which no law determines.
+    fn sets_a_magnitude(&mut self, sides: &[Node]) -> bool {
+        sides.iter().flat_map(symbols).any(|symbol| {
+            let Meaning::Whole(entity) = self.meaning_of(symbol) else {
+                return false;
+            };
+            let owner = &self.theory.atoms.info(entity).owner;
+            matches!(owner, Owner::Quantity(_, variant) if variant == MAGNITUDE)
+                || self.theory.is_in_relation(entity)
+        })
+    }
+
+    /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
+    /// that is no input.
+    fn hands_over(&mut self, side: &Node) -> Option<bool> {
+        let mut foreign = symbols(side).is_empty();
+        for entity in self.entities([side]) {
+            match &self.theory.atoms.info(entity).owner {
+                Owner::Symbol(_) => foreign |= self.is_free(entity),
+                Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
+                Owner::Quantity(quantity, _)
+                    if INPUTS.contains(quantity)
+                        || *quantity == Quantity::Time && !self.asserted => {}
+                Owner::Quantity(..) => return None,
+            }
+        }
+        Some(foreign)
+    }
+
+    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over: it stands alone
+    /// on the left, or what it is stands in symbols of the document.
+    fn only_wheels(&mut self, first: &Node, read: &Read) -> bool {
+        let own = |owner: &Option<&Owner>| matches!(owner, Some(Owner::Symbol(_)));
+        let wheels = |owner: &Option<&Owner>| {
+            matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
+        };
+        let alone = matches!(undotted(first).kind, Kind::Symbol(_));
+        read.residuals().all(|entry| {
+            let variables = self.theory.normal(entry).variables();
+            let atoms = &self.theory.atoms;
+            let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
+            let told = alone || owners.is_empty() || owners.iter().any(own);
+            told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
+        })
+    }
+
+    /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
+    fn is_form_of_inertia(&mut self, read: &Read) -> bool {
+        let [equation] = read.equations.as_slice() else {
+            return false;
+        };
+        let left = equation.left.entries.iter();
+        equation.left.rows == 3
+            && equation.left.columns == 3
+            && left.zip(&equation.right.entries).all(|(own, written)| {
+                written.is_zero() || (own.clone() - written.clone()).is_zero()
+            })
+    }
+
+    /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
+    pub(crate) fn is_free_input(&mut self, side: &Node) -> bool {
+        let Kind::Symbol(symbol) = &inner(side).kind else {
+            return false;
+        };
+        let (entity, components) = match self.meaning_of(symbol) {
+            Meaning::Whole(entity) => {
+                let count = self.theory.atoms.info(entity).shape.components();
+                (entity, 0..count)
+            }
+            Meaning::Component(entity, component) => (entity, component..component + 1),
+            _ => return false,
+        };
+        let input = match &self.theory.atoms.info(entity).owner {
+            Owner::Quantity(quantity, _) => INPUTS.contains(quantity),
+            Owner::Symbol(_) => false,
+        };
+        input
+            && components.into_iter().all(|component| {
+                let value = self.theory.atoms.value(entity, component, 0);
+                self.theory.normal(&value).as_variable().is_some()
+            })
+    }
+
+    /// Whether a line sets one moment of inertia equal to the sum of two others, as they are of a lamina: C = A + B.
+    fn narrows_the_body(&mut self, sides: &[Node], read: &Read) -> bool {
+        let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
+            return false;
+        };
+        let (Kind::Symbol(_), [whole], [rest]) = (
+            &inner(left).kind,
+            equation.left.entries.as_slice(),
+            equation.residual.entries.as_slice(),
+        ) else {
+            return false;
+        };
+        let (whole, rest) = (self.theory.normal(whole), self.theory.normal(rest));
+        let inertia = Owner::Quantity(Quantity::Inertia, String::new());
+        let of_body = |v: u32| self.theory.atoms.owner(v) == Some(&inertia);
+        let parts = whole - rest;
+        let one =
+            |(monomial, factor): &(Monomial, Rational)| monomial.degree() == 1 && factor.is_one();
+        parts.is_polynomial()
+            && parts.numerator().len() == 2
+            && parts.numerator().terms().iter().all(one)
+            && parts.variables().into_iter().all(of_body)
+    }
+
+    /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
+    fn gives_momentum(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let turns = |owner: &Owner| {
+            use Quantity::{
+                AngularAcceleration, AngularVelocity, Energy, Inertia, Moment, Momentum, Power,
+            };
+            let of_turning = [
+                AngularVelocity,
+                AngularAcceleration,
+                Inertia,
+                Moment,
+                Momentum,
+                Energy,
+                Power,
+            ];
+            of_turning
+                .into_iter()
+                .any(|quantity| *owner == whole(quantity))
+        };
+        let (named, made_of) = (self.entities([left]), self.entities([right]));
+        let owner = |entity: &_| &self.theory.atoms.info(*entity).owner;
+        let momentum =
+            matches!(named.as_slice(), [one] if *owner(one) == whole(Quantity::Momentum));
+        if !momentum || made_of.is_empty() || made_of.iter().any(|entity| turns(owner(entity))) {
+            return false;
+        }
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        (0..3).all(|component| {
+            let variable = self.theory.atoms.part(omega, component, 0);
+            self.theory.rule(variable).is_none()
+        })
+    }
+
+    /// Takes a line in that hands a value over; where its sentence derives it, it is not checked, and that is said.
+    pub(crate) fn given(&mut self, sides: &[Node], finding: &mut Finding) {
+        self.accept(sides, Role::Given, finding);
+        if finding.verdict != Verdict::Accepted {
+            return;
+        }
+        let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        if sides.last().is_some_and(is_zero) {
+            // It narrows the case down, for reasons that are not in symbols.
+            finding.role = Role::Assume;
+            finding.remarks.push("taken as an assumption".to_owned());
+        } else if self.asserted && !sides.iter().all(lone) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
+        } else {
+            finding.role = Role::Given;
+            finding.remarks.push("taken as given".to_owned());
+        }
+    }
+}
+
+/// Whether a side is written as a zero, bold or not.
+fn is_zero(side: &Node) -> bool {
+    matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
+}

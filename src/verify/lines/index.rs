@@ -1,0 +1,203 @@
+//! Lines with a running index: `ℓ_i = I_i ω_i (i = 1, 2, 3)` is three lines, and Σ_i a three-term sum.
+
+use crate::notation::ast::{Kind, Line, Node, Symbol, Term};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::primes::dots_for_primes;
+use crate::verify::letters::usage::{Letter, Usage};
+use crate::verify::verdict::{Finding, Verdict};
+use num_traits::ToPrimitive;
+
+/// An index never runs further in this field.
+const LONGEST: u32 = 6;
+
+/// The document with running indices written out.
+pub(crate) fn written_out(document: &Document) -> Document {
+    let mut document = document.clone();
+    dots_for_primes(&mut document);
+    let usage = Usage::of(&document);
+    for item in &mut document.items {
+        if let Item::Formula(formula) = item {
+            let rows = std::mem::take(&mut formula.rows);
+            formula.rows = rows
+                .into_iter()
+                .flat_map(|row| rows_of(row, &usage))
+                .collect();
+        }
+    }
+    document
+}
+
+fn rows_of(row: Row, usage: &Usage) -> Vec<Row> {
+    let Row::Line(mut line) = row else {
+        return vec![row];
+    };
+    for side in &mut line.sides {
+        sums(side, usage);
+    }
+    let mut lines = vec![line];
+    let ranges = std::mem::take(&mut lines[0].ranges);
+    let free = ranges
+        .is_empty()
+        .then(|| free_index(&lines[0], usage))
+        .flatten();
+    for (index, values) in ranges.into_iter().chain(free) {
+        if lines.len() * values.len() > LONGEST as usize * LONGEST as usize {
+            break;
+        }
+        let set = |line: &Line, value: &String| {
+            let mut line = line.clone();
+            line.sides
+                .iter_mut()
+                .for_each(|side| put(side, &index, value));
+            line
+        };
+        lines = lines
+            .iter()
+            .flat_map(|line| values.iter().map(|v| set(line, v)).collect::<Vec<_>>())
+            .collect();
+    }
+    lines.into_iter().map(Row::Line).collect()
+}
+
+/// An index i without a range runs over the axes if each letter that carries it has components elsewhere.
+fn free_index(line: &Line, usage: &Usage) -> Option<(String, Vec<String>)> {
+    let mut symbols = vec![];
+    line.sides
+        .iter()
+        .for_each(|side| collect(side, &mut symbols));
+    let indexed: Vec<&Symbol> = symbols
+        .into_iter()
+        .filter(|s| s.subscripts.iter().any(|s| s == "i"))
+        .collect();
+    let numbered = |s: &&Symbol| components(s, usage).is_some();
+    if indexed.is_empty() || !indexed.iter().all(numbered) {
+        return None;
+    }
+    let values = components(indexed.first()?, usage)?;
+    Some(("i".into(), values.map(String::from).to_vec()))
+}
+
+/// The names of a letter's components in this document.
+fn components(symbol: &Symbol, usage: &Usage) -> Option<[&'static str; 3]> {
+    let met = usage.subscripts.get(&Letter::of(symbol))?;
+    if met.contains("1") || met.contains("2") {
+        Some(["1", "2", "3"])
+    } else {
+        (met.contains("x") || met.contains("y")).then_some(["x", "y", "z"])
+    }
+}
+
+fn collect<'a>(node: &'a Node, out: &mut Vec<&'a Symbol>) {
+    if let Kind::Symbol(symbol) = &node.kind {
+        out.push(symbol);
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| collect(child, out));
+}
+
+/// An index letter replaced by its value, in subscripts of one or two letters.
+fn put(node: &mut Node, index: &str, value: &str) {
+    node.change_symbols(&mut |symbol| {
+        for subscript in &mut symbol.subscripts {
+            let pair =
+                subscript.chars().count() == 2 && subscript.chars().all(char::is_alphanumeric);
+            if subscript == index {
+                value.clone_into(subscript);
+            } else if pair && index.len() == 1 && subscript.contains(index) {
+                *subscript = subscript.replace(index, value);
+            }
+        }
+    });
+}
+
+/// Sums over an index with known limits become sums of terms.
+fn sums(node: &mut Node, usage: &Usage) {
+    node.children_mut()
+        .into_iter()
+        .for_each(|child| sums(child, usage));
+    let Kind::IndexedSum {
+        index,
+        limits,
+        body,
+    } = &node.kind
+    else {
+        return;
+    };
+    let values = match limits {
+        Some((from, to)) => between(from, to),
+        None => {
+            let mut symbols = vec![];
+            collect(body, &mut symbols);
+            let carries = |s: &&&Symbol| s.subscripts.contains(&index.name);
+            let indexed: Vec<_> = symbols.iter().filter(carries).collect();
+            let all = indexed.iter().all(|s| components(s, usage).is_some());
+            let first = indexed
+                .first()
+                .filter(|_| all)
+                .and_then(|s| components(s, usage));
+            first.map(|values| values.map(String::from).to_vec())
+        }
+    };
+    let Some(values) = values else { return };
+    let terms = values.iter().map(|value| {
+        let mut node = (**body).clone();
+        put(&mut node, &index.name, value);
+        Term {
+            negative: false,
+            sign: node.span.before(),
+            node,
+        }
+    });
+    let terms: Vec<Term> = terms.collect();
+    let sum = match <[Term; 1]>::try_from(terms) {
+        Ok([only]) => only.node.kind,
+        Err(terms) => Kind::Sum(terms),
+    };
+    node.kind = sum;
+}
+
+fn between(from: &Node, to: &Node) -> Option<Vec<String>> {
+    let number = |node: &Node| match &node.kind {
+        Kind::Number(n) => n.value.to_u32(),
+        _ => None,
+    };
+    let (from, to) = (number(from)?, number(to)?);
+    (from <= to && to <= LONGEST).then(|| (from..=to).map(|n| n.to_string()).collect())
+}
+
+/// A line that an index was written out of has one finding: the worst of its parts, or all of them together.
+pub(crate) fn merged(findings: Vec<Finding>) -> Vec<Finding> {
+    let grave = |f: &Finding| match f.verdict {
+        Verdict::Refuted => 4,
+        Verdict::Unreadable => 3,
+        Verdict::Undecided => 2,
+        Verdict::Accepted => 1,
+        Verdict::Proved(_) => 0,
+    };
+    let mut out: Vec<Finding> = vec![];
+    for finding in findings {
+        match out
+            .last_mut()
+            .filter(|last| last.span == finding.span && last.cell == finding.cell)
+        {
+            Some(last) if grave(&finding) > grave(last) => *last = finding,
+            Some(last) if grave(&finding) == grave(last) => {
+                let new = |name: &String| !last.uses.contains(name);
+                let uses: Vec<String> = finding.uses.into_iter().filter(new).collect();
+                last.uses.extend(uses);
+                let new = |text: &String| !last.conditions.contains(text);
+                let conditions: Vec<String> = finding.conditions.into_iter().filter(new).collect();
+                last.conditions.extend(conditions);
+                if let (Verdict::Proved(proof), Verdict::Proved(more)) =
+                    (&mut last.verdict, &finding.verdict)
+                {
+                    *proof = proof.and(more);
+                }
+            }
+            Some(_) => {}
+            None => out.push(finding),
+        }
+    }
+    out
+}

@@ -1,0 +1,75 @@
+//! Lines that are no equations: ≠, <, ≤, >, ≥.
+
+use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::reason;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
+
+impl Checker<'_> {
+    /// Settles a line that has another relation than an equality; `false` where it has none.
+    pub(crate) fn no_equation(&mut self, line: &Line, role: Role, finding: &mut Finding) -> bool {
+        let equal = |r: &Relation| {
+            matches!(
+                r,
+                Relation::Equal | Relation::Defined | Relation::Approximate
+            )
+        };
+        let Some(&(relation, place)) = line.relations.iter().find(|(r, _)| !equal(r)) else {
+            return false;
+        };
+        finding.reason = Some(reason::RELATION.to_owned());
+        finding.place = place;
+        let ordered = matches!(
+            relation,
+            Relation::Less | Relation::LessOrEqual | Relation::Greater | Relation::GreaterOrEqual
+        );
+        match relation {
+            Relation::NotEqual if line.relations.len() == 1 => self.not_equal(line, role, finding),
+            _ if ordered && matches!(role, Role::Assume | Role::Given) => {
+                finding.verdict = Verdict::Accepted;
+                finding.reason = None;
+            }
+            _ if ordered && !self.asserted && self.orders_inputs(line) => {
+                finding.verdict = Verdict::Accepted;
+                finding.reason = None;
+                finding.role = Role::Given;
+                finding.remarks.push("taken as given".to_owned());
+            }
+            _ => {}
+        }
+        true
+    }
+
+    /// `I_1 < I_2 < I_3`, `m > 0`: an order among what nothing determines, and numbers.
+    fn orders_inputs(&mut self, line: &Line) -> bool {
+        let free = |checker: &mut Self, side: &Node| {
+            matches!(side.kind, Kind::Number(_)) || checker.is_free_input(side)
+        };
+        line.sides.iter().all(|side| free(self, side))
+    }
+
+    /// `a ≠ b` keeps a case apart, and is false where the sides are equal by what stands before.
+    fn not_equal(&mut self, line: &Line, role: Role, finding: &mut Finding) {
+        let Ok(read) = self.read(&line.sides, Frame::Moving) else {
+            return;
+        };
+        let residuals: Vec<_> = read.residuals().cloned().collect();
+        let differences = residuals.iter().map(|entry| self.theory.normal(entry));
+        let differences: Vec<_> = differences.collect();
+        let free = |d: &crate::algebra::Fraction| d.to_rational().is_none();
+        if differences.iter().all(Zero::is_zero) {
+            finding.verdict = Verdict::Refuted;
+            finding.reason = Some("the sides are equal".to_owned());
+        } else if role != Role::Claim || differences.iter().any(free) {
+            finding.verdict = Verdict::Accepted;
+            finding.reason = None;
+            finding.role = if role == Role::Claim {
+                Role::Assume
+            } else {
+                role
+            };
+        }
+    }
+}

@@ -1,0 +1,326 @@
+//! One line: its equations, and its verdict by its role.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Symbol};
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
+use crate::verify::theory::decide::Equation;
+use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::spatial::all_in_space;
+use crate::verify::values::symbol::ANY_POINT;
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// The equations of a line, read with one meaning of the dots that carry no frame.
+pub(crate) struct Read {
+    pub(crate) equations: Vec<Equation>,
+    pub(crate) unlabelled: Frame,
+    pub(crate) ambiguous: bool,
+    /// Whether the line is taken to the order of small quantities to which it is written.
+    pub(crate) to_order: bool,
+}
+
+impl Read {
+    /// What must vanish, entry by entry.
+    pub(crate) fn residuals(&self) -> impl Iterator<Item = &Fraction> {
+        self.equations.iter().flat_map(|e| &e.residual.entries)
+    }
+}
+
+impl Checker<'_> {
+    /// Decides a line and keeps what it says.
+    pub(crate) fn line(&mut self, line: &Line, role: Role) {
+        let mut finding = self.blank(line, role);
+        self.settle(line, role, &mut finding);
+        self.note_doubt(line, &finding);
+        let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
+        if finding.verdict == Verdict::Refuted && unexplained {
+            self.diagnose(line, &mut finding);
+        }
+        self.reading.scalars.clear();
+        self.last_side = line.sides.last().cloned();
+        self.findings.push(finding);
+    }
+
+    pub(crate) fn blank(&self, line: &Line, role: Role) -> Finding {
+        let (source_line, source_column, cell) = self.place(line.span.start);
+        Finding {
+            span: line.span,
+            source_line,
+            source_column,
+            cell,
+            source: self.document.source.slice(line.span).trim().to_owned(),
+            label: line.labels.first().cloned(),
+            role,
+            verdict: Verdict::Undecided,
+            reason: None,
+            place: line.span,
+            uses: vec![],
+            conditions: vec![],
+            remarks: vec![],
+            residual: None,
+            counterexample: None,
+            diagnosis: None,
+            follows_from: None,
+        }
+    }
+
+    /// Says that a row could not be read.
+    pub(crate) fn unreadable(&mut self, message: &str, help: Option<&str>, span: Span) {
+        let line = Line {
+            sides: vec![],
+            relations: vec![],
+            continues: false,
+            labels: vec![],
+            ranges: vec![],
+            remarks: vec![],
+            span,
+        };
+        let mut finding = self.blank(&line, Role::Claim);
+        finding.verdict = Verdict::Unreadable;
+        finding.reason = Some(message.to_owned());
+        finding.remarks.extend(help.map(str::to_owned));
+        self.findings.push(finding);
+    }
+
+    pub(crate) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
+        if self.no_equation(line, role, finding) {
+            return;
+        }
+        let mut sides: Vec<Node> = line.sides.clone();
+        if line.continues {
+            match self.last_side.clone() {
+                Some(side) => sides.insert(0, side),
+                None => {
+                    finding.reason = Some("the line goes on from no other".to_owned());
+                    return;
+                }
+            }
+        }
+        keeps_its_value(&mut sides);
+        self.figures.relations = line.relations.iter().map(|(r, _)| *r).collect();
+        if let Some(span) = sides.iter().find_map(error_in) {
+            finding.verdict = Verdict::Unreadable;
+            finding.reason = Some(span.0);
+            finding.place = span.1;
+            return;
+        }
+        self.note_triad(&sides);
+        self.note_origin(&sides);
+        self.note_turned_moments(&sides);
+        self.note_translation(&sides);
+        self.note_scalars(&sides);
+        self.note_other_moments(&sides);
+        let role = self.role_by_content(role, &sides);
+        finding.role = role;
+        let settled = self.says_by_use(&sides, finding)
+            || self.defines(&sides, line, role, finding)
+            || !line.continues && self.slips_in_rates(line, finding)
+            || role != Role::Assume && self.works_out(&sides, role, finding);
+        if !settled {
+            match role {
+                Role::Claim => self.claim(&sides, finding),
+                _ => self.accept(&sides, role, finding),
+            }
+        }
+        self.note_flat_body(&sides, line.span);
+        self.note_figures(&sides, finding);
+    }
+
+    /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
+    fn note_scalars(&mut self, sides: &[Node]) {
+        if self.given_scalars(sides) {
+            return;
+        }
+        // A symbol that is defined here takes any shape, unless it shows one.
+        let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
+        let shown = sides.first().is_some_and(marked);
+        let new = sides.first().and_then(|side| self.new_symbol(side));
+        let sides = if new.is_some() && !shown {
+            &sides[1..]
+        } else {
+            sides
+        };
+        let index = |s: &String| axis(s).is_some() || axes(s).is_some();
+        let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
+        let bare: BTreeSet<Letter> = sides
+            .iter()
+            .flat_map(symbols)
+            .filter(bare)
+            .map(Letter::of)
+            .collect();
+        let several = |letter: &Letter| {
+            let quantity = self.reading.quantities.get(letter);
+            quantity.is_some_and(|q| q.shape() != Shape::Scalar)
+                || self.reading.usage.is_vector(letter)
+        };
+        if !bare.iter().any(several) {
+            return;
+        }
+        let tried = self.read(sides, Frame::Moving);
+        if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
+            return;
+        }
+        self.reading.scalars = bare;
+        if self.read(sides, Frame::Moving).is_err() {
+            self.reading.scalars.clear();
+        }
+    }
+
+    /// A velocity of the origin that the document speaks of is not zero.
+    fn note_origin(&mut self, sides: &[Node]) {
+        let entities = self.entities(sides);
+        let of_origin = |&entity: &_| {
+            let owner = &self.theory.atoms.info(entity).owner;
+            matches!(owner, Owner::Quantity(Quantity::OriginVelocity, _))
+        };
+        if !self.theory.setting.origin_moves && entities.iter().any(of_origin) {
+            self.theory.set(|setting| setting.origin_moves = true);
+        }
+    }
+
+    /// A kinetic energy that is set against a mass, the velocity of a point and the turning of the body has both parts.
+    fn note_translation(&mut self, sides: &[Node]) {
+        let [left, right @ ..] = sides else { return };
+        if self.theory.setting.translation.is_some() {
+            return;
+        }
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let energy = self.entities([left]);
+        let met = self.entities(right);
+        let owner = |entity: &Entity| &self.theory.atoms.info(*entity).owner;
+        let has = |quantity| met.iter().any(|entity| *owner(entity) == whole(quantity));
+        let of_a_point = |owner: &Owner| match owner {
+            Owner::Quantity(Quantity::Velocity, point) => !matches!(point.as_str(), "" | ANY_POINT),
+            Owner::Quantity(quantity, _) => *quantity == Quantity::CentreVelocity,
+            Owner::Symbol(_) => false,
+        };
+        let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
+            return;
+        };
+        let turns = [
+            Quantity::AngularVelocity,
+            Quantity::Momentum,
+            Quantity::Inertia,
+        ];
+        let lone = matches!(energy.as_slice(), [one] if *owner(one) == whole(Quantity::Energy));
+        if lone && has(Quantity::Mass) && turns.into_iter().any(has) {
+            self.theory
+                .set(|setting| setting.translation = Some(centre));
+        }
+    }
+
+    pub(crate) fn lowering(&mut self, unlabelled: Frame) -> Lowering<'_> {
+        Lowering {
+            theory: &mut self.theory,
+            reading: &self.reading,
+            unlabelled,
+            met_unlabelled: false,
+            in_space: false,
+            functions: &self.functions,
+            figures: &self.figures,
+        }
+    }
+
+    pub(crate) fn read(&mut self, sides: &[Node], unlabelled: Frame) -> Result<Read, Trouble> {
+        self.read_on(sides, unlabelled, false)
+    }
+
+    /// Reads with every vector on space axes, or as it stands.
+    fn read_on(
+        &mut self,
+        sides: &[Node],
+        unlabelled: Frame,
+        in_space: bool,
+    ) -> Result<Read, Trouble> {
+        let mut lowering = self.lowering(unlabelled);
+        lowering.in_space = in_space;
+        let values: Vec<Value> = sides
+            .iter()
+            .map(|side| lowering.value(side))
+            .collect::<Result<_, _>>()?;
+        let ambiguous = lowering.met_unlabelled;
+        let values = lowering.sides_aligned(values);
+        let mut equations = vec![];
+        for (i, pair) in values.windows(2).enumerate() {
+            let residual = pair[0].plus(&pair[1], true).map_err(|mismatch| Trouble {
+                kind: TroubleKind::IllTyped,
+                message: format!("the sides differ in kind: {}", mismatch.0),
+                span: sides[i].span.to(sides[i + 1].span),
+            })?;
+            equations.push(Equation {
+                left: pair[0].clone(),
+                right: pair[1].clone(),
+                residual,
+            });
+        }
+        Ok(Read {
+            equations,
+            unlabelled,
+            ambiguous,
+            to_order: false,
+        })
+    }
+
+    /// The readings of a line, the likelier first.
+    pub(crate) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
+        let spatial = all_in_space(sides, &self.reading);
+        let mut first = self.read_on(sides, Frame::Moving, spatial)?;
+        first.to_order = self.keep_order(&mut first.equations);
+        if !first.ambiguous || self.dots == Some(Frame::Moving) {
+            return Ok(vec![first]);
+        }
+        let mut second = self.read(sides, Frame::Space)?;
+        second.to_order = self.keep_order(&mut second.equations);
+        if self.dots == Some(Frame::Space) {
+            return Ok(vec![second]);
+        }
+        Ok(vec![first, second])
+    }
+
+    pub(crate) fn line_name(&self, finding: &Finding) -> String {
+        let again = self
+            .findings
+            .iter()
+            .filter(|f| f.source_line == finding.source_line && f.cell == finding.cell)
+            .count();
+        match (finding.cell, again) {
+            (Some(cell), 0) => format!("cell {cell}, line {}", finding.source_line),
+            (Some(cell), n) => format!("cell {cell}, line {} ({})", finding.source_line, n + 1),
+            (None, 0) => format!("line {}", finding.source_line),
+            (None, n) => format!("line {} ({})", finding.source_line, n + 1),
+        }
+    }
+}
+
+/// `X = const` says that the rate of X is zero.
+fn keeps_its_value(sides: &mut [Node]) {
+    let [left, right] = sides else { return };
+    if !matches!(&right.kind, Kind::Symbol(s) if s.name == "const" && s.style.upright) {
+        return;
+    }
+    left.kind = Kind::TimeDerivative {
+        operand: Box::new(left.clone()),
+        order: 1,
+        style: DerivativeStyle::Dots,
+        frame: None,
+    };
+    right.kind = Kind::Number(Number {
+        value: num_rational::BigRational::default(),
+        decimals: None,
+        exponent: 0,
+    });
+}
+
+/// The first error of a tree.
+fn error_in(node: &Node) -> Option<(String, Span)> {
+    match &node.kind {
+        Kind::Error(message) => Some((message.clone(), node.span)),
+        _ => node.children().into_iter().find_map(error_in),
+    }
+}

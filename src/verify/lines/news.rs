@@ -1,0 +1,151 @@
+//! News: lines that say of forces, moments and symbols of the document what nothing before determines.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{inner, undotted};
+use crate::verify::lines::line::Read;
+use crate::verify::theory::decide::Equation;
+use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+use num_traits::Zero;
+
+impl Checker<'_> {
+    pub(crate) fn is_new_fact(&mut self, sides: &[Node]) -> bool {
+        let read = self.read(sides, Frame::Moving);
+        read.is_ok_and(|read| self.is_news(&sides[0], &read))
+    }
+
+    /// Whether a line says something of a symbol of the document that nothing before determines: a force and what it
+    /// does, or how such symbols balance. It may be true or not, and no line so far can tell.
+    pub(crate) fn is_news(&mut self, first: &Node, read: &Read) -> bool {
+        let [equation] = read.equations.as_slice() else {
+            return false;
+        };
+        let alone = matches!(undotted(first).kind, Kind::Symbol(_));
+        let entries = equation.residual.entries.iter();
+        let rests: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
+        let differs = |rest: &Fraction| !rest.is_zero();
+        rests.iter().any(differs)
+            && rests.iter().enumerate().all(|(i, rest)| {
+                let entry = |side: &Value| side.entries.get(i).cloned();
+                let named = entry(&equation.left).and_then(|left| left.as_variable());
+                match named.filter(|_| alone) {
+                    _ if !differs(rest) => true,
+                    Some(v) => self.is_value(v, entry(&equation.right), rest),
+                    // What an equation of motion says of them is not that they vanish.
+                    None => !self.moment_at(equation, i) && self.is_balance(rest),
+                }
+            })
+    }
+
+    /// Whether a difference from a variable says what that is, of which the document says nothing else.
+    fn is_value(&mut self, variable: Variable, value: Option<Fraction>, rest: &Fraction) -> bool {
+        // What stands on the right by earlier lines is no news.
+        let circular = |value| self.theory.normal(&value).variables().contains(&variable);
+        !value.is_none_or(circular)
+            && self.is_own(variable)
+            && self.is_solved_by_own(rest, variable)
+    }
+
+    /// Whether what must vanish relates symbols of the document, and nothing before speaks of one of them.
+    fn is_balance(&mut self, rest: &Fraction) -> bool {
+        let variables = rest.variables();
+        let untouched = |&v: &Variable| self.is_own(v) && !self.theory.mentions(v);
+        !variables.is_empty()
+            && variables.iter().all(untouched)
+            && variables.iter().all(|&v| is_solved_by(rest, v))
+    }
+
+    /// A moment or a force by symbols of the document, one of them new: what acts on the body.
+    pub(crate) fn is_load(&mut self, sides: &[Node], read: &Read) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let Some(entity) = self.entity_named(symbol) else {
+            return false;
+        };
+        let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
+        let owner = &self.theory.atoms.info(entity).owner;
+        if !matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty())
+        {
+            return false;
+        }
+        let mut new = vec![];
+        for entity in self.entities([right]) {
+            match &self.theory.atoms.info(entity).owner {
+                Owner::Symbol(key) if key.ends_with(" number") => return false,
+                Owner::Symbol(_)
+                    if self.loads.contains(&entity) || !self.theory.mentions_entity(entity) =>
+                {
+                    new.push(entity);
+                }
+                Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
+                    return false;
+                }
+                _ => {}
+            }
+        }
+        let load = !new.is_empty() && read.equations.len() == 1;
+        if load {
+            self.loads.extend(new);
+        }
+        load
+    }
+
+    fn moment_at(&self, equation: &Equation, place: usize) -> bool {
+        let entry = equation.residual.entries.get(place);
+        entry.is_some_and(|entry| self.has_moment(entry))
+    }
+
+    /// Whether the moment stands in what must vanish.
+    pub(crate) fn has_moment(&self, entry: &Fraction) -> bool {
+        let moment = |v: u32| matches!(self.theory.atoms.owner(v), Some(Owner::Quantity(Quantity::Moment, variant)) if variant.is_empty());
+        entry.variables().into_iter().any(moment)
+    }
+
+    /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
+    fn is_own(&mut self, variable: Variable) -> bool {
+        let own = match self.theory.atoms.owner(variable) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, variant)) => {
+                matches!(quantity, Quantity::Force | Quantity::OriginVelocity)
+                    || *quantity == Quantity::Velocity && !variant.is_empty()
+            }
+            None => false,
+        };
+        own && self
+            .theory
+            .normal(&variable_fraction(variable))
+            .as_variable()
+            == Some(variable)
+    }
+
+    /// Whether a difference says what a variable is, or what the acceleration is that a force gives.
+    fn is_solved_by_own(&mut self, difference: &Fraction, variable: Variable) -> bool {
+        let value = self.theory.normal(&variable_fraction(variable));
+        let acceleration = |v: Variable| {
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(Quantity::Acceleration, _)))
+        };
+        let mut variables = value.variables().into_iter();
+        let Some(own) = variables.find(|&v| v == variable || acceleration(v)) else {
+            return false;
+        };
+        let above = difference.numerator();
+        let factor = above.coefficient_of(own, 1);
+        above.degree_in(own) == 1
+            && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
+    }
+}
+
+/// Whether a difference is a number times a variable, and more without it.
+fn is_solved_by(difference: &Fraction, variable: Variable) -> bool {
+    let above = difference.numerator();
+    above.degree_in(variable) == 1
+        && above.coefficient_of(variable, 1).is_constant().is_some()
+        && !difference.denominator().variables().contains(&variable)
+}

@@ -1,0 +1,168 @@
+//! Small quantities: lines that hold to the order to which they are written.
+//!
+//! Of `A ≈ B` with small symbols in it, what A − B has beyond the order of B is taken over to the right side, term by
+//! term of Taylor's series; what is left must vanish exactly, and is proved and refuted like any other line.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::notation::ast::{Function, Node, Relation};
+use crate::verify::check::Checker;
+use crate::verify::theory::decide::Equation;
+use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::value::Value;
+use num_traits::Zero;
+
+/// Words before and behind symbols that are small.
+const BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
+const BEHIND: &[&str] = &[
+    "is small",
+    "are small",
+    "is very small",
+    "are very small",
+    "remain small",
+    "remains small",
+    "stay small",
+    "stays small",
+    "is a small",
+    "are both small",
+    "are all small",
+];
+/// The highest order to which the series of a sine and a cosine are taken.
+const HIGHEST: u32 = 3;
+
+impl Checker<'_> {
+    /// Notes symbols of an expression that the words before it call small.
+    pub(crate) fn small_before(&mut self, node: &Node) {
+        let words: Vec<&str> = self.sentence.split_whitespace().collect();
+        let near = words.iter().rev().take(3);
+        let clause: Vec<String> = near.map(|word| word.to_lowercase()).collect();
+        if clause.iter().any(|word| BEFORE.contains(&word.as_str())) {
+            self.call_small(node);
+        }
+    }
+
+    /// Notes the expressions of a list that the words behind it call small.
+    pub(crate) fn small_behind(&mut self, text: &str, named: &[Node]) {
+        if BEHIND.iter().any(|words| text.starts_with(words)) {
+            named.iter().for_each(|node| self.call_small(node));
+        }
+    }
+
+    fn call_small(&mut self, node: &Node) {
+        let entities = self.entities([node]);
+        self.small.extend(entities);
+    }
+
+    /// Equations of the line at hand to the order of their right sides, where something in them is small; whether any is.
+    pub(crate) fn keep_order(&mut self, equations: &mut [Equation]) -> bool {
+        let approximate = self.figures.relations.contains(&Relation::Approximate);
+        let mut cut = false;
+        for equation in equations.iter_mut().filter(|_| approximate) {
+            cut |= self.cut_off(equation).is_some();
+        }
+        cut
+    }
+
+    fn cut_off(&mut self, equation: &mut Equation) -> Option<()> {
+        let sides = [&equation.right, &equation.left];
+        let shown = sides.into_iter().find(|side| !side.is_zero())?;
+        let order = shown.entries.iter().map(|entry| self.order(entry)).max()?;
+        let entries = equation.residual.entries.iter();
+        let whole: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
+        if order > HIGHEST || !whole.iter().any(|entry| self.has_small(entry)) {
+            return None;
+        }
+        let higher = whole.into_iter().map(|whole| {
+            let low = self.low(&whole, order);
+            whole - low
+        });
+        let higher = higher.collect();
+        let higher = Value {
+            entries: higher,
+            ..equation.residual.clone()
+        };
+        equation.right = equation.right.plus(&higher, false).ok()?;
+        equation.residual = equation.residual.plus(&higher, true).ok()?;
+        Some(())
+    }
+
+    /// The terms up to an order in the small symbols.
+    fn low(&mut self, whole: &Fraction, order: u32) -> Fraction {
+        let mut above = whole.numerator().clone();
+        for variable in above.variables() {
+            if let Some(series) = self.series(variable) {
+                above = above.substitute(variable, &series);
+            }
+        }
+        let kept = above.terms().iter().filter(|(monomial, _)| {
+            let degree = monomial
+                .factors()
+                .map(|(v, power)| power * u32::from(self.is_small(v)));
+            degree.sum::<u32>() <= order
+        });
+        let low = Polynomial::from_terms(kept.cloned().collect());
+        Fraction::new(low, whole.denominator().clone()).unwrap_or_else(|| whole.clone())
+    }
+
+    /// The highest order of a term as it is written.
+    fn order(&mut self, entry: &Fraction) -> u32 {
+        let terms = entry.numerator().terms().to_vec();
+        let order = |(monomial, _): &(_, _)| {
+            let monomial: &crate::algebra::Monomial = monomial;
+            let factors = monomial.factors();
+            factors.map(|(v, power)| power * self.order_of(v)).sum()
+        };
+        terms.iter().map(order).max().unwrap_or(0)
+    }
+
+    fn order_of(&self, variable: Variable) -> u32 {
+        match self.theory.atoms.atom(variable) {
+            Atom::Kernel {
+                function: Function::Sin,
+                argument,
+            } => u32::from(argument.variables().iter().any(|&v| self.is_small(v))),
+            _ => u32::from(self.is_small(variable)),
+        }
+    }
+
+    fn has_small(&self, entry: &Fraction) -> bool {
+        let mut inside = entry
+            .variables()
+            .into_iter()
+            .flat_map(|v| self.theory.atoms.with_arguments(v));
+        inside.any(|v| self.is_small(v))
+    }
+
+    /// Whether a variable, or what it is a rate of, is small: by words, or by the δ of a variation.
+    fn is_small(&self, variable: Variable) -> bool {
+        let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
+            return false;
+        };
+        let varied = match &self.theory.atoms.info(entity).owner {
+            Owner::Quantity(_, variant) => variant.ends_with('δ'),
+            Owner::Symbol(key) => key.split(' ').any(|part| part.ends_with('δ')),
+        };
+        varied || self.small.contains(&entity)
+    }
+
+    /// Taylor's series of the sine or cosine of a small angle.
+    fn series(&mut self, variable: Variable) -> Option<Polynomial> {
+        let Atom::Kernel { function, argument } = self.theory.atoms.atom(variable).clone() else {
+            return None;
+        };
+        let angle = argument.numerator().clone();
+        let small = angle.variables().iter().all(|&v| self.is_small(v));
+        if !small || !argument.is_polynomial() || angle.is_zero() {
+            return None;
+        }
+        let ratio = |p, q| Fraction::from_ratio(p, q).numerator().clone();
+        let square = angle.clone() * angle.clone();
+        match function {
+            Function::Sin => Some(angle.clone() + ratio(-1, 6) * square * angle),
+            Function::Cos => {
+                let fourth = square.clone() * square.clone();
+                Some(ratio(1, 1) + ratio(-1, 2) * square + ratio(1, 24) * fourth)
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! The symbols that a document could write: those that it writes, and each with another index or another dot.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::document::{Document, Row};
+use crate::notation::reread;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::repair::edit::{dotted, other_axis, replaced_index, undotted};
+use crate::verify::repair::lines;
+use crate::verify::values::atoms::Entity;
+use crate::verify::values::symbol::Meaning;
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
+
+/// Symbols that are kept at most.
+const WORDS: usize = 200;
+
+/// A symbol as the document writes it.
+pub(crate) struct Word {
+    pub(crate) text: String,
+    pub(crate) value: Fraction,
+    letter: Letter,
+    subscripts: Vec<String>,
+    order: u8,
+    /// What it is a component of.
+    of: Option<Entity>,
+}
+
+impl Checker<'_> {
+    /// What could stand in a line: its own symbols first, then the document's, then their neighbours.
+    pub(crate) fn vocabulary(&mut self, line: &Line) -> Vec<Word> {
+        let document = self.document;
+        let mut texts: Vec<String> = vec![];
+        let mut seen = BTreeSet::new();
+        for side in line
+            .sides
+            .iter()
+            .chain(lines(document).flat_map(|l| &l.sides))
+        {
+            if texts.len() >= WORDS {
+                break;
+            }
+            atoms(side, &mut |node| {
+                let text = document.source.slice(node.span).trim();
+                if !text.is_empty() && seen.insert(text.to_owned()) {
+                    texts.push(text.to_owned());
+                }
+            });
+        }
+        // A letter that is a component by itself has its siblings in other letters.
+        for letter in self.reading.components.keys().filter(|l| !l.calligraphic) {
+            if seen.insert(letter.name.clone()) {
+                texts.push(letter.name.clone());
+            }
+        }
+        for at in 0..texts.len() {
+            let Some(text) = texts.get(at).cloned() else {
+                break;
+            };
+            for near in neighbours(&text) {
+                if texts.len() < WORDS && seen.insert(near.clone()) {
+                    texts.push(near);
+                }
+            }
+        }
+        texts
+            .into_iter()
+            .filter_map(|text| self.word(text))
+            .collect()
+    }
+
+    fn word(&mut self, text: String) -> Option<Word> {
+        let node = expression(self.document, &text)?;
+        let (symbol, order) = symbol(&node)?;
+        let value = self.lowering(Frame::Moving).value(&node).ok()?;
+        let [value] = value.entries.as_slice() else {
+            return None;
+        };
+        let of = match self.meaning_of(symbol) {
+            Meaning::Component(entity, _) => Some(entity),
+            _ => None,
+        };
+        Some(Word {
+            value: value.clone(),
+            letter: Letter::of(symbol),
+            subscripts: symbol.subscripts.clone(),
+            order,
+            of,
+            text,
+        })
+    }
+}
+
+/// The expression that a text holds.
+pub(crate) fn expression(document: &Document, text: &str) -> Option<Node> {
+    let rows = reread(document, &format!("{text} = 0"));
+    match rows.as_slice() {
+        [Row::Line(line)] => line.sides.first().cloned(),
+        _ => None,
+    }
+}
+
+/// The symbols of a tree, under their dots.
+fn atoms<'a>(node: &'a Node, look: &mut impl FnMut(&'a Node)) {
+    if symbol(node).is_some() {
+        look(node);
+        return;
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| atoms(child, look));
+}
+
+/// The symbol of a node and how often it is differentiated.
+fn symbol(node: &Node) -> Option<(&Symbol, u8)> {
+    match &node.kind {
+        Kind::Symbol(symbol) => Some((symbol, 0)),
+        Kind::TimeDerivative {
+            operand,
+            order,
+            frame: None,
+            ..
+        } => match &operand.kind {
+            Kind::Symbol(symbol) => Some((symbol, *order)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// A symbol's text with each other index, and each of these with a dot more or less.
+fn neighbours(text: &str) -> Vec<String> {
+    let mut all = other_indices(text);
+    all.push(text.to_owned());
+    let dots: Vec<String> = all
+        .iter()
+        .map(|text| undotted(text).unwrap_or_else(|| dotted(text)))
+        .collect();
+    all.extend(dots);
+    all
+}
+
+fn other_indices(text: &str) -> Vec<String> {
+    let Some((_, index)) = text.rsplit_once('_') else {
+        return vec![];
+    };
+    let index: String = index
+        .trim_start_matches('{')
+        .chars()
+        .take_while(|c| axis(&c.to_string()).is_some())
+        .collect();
+    let mut all = vec![];
+    for (place, c) in index.chars().enumerate() {
+        for to in 0..3 {
+            let other = other_axis(c, to).filter(|other| *other != c);
+            let new: Option<String> = other.map(|other| {
+                let letters = index.chars().enumerate();
+                letters
+                    .map(|(i, c)| if i == place { other } else { c })
+                    .collect()
+            });
+            all.extend(new.and_then(|new| replaced_index(text, &index, &new)));
+        }
+    }
+    all
+}
+
+/// What one who writes one symbol for another has done, and how unlikely that is; `None` for the same symbol.
+pub(crate) fn difference(written: &Word, wanted: &Word) -> Option<(&'static str, u32)> {
+    let same_letter = written.letter == wanted.letter;
+    let same_index = written.subscripts == wanted.subscripts;
+    let siblings = same_letter || (written.of.is_some() && written.of == wanted.of);
+    match (same_letter && same_index, written.order.cmp(&wanted.order)) {
+        (true, Ordering::Less) => Some(("missing-dot", 10)),
+        (true, Ordering::Greater) => Some(("extra-dot", 13)),
+        (true, Ordering::Equal) => None,
+        (false, Ordering::Equal) if siblings => Some(("index", 12)),
+        (false, Ordering::Equal) => Some(("symbol", 16)),
+        (false, _) => None,
+    }
+}

@@ -1,0 +1,280 @@
+//! Relations of the document that give no symbol a value: M₃ = |M| cos θ, where |M| is made of M₃; c·c = 1.
+//!
+//! They are used as they stand: what is left of an equation when every rule is put in may be a combination of them,
+//! which a Gröbner basis finds (Buchberger 1965), within a budget.
+
+use crate::algebra::{
+    Budget, Combination, Fraction, Monomial, Polynomial, Reason, Reduction, Variable, reduce_where,
+};
+use crate::scalar::Prime;
+use crate::verify::theory::certify::Elimination;
+use crate::verify::theory::variety::Variety;
+use crate::verify::theory::{Name, Theory};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
+use num_traits::{One, Zero};
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
+
+/// The work for one equation.
+const BUDGET: Budget = Budget {
+    terms: 4_000,
+    reductions: 600,
+};
+/// Terms of a relation that equations are held against.
+const MOST_TERMS: usize = 120;
+/// Facts that one equation is held against.
+const MOST_FACTS: usize = 40;
+
+/// A relation that could not be solved for a symbol.
+#[derive(Clone, Debug)]
+pub(crate) struct Kept {
+    /// Whose word it is.
+    pub name: Name,
+    /// What vanishes, as written.
+    pub written: Fraction,
+    /// How many rules there were when it could not be solved.
+    pub rules: usize,
+}
+
+/// All of them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Relations {
+    /// In the order in which they were met.
+    pub kept: Vec<Kept>,
+    /// The order of rates up to which worlds satisfy them.
+    pub order: u8,
+    /// Those that hang together, where that is known.
+    pub varieties: Option<Arc<[Variety]>>,
+    /// Points of varieties modulo the prime, by the place of the variety and the seed.
+    pub points: HashMap<(usize, u64), Point<Prime>>,
+    /// Whether they contradict each other, where that is known.
+    contradictory: Option<bool>,
+}
+
+/// A value for each variable of a variety; `None` where a seed leads to no point.
+pub(crate) type Point<T> = Option<Arc<[(Variable, T)]>>;
+
+impl Relations {
+    /// Forgets what depends on the rules in force.
+    pub(crate) fn forget(&mut self) {
+        self.varieties = None;
+        self.points.clear();
+    }
+}
+
+impl Theory {
+    /// What a relation may be divided by: the functions of angles and the lengths that stand in every term, as long as
+    /// terms are left, and what vanishes for no body. A product does not say which of its factors vanishes; a rate in
+    /// every term may well be the one, as nothing moves.
+    pub(crate) fn content(&self, relation: &Polynomial) -> Monomial {
+        let nonzero = |&(v, _): &(Variable, u32)| {
+            let function = matches!(self.atoms.atom(v), Atom::Kernel { .. });
+            function && relation.len() > 1 || self.never_zero(&Polynomial::variable(v))
+        };
+        let common = relation.common_monomial();
+        Monomial::from_powers(common.powers().into_iter().filter(nonzero))
+    }
+
+    /// Whether a symbol of the document stands in a relation that is kept, as written or with every rule put in.
+    pub(crate) fn is_in_relation(&mut self, entity: Entity) -> bool {
+        if !matches!(self.atoms.info(entity).owner, Owner::Symbol(_)) {
+            return false;
+        }
+        self.relations.kept.clone().into_iter().any(|kept| {
+            let mut variables = self.normal(&kept.written).variables();
+            variables.extend(kept.written.variables());
+            let mut entities = variables
+                .into_iter()
+                .filter_map(|v| self.atoms.entity_of(v));
+            entities.any(|found| found == entity)
+        })
+    }
+
+    /// Whether a kept relation speaks of one instant alone.
+    pub(crate) fn is_momentary(&self, kept: &Kept) -> bool {
+        self.instants.contains(&kept.name)
+    }
+
+    /// The relation of an index, or its first rate, with every rule put in, as a fact; `None` where nothing is left of it.
+    fn kept_fact(&mut self, index: usize, rate: bool) -> Option<usize> {
+        if let Some(&known) = self.ledger.kept.get(&(index, rate)) {
+            return known;
+        }
+        let fact = self.new_kept_fact(index, rate);
+        self.ledger.kept.insert((index, rate), fact);
+        fact
+    }
+
+    fn new_kept_fact(&mut self, index: usize, rate: bool) -> Option<usize> {
+        let kept = self.relations.kept.get(index)?.clone();
+        let normal = self.normal(&kept.written);
+        if rate && self.is_momentary(&kept) || self.is_heavy(&normal, rate) {
+            return None;
+        }
+        let premise = Reason::Premise(kept.name);
+        let written = kept.written.numerator().clone();
+        let mut fact = self.ledger.push(written, premise);
+        if rate {
+            fact = self.rate_of(fact)?;
+        }
+        let done = Elimination::of(self, self.ledger.facts[fact].value.clone())?;
+        if done.rest.is_zero() || done.rest.len() > MOST_TERMS {
+            return None;
+        }
+        let content = self.content(&done.rest);
+        let value = done.rest.divided_by(&content);
+        let multiplier = Polynomial::term(content, One::one());
+        self.ledger.divide_by(&multiplier);
+        let mut cofactors = vec![(fact, done.multiplier)];
+        cofactors.extend(done.cofactors.into_iter().map(|(fact, c)| (fact, -c)));
+        let reason = Reason::Combination(Combination {
+            multiplier,
+            cofactors,
+        });
+        Some(self.ledger.push(value, reason))
+    }
+
+    fn order_of_kept(&mut self, index: usize) -> u8 {
+        let written = self.relations.kept[index].written.clone();
+        let normal = self.normal(&written);
+        self.highest_rate(&normal)
+    }
+
+    /// The facts that hang together with a polynomial: kept relations, the rates of those that are of a lower order, and
+    /// the squares of functions.
+    fn related_facts(&mut self, rest: &Polynomial, rates: bool) -> Vec<usize> {
+        let orders = if rates { &[false, true][..] } else { &[false] };
+        let highest = self.highest_rate(&Fraction::from(rest.clone()));
+        let mut open: Vec<usize> = (0..self.relations.kept.len())
+            .flat_map(|index| orders.iter().map(move |&rate| (index, rate)))
+            .filter_map(|(index, rate)| {
+                let speaks = !rate || self.order_of_kept(index) < highest;
+                speaks.then(|| self.kept_fact(index, rate))?
+            })
+            .collect();
+        let mut variables: BTreeSet<Variable> = rest.variables().into_iter().collect();
+        let mut squared: BTreeSet<Variable> = BTreeSet::new();
+        let mut found: Vec<usize> = vec![];
+        loop {
+            for &variable in variables.difference(&squared.clone()) {
+                squared.insert(variable);
+                open.extend(self.square_relation(variable).map(|r| r.fact));
+            }
+            let touches = |theory: &Self, fact: usize| {
+                let inside = theory.ledger.facts[fact].value.variables();
+                inside.iter().any(|v| variables.contains(v))
+            };
+            let Some(place) = open.iter().position(|&fact| touches(self, fact)) else {
+                return found;
+            };
+            let fact = open.remove(place);
+            variables.extend(self.ledger.facts[fact].value.variables());
+            if !found.contains(&fact) {
+                found.push(fact);
+            }
+            if found.len() > MOST_FACTS {
+                return found;
+            }
+        }
+    }
+
+    fn related_values(&mut self, rest: &Polynomial, rates: bool) -> (Vec<usize>, Vec<Polynomial>) {
+        let facts = self.related_facts(rest, rates);
+        let values = facts
+            .iter()
+            .map(|&fact| self.ledger.facts[fact].value.clone());
+        let values = values.collect();
+        (facts, values)
+    }
+
+    /// Shows that what is left of an elimination is a combination of kept relations; `None` where none was found.
+    pub(crate) fn vanishes_by_relations(
+        &mut self,
+        done: &mut Elimination,
+        divisors: &[&Polynomial],
+    ) -> Option<()> {
+        if self.relations.kept.is_empty() || self.is_contradictory() {
+            return None;
+        }
+        [false, true].into_iter().find_map(|rates| {
+            let (facts, values) = self.related_values(&done.rest, rates);
+            let nonzero = self.nonzero(&done.rest, &values, divisors);
+            let reduction = reduce_where(&done.rest, &values, &nonzero, BUDGET);
+            let Reduction::Zero(certificate) = reduction else {
+                return None;
+            };
+            self.ledger.divide_by(&certificate.multiplier);
+            done.vanishes_by(
+                certificate.multiplier,
+                facts.into_iter().zip(certificate.cofactors),
+            )
+        })
+    }
+
+    /// Whether the kept relations say that one of some conditions vanishes: what holds where none does then holds nowhere.
+    pub(crate) fn leaves_nothing(&mut self, conditions: &[Polynomial]) -> bool {
+        if self.relations.kept.is_empty() || conditions.is_empty() {
+            return false;
+        }
+        let mut product = Polynomial::one();
+        for condition in conditions {
+            let Some(next) = product.product_within(condition, MOST_TERMS) else {
+                return true;
+            };
+            product = next;
+        }
+        let values = self.related_values(&product, false).1;
+        let all: BTreeSet<Variable> = values.iter().flat_map(Polynomial::variables).collect();
+        for variable in all.into_iter().map(Polynomial::variable) {
+            if self.never_zero(&variable) && product.len() <= MOST_TERMS {
+                product *= variable;
+            }
+        }
+        let Some(square) = product.product_within(&product, BUDGET.terms) else {
+            return true;
+        };
+        let vanishes = reduce_where(&square, &values, &BTreeSet::new(), BUDGET);
+        !matches!(vanishes, Reduction::Residue(_))
+    }
+
+    /// Variables that an equation may be divided by: those that vanish for no body, functions of an angle and roots, and
+    /// what the equation itself divides by.
+    fn nonzero(
+        &self,
+        rest: &Polynomial,
+        values: &[Polynomial],
+        divisors: &[&Polynomial],
+    ) -> BTreeSet<Variable> {
+        let below: BTreeSet<Variable> = divisors
+            .iter()
+            .flat_map(|d| d.common_monomial().powers())
+            .map(|(v, _)| v)
+            .collect();
+        let all = values.iter().chain([rest]).flat_map(Polynomial::variables);
+        all.filter(|&v| {
+            below.contains(&v)
+                || matches!(self.atoms.atom(v), Atom::Kernel { .. })
+                || self.never_zero(&Polynomial::variable(v))
+        })
+        .collect()
+    }
+
+    /// Whether kept relations contradict each other, as rounded numbers may: from such nothing is concluded.
+    fn is_contradictory(&mut self) -> bool {
+        if let Some(known) = self.relations.contradictory {
+            return known;
+        }
+        let mut found = false;
+        for index in 0..self.relations.kept.len() {
+            let Some(fact) = self.kept_fact(index, false) else {
+                continue;
+            };
+            let value = self.ledger.facts[fact].value.clone();
+            let values = self.related_values(&value, false).1;
+            let nothing = reduce_where(&Polynomial::one(), &values, &BTreeSet::new(), BUDGET);
+            found |= matches!(nothing, Reduction::Zero(_) | Reduction::Contradiction(_));
+        }
+        self.relations.contradictory = Some(found);
+        found
+    }
+}

@@ -1,0 +1,145 @@
+//! Facts about functions that no polynomial is: their squares, and one function at equal arguments.
+
+use crate::algebra::{
+    Combination, Fraction, Kernel, Polynomial, Rational, Reason, Variable, difference,
+};
+use crate::notation::ast::Function;
+use crate::verify::theory::Theory;
+use crate::verify::theory::attitude_law::UNIT;
+use crate::verify::theory::certify::Elimination;
+use crate::verify::theory::ledger::{Relation, ratio};
+use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::figures::is_pi;
+use num_traits::{One, Zero};
+
+impl Theory {
+    /// A function of an argument that has a simpler form: the same function of that.
+    pub(crate) fn congruence(&mut self, variable: Variable) -> Option<usize> {
+        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
+            return None;
+        };
+        let reduced = self.normal(&argument);
+        if reduced == argument || !reduced.is_valid() {
+            return None;
+        }
+        let same = Atom::Kernel {
+            function,
+            argument: reduced.clone(),
+        };
+        let other_variable = self.atoms.special(same);
+        let other = variable_fraction(other_variable);
+        let equal = difference(&ratio(&argument), &ratio(&reduced));
+        let done = Elimination::of(self, equal.clone())?;
+        if !done.rest.is_zero() {
+            return None;
+        }
+        let by = self
+            .ledger
+            .push(equal, Reason::Combination(done.combination()));
+        self.note_kernels(&variable_fraction(variable));
+        self.note_kernels(&other);
+        let value = Polynomial::variable(variable) - Polynomial::variable(other_variable);
+        let reason = Reason::Congruence {
+            one: variable,
+            other: other_variable,
+            by,
+        };
+        let equal = self.ledger.push(value, reason);
+        let known = match (function, self.known_angle(&reduced)) {
+            (Function::Sin, Some((sine, _))) => sine,
+            (Function::Cos, Some((_, cosine))) => cosine,
+            (Function::Sin, None) if reduced.is_zero() => Fraction::zero(),
+            (Function::Cos, None) if reduced.is_zero() => Fraction::one(),
+            _ => return Some(equal),
+        };
+        self.note_kernels(&known);
+        let (value, scale) = (
+            known.numerator().clone(),
+            known.denominator().is_constant()?,
+        );
+        let value = value * Polynomial::constant(Rational::from(1) / scale);
+        Some(self.value_at_angle(variable, other_variable, value, equal))
+    }
+
+    /// A sine or a cosine of an angle at which its value is known.
+    fn value_at_angle(
+        &mut self,
+        variable: Variable,
+        at_angle: Variable,
+        value: Polynomial,
+        equal: usize,
+    ) -> usize {
+        let known = Polynomial::variable(at_angle) - value.clone();
+        let name = "the sine or cosine of a known angle".to_owned();
+        let known = self.ledger.push(known, Reason::Premise(name));
+        let combination = Combination {
+            multiplier: Polynomial::one(),
+            cofactors: vec![(equal, Polynomial::one()), (known, Polynomial::one())],
+        };
+        let value = Polynomial::variable(variable) - value;
+        self.ledger.push(value, Reason::Combination(combination))
+    }
+
+    /// The relation of the square of a sine or a root: d·v² − n.
+    pub(crate) fn square_relation(&mut self, variable: Variable) -> Option<Relation> {
+        let square = self.kernel_square(variable)?;
+        self.note_kernels(&variable_fraction(variable));
+        self.note_kernels(&square);
+        let fact = match self.ledger.squares.get(&variable) {
+            Some(&fact) => fact,
+            None => {
+                let root = Polynomial::variable(variable);
+                let value =
+                    square.denominator().clone() * root.clone() * root - square.numerator().clone();
+                let reason = self.reason_of_square(variable)?;
+                let fact = self.ledger.push(value, reason);
+                self.ledger.squares.insert(variable, fact);
+                fact
+            }
+        };
+        Some(Relation {
+            numerator: square.numerator().clone(),
+            denominator: square.denominator().clone(),
+            fact,
+            height: 0,
+        })
+    }
+
+    fn reason_of_square(&mut self, variable: Variable) -> Option<Reason> {
+        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
+            return Some(Reason::Premise(UNIT.to_owned()));
+        };
+        Some(match function {
+            Function::Sin => Reason::Circle {
+                sine: variable,
+                cosine: self.kernel(Function::Cos, argument).as_variable()?,
+            },
+            _ => Reason::Root(variable),
+        })
+    }
+
+    /// Declares the kernels of a fraction, and those of their arguments.
+    pub(crate) fn note_kernels(&mut self, fraction: &Fraction) {
+        for variable in fraction.variables() {
+            if self.ledger.kernels.contains_key(&variable) {
+                continue;
+            }
+            if is_pi(&self.atoms, variable) {
+                let kernel = Kernel {
+                    function: "pi",
+                    argument: ratio(&Fraction::zero()),
+                };
+                self.ledger.kernels.insert(variable, kernel);
+            }
+            if let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() {
+                self.ledger.divide_by(argument.denominator());
+                let kernel = Kernel {
+                    function: crate::verify::names::function(function),
+                    argument: ratio(&argument),
+                };
+                self.ledger.kernels.insert(variable, kernel);
+                self.note_kernels(&argument);
+            }
+        }
+    }
+}

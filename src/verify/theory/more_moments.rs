@@ -1,0 +1,188 @@
+//! Moments that act beside the one that the law names: `J\dot\omega + \omega\times J\omega = \tau + \tau_d`.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::Node;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
+use crate::verify::values::quantity::{Quantity, Shape};
+use num_traits::{One, Zero};
+
+/// Moments that may act beside the one that the law names.
+const MOST: usize = 4;
+
+/// Vectors of the document that act as moments beside the one of the law, each with whether it is taken off.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct OtherMoments([Option<(Entity, bool)>; MOST]);
+
+impl OtherMoments {
+    /// A component of what they come to together.
+    pub(crate) fn sum(self, atoms: &mut Atoms, component: u8) -> Fraction {
+        let all = self.0.into_iter().flatten();
+        all.fold(Fraction::zero(), |sum, (entity, negative)| {
+            let value = atoms.value(entity, component, 0);
+            if negative { sum - value } else { sum + value }
+        })
+    }
+
+    fn has(self, entity: Entity) -> bool {
+        self.0
+            .into_iter()
+            .flatten()
+            .any(|(other, _)| other == entity)
+    }
+
+    /// Takes one more in; `None` where there are too many.
+    fn with(mut self, entity: Entity, negative: bool) -> Option<Self> {
+        let slot = self.0.iter_mut().find(|slot| slot.is_none())?;
+        *slot = Some((entity, negative));
+        Some(self)
+    }
+}
+
+impl Checker<'_> {
+    /// Where an equation of motion is true but for vectors of the document beside the moment, these are moments too, and
+    /// the law speaks of the sum.
+    pub(crate) fn note_other_moments(&mut self, sides: &[Node]) {
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let entities = self.entities(sides);
+        let new: Vec<Entity> = entities
+            .iter()
+            .copied()
+            .filter(|&e| self.may_be_a_moment(e))
+            .collect();
+        let written = entities.contains(&moment);
+        if new.is_empty() || !written && self.writes_moments() {
+            return;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return;
+        };
+        let [equation] = read.equations.as_slice() else {
+            return;
+        };
+        let entries = equation.residual.entries.clone();
+        // Where no moment has the letter of the law, the law's own is zero, and could stand on either side.
+        let signs: &[i64] = if written { &[0] } else { &[1, -1] };
+        let mut tried = signs.iter();
+        let Some(found) = tried.find_map(|&sign| self.all_beside(moment, &new, &entries, sign))
+        else {
+            return;
+        };
+        if !written {
+            let name = "the moments that are written are all: no other acts";
+            self.vanish(name, Quantity::Moment, &[0, 1, 2]);
+        }
+        let mut all = self.theory.setting.other_moments;
+        for (entity, negative) in found {
+            match all.with(entity, negative) {
+                Some(more) => all = more,
+                None => return,
+            }
+            self.theory.atoms.info_mut(entity).constant = false;
+            self.known.insert(entity);
+        }
+        self.theory.set(|setting| setting.other_moments = all);
+    }
+
+    /// Whether some letter of the document is the moment of the law.
+    fn writes_moments(&self) -> bool {
+        let mut parts = self.reading.components.values().map(|(q, _)| q);
+        let mut wholes = self.reading.quantities.values();
+        let moment = |q: &Quantity| *q == Quantity::Moment;
+        wholes.any(moment) || parts.any(moment)
+    }
+
+    /// The vectors that stand beside the moment in every component, the moment being added with a sign.
+    fn all_beside(
+        &mut self,
+        moment: Entity,
+        new: &[Entity],
+        entries: &[Fraction],
+        sign: i64,
+    ) -> Option<Vec<(Entity, bool)>> {
+        let mut found: Option<Vec<(Entity, bool)>> = None;
+        for (at, entry) in entries.iter().enumerate() {
+            let component = match entries.len() {
+                3 => at as u8,
+                _ => self.component_of(new, entry)?,
+            };
+            let own = self.theory.atoms.value(moment, component, 0);
+            let entry = entry.clone() + own * Fraction::from_ratio(sign, 1);
+            let beside = self.beside(moment, new, &entry)?;
+            if found.get_or_insert_with(|| beside.clone()) != &beside {
+                return None;
+            }
+        }
+        found
+    }
+
+    /// The component in which one of some vectors stands in what must vanish.
+    fn component_of(&self, of: &[Entity], entry: &Fraction) -> Option<u8> {
+        let part = |v| match *self.theory.atoms.atom(v) {
+            Atom::Part {
+                entity, component, ..
+            } => of.contains(&entity).then_some(component),
+            _ => None,
+        };
+        entry.variables().into_iter().find_map(part)
+    }
+
+    fn may_be_a_moment(&self, entity: Entity) -> bool {
+        let info = self.theory.atoms.info(entity);
+        let own = match &info.owner {
+            Owner::Symbol(_) => true,
+            Owner::Quantity(quantity, variant) => {
+                *quantity == Quantity::Moment && !variant.is_empty()
+            }
+        };
+        own && info.shape == Shape::Vector && !self.theory.setting.other_moments.has(entity)
+    }
+
+    /// The vectors that stand beside a component of the moment in what must vanish, which does without them.
+    fn beside(
+        &mut self,
+        moment: Entity,
+        new: &[Entity],
+        entry: &Fraction,
+    ) -> Option<Vec<(Entity, bool)>> {
+        let (main, component) =
+            entry
+                .variables()
+                .into_iter()
+                .find_map(|v| match *self.theory.atoms.atom(v) {
+                    Atom::Part {
+                        entity,
+                        component,
+                        order: 0,
+                    } if entity == moment => Some((v, component)),
+                    _ => None,
+                })?;
+        let by = coefficient(entry, main)?;
+        let (mut rest, mut found) = (entry.clone(), vec![]);
+        for &entity in new {
+            let variable = self.theory.atoms.part(entity, component, 0);
+            let Some(factor) = coefficient(entry, variable) else {
+                continue;
+            };
+            let ratio = factor.clone() / by.clone();
+            let negative = (ratio.clone() + Fraction::one()).is_zero();
+            if !negative && !(ratio - Fraction::one()).is_zero() {
+                return None;
+            }
+            rest -= factor * variable_fraction(variable);
+            found.push((entity, negative));
+        }
+        let true_without = !found.is_empty() && self.theory.normal(&rest).is_zero();
+        found.dedup();
+        true_without.then_some(found)
+    }
+}
+
+/// The factor of a variable that stands in a fraction linearly.
+fn coefficient(entry: &Fraction, variable: Variable) -> Option<Fraction> {
+    let above = entry.numerator();
+    let linear = above.degree_in(variable) == 1 && entry.denominator().degree_in(variable) == 0;
+    let factor = Fraction::from(above.coefficient_of(variable, 1));
+    linear.then(|| factor / Fraction::from(entry.denominator().clone()))
+}

@@ -1,0 +1,255 @@
+//! Premises solved for a symbol each: which symbol, and when none can be had.
+
+use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::verify::theory::kept::{Kept, Relations};
+use crate::verify::theory::ledger::{Ledger, Source};
+use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
+use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::quantity::Quantity;
+use num_traits::Zero;
+use std::collections::BTreeSet;
+
+/// Terms of a relation that is tried again.
+const MOST_TERMS: usize = 12;
+
+impl Theory {
+    /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
+    pub(crate) fn rebuild(&mut self) -> Taken {
+        self.rules.clear();
+        self.normals.clear();
+        self.relations = Relations::default();
+        self.sources.clear();
+        self.ledger = Ledger::default();
+        self.put_fixed();
+        let mut order: Vec<Premise> = self
+            .premises
+            .iter()
+            .filter(|p| !self.left_out.contains(&p.name))
+            .cloned()
+            .collect();
+        order.sort_by_key(|premise| {
+            let momentary = self.instants.contains(&premise.name);
+            (momentary, !premise.definition, self.highest_order(premise))
+        });
+        let mut worst = Taken::Solved;
+        for premise in &order {
+            match self.solve(premise) {
+                Taken::Contradiction => return Taken::Contradiction,
+                Taken::Kept => worst = Taken::Kept,
+                _ => {}
+            }
+        }
+        match worst {
+            Taken::Kept => self.solve_kept(&order),
+            _ => worst,
+        }
+    }
+
+    /// Tries again what was kept, where rules came after it: they may have simplified it.
+    fn solve_kept(&mut self, order: &[Premise]) -> Taken {
+        let rules = self.sources.len();
+        let simple =
+            |kept: &Kept| kept.rules < rules && kept.written.numerator().len() < MOST_TERMS;
+        let names: BTreeSet<Name> = self
+            .relations
+            .kept
+            .iter()
+            .filter(|kept| simple(kept))
+            .map(|kept| kept.name.clone())
+            .collect();
+        self.relations
+            .kept
+            .retain(|kept| !names.contains(&kept.name));
+        for premise in order.iter().filter(|p| names.contains(&p.name)) {
+            if self.solve(premise) == Taken::Contradiction {
+                return Taken::Contradiction;
+            }
+        }
+        match self.relations.kept.is_empty() {
+            true => Taken::Solved,
+            false => Taken::Kept,
+        }
+    }
+
+    /// The highest order of a rate in a premise; the moment counts as a rate, as it stands for one.
+    fn highest_order(&self, premise: &Premise) -> u8 {
+        let variables = premise
+            .residuals
+            .iter()
+            .flat_map(|r| r.numerator().variables());
+        let order = |variable| match self.atoms.atom(variable) {
+            Atom::Part { entity, order, .. } => match self.atoms.info(*entity).owner {
+                Owner::Quantity(Quantity::Moment, _) => 1,
+                _ => *order,
+            },
+            Atom::SpaceRate { .. } => 1,
+            Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
+        };
+        variables.map(order).max().unwrap_or(0)
+    }
+
+    /// Solves the residuals of a premise one after the other, simplest first.
+    pub(crate) fn solve(&mut self, premise: &Premise) -> Taken {
+        let mut left: Vec<(Fraction, &Fraction)> =
+            premise.residuals.iter().map(|r| (r.clone(), r)).collect();
+        let mut taken = Taken::Known;
+        while !left.is_empty() {
+            left = left
+                .iter()
+                .map(|(r, written)| (self.normal(r), *written))
+                .filter(|(r, _)| !r.is_zero())
+                .collect();
+            if left
+                .iter()
+                .any(|(r, _)| r.numerator().is_constant().is_some())
+            {
+                return Taken::Contradiction;
+            }
+            left.sort_by_key(|(r, _)| r.numerator().len());
+            let solution = left
+                .iter()
+                .enumerate()
+                .find_map(|(i, (r, _))| Some((i, self.solution(r, premise)?)));
+            let Some((index, (variable, value))) = solution else {
+                break;
+            };
+            let (_, written) = left.remove(index);
+            self.insert(
+                variable,
+                written,
+                Rule {
+                    name: premise.name.clone(),
+                    value: value.into(),
+                },
+            );
+            taken = Taken::Solved;
+        }
+        if left.is_empty() {
+            return taken;
+        }
+        let kept = left.iter().map(|(_, written)| Kept {
+            name: premise.name.clone(),
+            written: (*written).clone(),
+            rules: self.sources.len(),
+        });
+        self.relations.kept.extend(kept);
+        Taken::Kept
+    }
+
+    pub(crate) fn insert(&mut self, variable: Variable, written: &Fraction, rule: Rule) {
+        if let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.atoms.atom(variable)
+        {
+            let source = Source {
+                residual: written.clone(),
+                before: self.sources.len(),
+            };
+            let momentary = order == 0 && self.instants.contains(&rule.name);
+            let mark = if momentary { MOMENTARY } else { 0 };
+            let part = (entity, component | mark);
+            self.sources.insert(part, source);
+            self.rules.insert(part, (order, rule));
+            self.normals.clear();
+            self.relations.forget();
+            self.forget_relations();
+        }
+    }
+
+    /// A variable of a residual in which it is linear, and its value.
+    fn solution(&self, residual: &Fraction, premise: &Premise) -> Option<(Variable, Fraction)> {
+        let polynomial = residual.numerator();
+        let candidates = polynomial.variables().into_iter().filter_map(|variable| {
+            let score = self.solvable(polynomial, variable)?;
+            let wanted = u32::from(premise.preferred.contains(&variable)) * 8;
+            Some((score + wanted, variable))
+        });
+        let (_, variable) = candidates.max_by_key(|&(score, v)| (score, std::cmp::Reverse(v)))?;
+        let coefficient = Fraction::from(polynomial.coefficient_of(variable, 1));
+        let rest = Fraction::from(polynomial.coefficient_of(variable, 0));
+        Some((variable, -rest / coefficient))
+    }
+
+    /// How well a polynomial can be solved for a variable; `None` where it cannot.
+    fn solvable(&self, polynomial: &Polynomial, variable: Variable) -> Option<u32> {
+        let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.atoms.atom(variable)
+        else {
+            return None;
+        };
+        let info = self.atoms.info(entity);
+        if info.owner == Owner::Quantity(Quantity::Time, String::new())
+            || polynomial.degree_in(variable) != 1
+        {
+            return None;
+        }
+        // A lower order that is ruled already gives this one too.
+        if self
+            .rules
+            .get(&(entity, component))
+            .is_some_and(|(ruled, _)| *ruled <= order)
+        {
+            return None;
+        }
+        // Solved for ω with ω̇ on the other side, a rule would lead from each derivative to a higher one, without end.
+        let higher = |v: &Variable| match *self.atoms.atom(*v) {
+            Atom::Part {
+                entity: e,
+                order: o,
+                ..
+            } => e == entity && o > order,
+            _ => false,
+        };
+        let variables = polynomial.variables();
+        if variables.iter().any(higher) || variables.iter().any(|&v| self.wraps(v, variable)) {
+            return None;
+        }
+        let coefficient = polynomial.coefficient_of(variable, 1);
+        let rest = polynomial.coefficient_of(variable, 0);
+        let constant = coefficient.is_constant().is_some();
+        if rest.is_zero() && !constant && !self.never_zero(&coefficient) {
+            return None;
+        }
+        let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
+        let small = coefficient.len() < 3;
+        Some(
+            u32::from(constant) * 32
+                + u32::from(order) * 4
+                + u32::from(small)
+                + u32::from(inertial && component >= 3) * 2,
+        )
+    }
+
+    /// Whether a kernel has a variable in its argument: solved for that, it would stand for itself.
+    fn wraps(&self, kernel: Variable, variable: Variable) -> bool {
+        let Atom::Kernel { argument, .. } = self.atoms.atom(kernel) else {
+            return false;
+        };
+        let inside = argument.variables();
+        inside.contains(&variable) || inside.iter().any(|&v| self.wraps(v, variable))
+    }
+
+    /// Whether a polynomial vanishes for no possible body: products of moments, masses and the document's own
+    /// parameters.
+    pub(crate) fn never_zero(&self, polynomial: &Polynomial) -> bool {
+        let positive = |variable: Variable| match self.atoms.atom(variable) {
+            Atom::Part {
+                entity,
+                component,
+                order: 0,
+            } => match &self.atoms.info(*entity).owner {
+                Owner::Quantity(Quantity::Inertia, _) => *component < 3,
+                Owner::Quantity(Quantity::Mass, _) => true,
+                Owner::Symbol(_) => self.atoms.info(*entity).constant,
+                Owner::Quantity(..) => false,
+            },
+            _ => false,
+        };
+        polynomial.len() == 1 && polynomial.variables().into_iter().all(positive)
+    }
+}

@@ -1,0 +1,308 @@
+//! A world: a value for every variable, the free ones drawn, the others had from the laws and premises.
+
+use crate::algebra::{Fraction, Rational, Variable};
+use crate::notation::ast::Function;
+use crate::scalar::{Field, Prime};
+use crate::verify::theory::Theory;
+use crate::verify::theory::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
+use crate::verify::theory::kept::{Point, Relations};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::figures::is_pi;
+use crate::verify::values::quantity::Quantity;
+use std::collections::BTreeSet;
+
+/// A scalar that worlds are made of.
+pub(crate) trait Substance: Field {
+    /// The scalar of a rational number, where there is one.
+    fn lift(value: &Rational) -> Option<Self>;
+    /// A square root, where there is one.
+    fn root(&self) -> Option<Self>;
+    /// A value for a free variable; `kind` tells what range suits it.
+    fn draw(kind: Kind, chance: u64) -> Self;
+    /// Whether it is below zero, where that has a meaning.
+    fn is_negative(&self) -> bool;
+    /// The point of a variety that was found for a seed, if points of this kind are remembered.
+    fn recall(_: &Relations, _: (usize, u64)) -> Option<Point<Self>> {
+        None
+    }
+    /// Remembers a point of a variety, if points of this kind are.
+    fn remember(_: &mut Relations, _: (usize, u64), _: &Point<Self>) {}
+}
+
+/// What a free variable is, as far as a sensible value for it goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A moment of inertia or a mass: positive.
+    Positive,
+    /// A product of inertia: small.
+    Small,
+    /// Anything else.
+    Any,
+    /// A small multiple of one over this.
+    Over(i64),
+}
+
+impl Substance for Prime {
+    fn lift(value: &Rational) -> Option<Self> {
+        value.to_prime()
+    }
+    fn root(&self) -> Option<Self> {
+        // p ≡ 3 mod 4, so a root, if there is one, is the power (p + 1)/4.
+        let root = self.pow((Self::MODULUS + 1) / 4);
+        (root * root == *self).then_some(root)
+    }
+    fn draw(_: Kind, chance: u64) -> Self {
+        Self::new(chance)
+    }
+    fn is_negative(&self) -> bool {
+        false
+    }
+    fn recall(relations: &Relations, key: (usize, u64)) -> Option<Point<Self>> {
+        relations.points.get(&key).cloned()
+    }
+    fn remember(relations: &mut Relations, key: (usize, u64), point: &Point<Self>) {
+        relations.points.insert(key, point.clone());
+    }
+}
+
+impl Substance for Rational {
+    fn lift(value: &Rational) -> Option<Self> {
+        Some(value.clone())
+    }
+    fn root(&self) -> Option<Self> {
+        self.exact_sqrt()
+    }
+    fn draw(kind: Kind, chance: u64) -> Self {
+        let below = |n: u64| (chance >> 8).rem_euclid(n) as i64;
+        Self::from(match kind {
+            Kind::Positive => 4 + below(4),
+            Kind::Small => [-1, 1][below(2) as usize],
+            Kind::Any => [1, 2, -1, 3, -2, 5][below(6) as usize],
+            // A zero lets many a root be rational.
+            Kind::Over(_) if chance & 1 == 0 => 0,
+            Kind::Over(whole) => {
+                let part = below(2 * whole.unsigned_abs() + 1) - whole;
+                return Self::from((part, whole));
+            }
+        })
+    }
+    fn is_negative(&self) -> bool {
+        *self < Self::from(0)
+    }
+}
+
+/// A value for every variable that is asked for.
+pub(crate) struct World<'a, T> {
+    pub(crate) theory: &'a mut Theory,
+    /// By variable.
+    values: Vec<Option<T>>,
+    open: BTreeSet<Variable>,
+    state: u64,
+    pub(crate) seed: u64,
+    /// Varieties that the world was put on, by their place.
+    pub(crate) settled: BTreeSet<usize>,
+    /// Variables that relations gave.
+    pub(crate) solved: BTreeSet<Variable>,
+    /// Whether some variety was missed.
+    pub(crate) lost: bool,
+}
+
+impl<'a, T: Substance> World<'a, T> {
+    /// The world that a seed makes; the same seed makes the same world everywhere.
+    pub(crate) fn new(theory: &'a mut Theory, seed: u64) -> Self {
+        let state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D_4C95_7F2D;
+        Self {
+            theory,
+            values: vec![],
+            open: BTreeSet::new(),
+            state,
+            seed,
+            settled: BTreeSet::new(),
+            solved: BTreeSet::new(),
+            lost: false,
+        }
+    }
+
+    /// The value of a fraction; `None` where a denominator vanishes or a root does not exist in this world.
+    pub(crate) fn fraction(&mut self, fraction: &Fraction) -> Option<T> {
+        let bottom = self.polynomial(fraction.denominator())?;
+        if bottom.is_zero() {
+            return None;
+        }
+        Some(self.polynomial(fraction.numerator())? / bottom)
+    }
+
+    pub(crate) fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
+        let mut sum = T::zero();
+        for (monomial, coefficient) in polynomial.terms() {
+            let mut product = T::lift(coefficient)?;
+            for (variable, exponent) in monomial.factors() {
+                let value = self.variable(variable)?;
+                for _ in 0..exponent {
+                    product *= value.clone();
+                }
+            }
+            sum += product;
+        }
+        Some(sum)
+    }
+
+    /// The value of a variable.
+    pub(crate) fn variable(&mut self, variable: Variable) -> Option<T> {
+        if let Some(Some(value)) = self.values.get(variable as usize) {
+            return Some(value.clone());
+        }
+        let ruled = if self.open.insert(variable) {
+            self.theory.rule(variable)
+        } else {
+            None
+        };
+        let value = match ruled {
+            Some(rule) => self.fraction(&rule.value),
+            None => self.on_variety(variable),
+        };
+        self.open.remove(&variable);
+        if self.theory.exhausted || self.lost {
+            return None;
+        }
+        let value = value?;
+        self.keep(variable, value.clone());
+        Some(value)
+    }
+
+    /// The value that a variable has by now.
+    pub(crate) fn value(&self, variable: Variable) -> Option<T> {
+        self.values.get(variable as usize).cloned().flatten()
+    }
+
+    pub(crate) fn is_known(&self, variable: Variable) -> bool {
+        matches!(self.values.get(variable as usize), Some(Some(_)))
+    }
+
+    pub(crate) fn keep(&mut self, variable: Variable, value: T) {
+        let place = variable as usize;
+        if self.values.len() <= place {
+            self.values.resize(place + 1, None);
+        }
+        self.values[place] = Some(value);
+    }
+
+    fn on_variety(&mut self, variable: Variable) -> Option<T> {
+        self.settle(variable)?;
+        self.value(variable).or_else(|| self.free(variable))
+    }
+
+    /// A value for a variable that nothing rules.
+    pub(crate) fn free(&mut self, variable: Variable) -> Option<T> {
+        match self.theory.atoms.atom(variable).clone() {
+            Atom::Kernel {
+                function: Function::Sin | Function::Cos,
+                argument,
+            } => {
+                self.circle(argument);
+                self.value(variable)
+            }
+            Atom::Kernel {
+                function: Function::Sqrt,
+                argument,
+            } => self.fraction(&argument)?.root(),
+            Atom::Part { .. } if self.draws_quaternion(variable) => self.quaternion(variable),
+            Atom::Part { .. } => Some(T::draw(self.kind(variable), self.chance())),
+            // No polynomial in π vanishes unless it is zero, so any value shows a difference; this one is close.
+            Atom::Opaque { .. } if is_pi(&self.theory.atoms, variable) => {
+                T::lift(&Rational::from((355, 113)))
+            }
+            _ => Some(T::draw(Kind::Any, self.chance())),
+        }
+    }
+
+    /// What a free variable is.
+    pub(crate) fn kind(&self, variable: Variable) -> Kind {
+        let Atom::Part {
+            entity,
+            component,
+            order,
+        } = *self.theory.atoms.atom(variable)
+        else {
+            return Kind::Any;
+        };
+        match self.theory.atoms.info(entity).owner {
+            Owner::Quantity(Quantity::Inertia, _) if component >= 3 => Kind::Small,
+            Owner::Quantity(Quantity::Inertia | Quantity::Mass, _) if order == 0 => Kind::Positive,
+            _ => Kind::Any,
+        }
+    }
+
+    /// A point of the unit circle, (2u, 1 − u²)/(1 + u²), for the sine and cosine of one angle.
+    fn circle(&mut self, argument: Fraction) {
+        let u = T::draw(Kind::Any, self.chance());
+        let square = u.clone() * u.clone();
+        let whole = T::one() + square.clone();
+        if whole.is_zero() {
+            return;
+        }
+        let sin = Atom::Kernel {
+            function: Function::Sin,
+            argument: argument.clone(),
+        };
+        let cos = Atom::Kernel {
+            function: Function::Cos,
+            argument,
+        };
+        let (sin, cos) = (
+            self.theory.atoms.special(sin),
+            self.theory.atoms.special(cos),
+        );
+        self.keep(sin, (u.clone() + u) / whole.clone());
+        self.keep(cos, (T::one() - square) / whole);
+    }
+
+    /// Whether a variable belongs to a unit quaternion that is drawn as a whole; where premises rule some of its numbers,
+    /// the scalar part alone is had from the others.
+    fn draws_quaternion(&mut self, variable: Variable) -> bool {
+        let Some((entity, component)) = number_of_quaternion(&self.theory.atoms, variable) else {
+            return false;
+        };
+        !self.theory.left_out.contains(UNIT) && (component == 0 || !self.is_ruled(entity))
+    }
+
+    fn is_ruled(&mut self, quaternion: Entity) -> bool {
+        let mut numbers = (0..4)
+            .map(|i| self.theory.atoms.part(quaternion, i, 0))
+            .collect::<Vec<_>>();
+        numbers.drain(..).any(|v| self.theory.rule(v).is_some())
+    }
+
+    /// A number of a unit quaternion: all four by three free numbers, [1 − s, 2σ]/(1 + s) with s = σ·σ (the modified
+    /// Rodrigues parameters: Schaub and Junkins, Analytical Mechanics of Space Systems, section 3.5).
+    fn quaternion(&mut self, variable: Variable) -> Option<T> {
+        let (entity, component) = number_of_quaternion(&self.theory.atoms, variable)?;
+        if self.is_ruled(entity) {
+            let square = square_of_scalar_part(&mut self.theory.atoms, variable)?;
+            return self.fraction(&square)?.root();
+        }
+        let sigma = [0; 3].map(|_| T::draw(Kind::Any, self.chance()));
+        let squares = sigma.iter().map(|s| s.clone() * s.clone());
+        let square = squares.fold(T::zero(), |sum, s| sum + s);
+        let whole = T::one() + square.clone();
+        if whole.is_zero() {
+            return None;
+        }
+        let [x, y, z] = sigma.map(|s| (s.clone() + s) / whole.clone());
+        let numbers = [(T::one() - square) / whole, x, y, z];
+        for (i, number) in (0..4).zip(&numbers) {
+            let variable = self.theory.atoms.part(entity, i, 0);
+            self.keep(variable, number.clone());
+        }
+        numbers.get(usize::from(component)).cloned()
+    }
+
+    /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).
+    pub(crate) fn chance(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+}

@@ -1,0 +1,20 @@
+//! From the tree of a formula to what it is worth: a grid of fractions in the document's variables.
+
+pub(super) mod atoms;
+pub(super) mod call;
+pub(super) mod figures;
+pub(super) mod hamilton;
+pub(super) mod integral;
+pub(super) mod kernel;
+pub(super) mod lower;
+pub(super) mod matrix;
+pub(super) mod operators;
+pub(super) mod quantity;
+pub(super) mod rate;
+pub(super) mod spatial;
+pub(super) mod subscript;
+pub(super) mod symbol;
+pub(super) mod turned_axes;
+pub(super) mod units;
+pub(super) mod value;
+pub(super) mod written_out;

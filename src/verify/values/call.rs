@@ -1,0 +1,147 @@
+//! Functions and calls.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Function, Kind, Node};
+use crate::verify::letters::usage::{inner, symbols};
+use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
+use crate::verify::values::value::{ShapeMismatch, Value};
+use num_traits::Zero;
+
+impl Lowering<'_> {
+    pub(crate) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
+        let value = self.value(argument)?;
+        let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
+        match function {
+            Function::Det => return value.determinant().map(Value::scalar).map_err(ill),
+            Function::Trace => return value.trace().map_err(ill),
+            Function::Skew => return value.skew().map_err(ill),
+            Function::Diag => {
+                let n = value.entries.len();
+                return Ok(Value::from_fn(n, n, |r, c| {
+                    if r == c {
+                        value.entries[r].clone()
+                    } else {
+                        Fraction::zero()
+                    }
+                }));
+            }
+            _ => {}
+        }
+        if !value.is_scalar() {
+            return Err(trouble(
+                TroubleKind::IllTyped,
+                node.span,
+                format!("a function of {}", value.shape()),
+            ));
+        }
+        let argument = self.theory.normal(&value.entries[0]);
+        self.kernel(function, argument)
+            .map(Value::scalar)
+            .ok_or_else(|| {
+                trouble(
+                    TroubleKind::Unsupported,
+                    node.span,
+                    "nothing is known of this function",
+                )
+            })
+    }
+
+    /// A symbol with a bracket behind it: a function that the document defined, a quantity at time t, or a product.
+    pub(crate) fn call(&mut self, node: &Node, head: &Node, arguments: &[Node]) -> Lowered {
+        if let [argument] = arguments {
+            if matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty())
+            {
+                return self.value(head);
+            }
+            if let Some(value) = self.applied(head, argument)? {
+                return Ok(value);
+            }
+            if let Some(value) = self.elsewhere(head, argument)? {
+                return Ok(value);
+            }
+            let (left, right) = (self.value(head)?, self.value(argument)?);
+            // S(a), the skew matrix of a.
+            if matches!(&head.kind, Kind::Symbol(s) if s.name == "S" && s.subscripts.is_empty())
+                && right.is_vector()
+            {
+                let ill = |ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m);
+                return right.skew().map_err(ill);
+            }
+            if let Some(matrix) = self.matrix_of(head, &right) {
+                return Ok(matrix);
+            }
+            return self
+                .juxtaposed(&left, &right)
+                .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m));
+        }
+        Err(trouble(
+            TroubleKind::Unsupported,
+            node.span,
+            "a function of several arguments is not known here",
+        ))
+    }
+
+    /// `A(ω_k)` where A was defined with ω in it: A with ω_k in the place of ω.
+    fn elsewhere(&mut self, head: &Node, argument: &Node) -> Result<Option<Value>, Trouble> {
+        let (Kind::Symbol(_), Kind::Symbol(at)) = (&head.kind, &inner(argument).kind) else {
+            return Ok(None);
+        };
+        let mut base = at.clone();
+        base.subscripts.clear();
+        if base == *at {
+            return Ok(None);
+        }
+        let base = Node {
+            kind: Kind::Symbol(base),
+            span: argument.span,
+        };
+        let (value, from, to) = (self.value(head)?, self.value(&base)?, self.value(argument)?);
+        if value.is_scalar() || from.entries.len() != to.entries.len() {
+            return Ok(None);
+        }
+        let parameters: Vec<u32> = from
+            .entries
+            .iter()
+            .filter_map(Fraction::as_variable)
+            .collect();
+        let value = value.map(|entry| self.theory.normal(entry));
+        let depends = |v: u32| parameters.contains(&v);
+        if parameters.len() != to.entries.len()
+            || !value
+                .entries
+                .iter()
+                .any(|e| e.variables().into_iter().any(depends))
+        {
+            return Ok(None);
+        }
+        let image = |v: u32| {
+            let place = parameters.iter().position(|&p| p == v);
+            place.map_or_else(|| variable_fraction(v), |i| to.entries[i].clone())
+        };
+        Ok(Some(value.map(|entry| substituted(entry, &image))))
+    }
+
+    /// A defined function at an argument: the parameter's variables replaced.
+    pub(crate) fn applied(
+        &mut self,
+        head: &Node,
+        argument: &Node,
+    ) -> Result<Option<Value>, Trouble> {
+        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+            return Ok(None);
+        };
+        let Some(function) = self.functions.get(&name).cloned() else {
+            return Ok(None);
+        };
+        let at = self.value(argument)?;
+        if at.entries.len() != function.parameter.len() {
+            return Ok(None);
+        }
+        let image = |v: u32| {
+            let place = function.parameter.iter().position(|&p| p == v);
+            place.map_or_else(|| variable_fraction(v), |i| at.entries[i].clone())
+        };
+        Ok(Some(function.value.map(|entry| substituted(entry, &image))))
+    }
+}

@@ -1,0 +1,133 @@
+//! Integrals over the mass of the body: the moments and products of inertia behind their definitions.
+
+use crate::algebra::{Fraction, Polynomial, Rational};
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::reason;
+use crate::verify::theory::law::inertia;
+use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+use num_traits::Zero;
+
+impl Lowering<'_> {
+    /// ∫ f dm for f quadratic in the coordinates x, y, z of the body.
+    pub(crate) fn integral(&mut self, node: &Node, integrand: &Node, variable: &Node) -> Lowered {
+        let unsupported = |message: &str| trouble(TroubleKind::Unsupported, node.span, message);
+        let over = match &variable.kind {
+            Kind::Symbol(symbol) => symbol.name.clone(),
+            _ => return Err(unsupported(reason::INTEGRAL)),
+        };
+        if !matches!(over.as_str(), "m" | "V") {
+            return Err(unsupported(reason::INTEGRAL));
+        }
+        let mut value = self.value(integrand)?;
+        let position = self.theory.atoms.quantity(Quantity::Position);
+        let arm = [0, 1, 2].map(|c| self.theory.atoms.part(position, c, 0));
+        let by_arm = |entry: &Fraction| arm.iter().any(|v| entry.variables().contains(v));
+        let mut coordinates = vec![];
+        if value.entries.iter().any(by_arm) {
+            coordinates.extend(arm);
+        } else {
+            for name in ["x", "y", "z"] {
+                coordinates.push(self.letter(name, node)?);
+            }
+        }
+        if over == "V" {
+            let density = self.letter("rho", node)?;
+            value = value.map(|entry| entry.clone() / variable_fraction(density));
+        }
+        // Coordinates on turned axes are put in by what the document says of them.
+        let entries = value.entries.iter().map(|entry| {
+            let known = self.moment_of(entry, &coordinates);
+            known.or_else(|| {
+                let normal = self.theory.normal(entry);
+                self.moment_of(&normal, &coordinates)
+            })
+        });
+        let entries: Option<Vec<Fraction>> = entries.collect();
+        let entries = entries.ok_or_else(|| unsupported(reason::INTEGRAL))?;
+        let columns = value.columns;
+        Ok(Value::from_fn(value.rows, columns, |r, c| {
+            entries[r * columns + c].clone()
+        }))
+    }
+
+    /// The variable of a plain letter.
+    fn letter(
+        &mut self,
+        name: &str,
+        node: &Node,
+    ) -> Result<u32, crate::verify::values::lower::Trouble> {
+        let symbol = Symbol {
+            name: name.to_owned(),
+            ..Symbol::default()
+        };
+        let value = self.value(&Node {
+            kind: Kind::Symbol(symbol),
+            span: node.span,
+        })?;
+        let variable = value
+            .entries
+            .first()
+            .filter(|_| value.is_scalar())
+            .and_then(Fraction::as_variable);
+        variable.ok_or_else(|| {
+            trouble(
+                TroubleKind::Unsupported,
+                node.span,
+                "the coordinates of this integral are not known",
+            )
+        })
+    }
+
+    /// The integral of a quadratic form in the coordinates, in terms of the inertia tensor.
+    pub(crate) fn moment_of(&mut self, entry: &Fraction, coordinates: &[u32]) -> Option<Fraction> {
+        let second = self.second_moments();
+        let mut rest: Polynomial = entry.numerator().clone();
+        let below = Fraction::from(entry.denominator().clone());
+        if entry
+            .denominator()
+            .variables()
+            .iter()
+            .any(|v| coordinates.contains(v))
+        {
+            return None;
+        }
+        let mut sum = Fraction::zero();
+        for a in 0..3 {
+            for b in a..3 {
+                let (u, v) = (coordinates[a], coordinates[b]);
+                let part = if a == b {
+                    rest.coefficient_of(u, 2)
+                } else {
+                    rest.coefficient_of(u, 1).coefficient_of(v, 1)
+                };
+                if part.variables().iter().any(|v| coordinates.contains(v)) {
+                    return None;
+                }
+                let (x, y) = (Polynomial::variable(u), Polynomial::variable(v));
+                rest -= part.clone() * x * y;
+                sum += Fraction::from(part) * second[a][b].clone();
+            }
+        }
+        rest.is_zero().then(|| sum / below)
+    }
+
+    /// ∫ x_a x_b dm from the tensor: J = ½ tr(I) 1 − I, with I the tensor of the equations.
+    pub(crate) fn second_moments(&mut self) -> [[Fraction; 3]; 3] {
+        let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
+        let half = constant(Rational::from(1)) / constant(Rational::from(2));
+        let trace = tensor[(0, 0)].clone() + tensor[(1, 1)].clone() + tensor[(2, 2)].clone();
+        std::array::from_fn(|a| {
+            std::array::from_fn(|b| {
+                let diagonal = if a == b {
+                    half.clone() * trace.clone()
+                } else {
+                    Fraction::zero()
+                };
+                diagonal - tensor[(a, b)].clone()
+            })
+        })
+    }
+}

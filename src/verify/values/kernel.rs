@@ -1,0 +1,201 @@
+//! Functions that no polynomial is: sines, roots, exponentials, and derivatives in something other than time.
+
+use crate::algebra::{Fraction, Rational};
+use crate::notation::ast::{Function, Kind, Node};
+use crate::verify::theory::law::Dynamics;
+use crate::verify::values::atoms::Atom;
+use crate::verify::values::lower::{Lowering, Trouble, TroubleKind, constant};
+use crate::verify::values::value::Value;
+use num_traits::{One, Zero};
+
+/// The most that an angle is multiplied out: sin 8x and no more.
+const MOST_TURNS: i64 = 8;
+
+impl Lowering<'_> {
+    /// A function of an argument in normal form; `None` where nothing is known of it.
+    pub(crate) fn kernel(&mut self, function: Function, argument: Fraction) -> Option<Fraction> {
+        match function {
+            Function::Sin => self.sine_cosine(&argument).map(|(sin, _)| sin),
+            Function::Cos => self.sine_cosine(&argument).map(|(_, cos)| cos),
+            Function::Tan => self.sine_cosine(&argument).map(|(sin, cos)| sin / cos),
+            Function::Cot => self.sine_cosine(&argument).map(|(sin, cos)| cos / sin),
+            Function::Sec => self
+                .sine_cosine(&argument)
+                .map(|(_, cos)| Fraction::one() / cos),
+            Function::Csc => self
+                .sine_cosine(&argument)
+                .map(|(sin, _)| Fraction::one() / sin),
+            Function::Sqrt => Some(self.square_root(argument)),
+            Function::Abs => {
+                let square = argument.clone() * argument;
+                Some(self.square_root(square))
+            }
+            Function::Exp | Function::Ln if argument.is_zero() && function == Function::Exp => {
+                Some(Fraction::one())
+            }
+            Function::Exp | Function::Ln => Some(self.theory.kernel(function, argument)),
+            Function::Sinh | Function::Cosh => {
+                let (up, down) = (
+                    self.theory.kernel(Function::Exp, argument.clone()),
+                    self.theory.kernel(Function::Exp, -argument),
+                );
+                let half = constant(Rational::from((1, 2)));
+                Some(if function == Function::Sinh {
+                    (up - down) * half
+                } else {
+                    (up + down) * half
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// Sine and cosine of a sum of angles, by the addition theorem; each angle is a whole multiple of half a monomial,
+    /// so that sin x and sin 2x meet in the same kernels.
+    fn sine_cosine(&mut self, argument: &Fraction) -> Option<(Fraction, Fraction)> {
+        // A function of a function stays as it is: taken apart, each one inside would double the work.
+        let inside = argument.variables();
+        let nested = |&v: &u32| matches!(self.theory.atoms.atom(v), Atom::Kernel { .. });
+        if inside.iter().any(nested) && self.theory.known_angle(argument).is_none() {
+            return Some(self.one_angle(argument.clone()));
+        }
+        let mut total = (Fraction::zero(), Fraction::one());
+        let denominator = Fraction::from(argument.denominator().clone());
+        for (coefficient, monomial) in argument.numerator().split() {
+            let angle = Fraction::from(monomial.clone());
+            let whole = angle.clone() * constant(coefficient.clone()) / denominator.clone();
+            if let Some((sin, cos)) = self.theory.known_angle(&whole) {
+                let (s, c) = total;
+                total = (
+                    s.clone() * cos.clone() + c.clone() * sin.clone(),
+                    c * cos - s * sin,
+                );
+                continue;
+            }
+            let double = coefficient.clone() * Rational::from(2);
+            let turns = double.to_integer().filter(|n| n.abs() <= 2 * MOST_TURNS);
+            let (angle, turns) = match turns {
+                Some(n) => (
+                    Fraction::from(monomial) * constant(Rational::from((1, 2))),
+                    n,
+                ),
+                None => (Fraction::from(monomial) * constant(coefficient), 1),
+            };
+            let one = self.one_angle(angle / denominator.clone());
+            for _ in 0..turns.unsigned_abs() {
+                let (s, c) = total;
+                let sin = if turns < 0 {
+                    -one.0.clone()
+                } else {
+                    one.0.clone()
+                };
+                total = (
+                    s.clone() * one.1.clone() + c.clone() * sin.clone(),
+                    c * one.1.clone() - s * sin,
+                );
+            }
+        }
+        Some(total)
+    }
+
+    fn one_angle(&mut self, angle: Fraction) -> (Fraction, Fraction) {
+        let sin = self.theory.kernel(Function::Sin, angle.clone());
+        (sin, self.theory.kernel(Function::Cos, angle))
+    }
+
+    /// ∂ of an operand in scalars or vectors, everything else that is free held fixed.
+    pub(crate) fn derivative(
+        &mut self,
+        node: &Node,
+        operand: &Node,
+        variables: &[Node],
+    ) -> Result<Value, Trouble> {
+        let unsupported = |span, message: &str| Trouble {
+            kind: TroubleKind::Unsupported,
+            message: message.to_owned(),
+            span,
+        };
+        let mut value = self.value(operand)?;
+        for variable in variables {
+            let time = matches!(&variable.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty());
+            if time && value.is_vector() {
+                // ∂L/∂t beside dL/dt: the rate on the axes that turn.
+                value = self.plain_rate(&value);
+                continue;
+            }
+            let by = self.value(variable)?;
+            // The moment is held fixed beside the angular velocity: ω̇ is what follows from both.
+            let dynamics = self.theory.setting.dynamics;
+            let left_out = self.theory.leave_out_point(&by);
+            self.theory
+                .set(|setting| setting.dynamics = Dynamics::Forward);
+            let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
+            let result = places.map(|places| {
+                let free = places.iter().all(|&p| self.theory.rule(p).is_none());
+                (free, self.jacobian(&value, &places))
+            });
+            self.theory.left_out = left_out;
+            self.theory.set(|setting| setting.dynamics = dynamics);
+            match result {
+                Some((true, jacobian)) => value = jacobian,
+                Some((false, _)) => {
+                    return Err(unsupported(
+                        variable.span,
+                        "this symbol is determined by others; the derivative in it is not defined here",
+                    ));
+                }
+                None => {
+                    return Err(unsupported(
+                        variable.span,
+                        "a derivative is taken in symbols only",
+                    ));
+                }
+            }
+            if value.entries.is_empty() {
+                return Err(unsupported(node.span, "this derivative has no entries"));
+            }
+        }
+        Ok(value)
+    }
+
+    /// Rows are the entries of the value, columns the variables; a gradient of a scalar is a column.
+    fn jacobian(&mut self, value: &Value, places: &[u32]) -> Value {
+        let entries: Vec<Fraction> = value
+            .entries
+            .iter()
+            .map(|entry| self.theory.normal(entry))
+            .collect();
+        let (rows, columns) = if value.is_scalar() {
+            (places.len(), 1)
+        } else {
+            (entries.len(), places.len())
+        };
+        Value::from_fn(rows, columns, |r, c| {
+            let (entry, place) = if value.is_scalar() {
+                (&entries[0], places[r])
+            } else {
+                (&entries[r], places[c])
+            };
+            self.partial(entry, place)
+        })
+    }
+
+    /// The partial derivative of a fraction in a variable, kernels by the chain rule.
+    pub(crate) fn partial(&mut self, fraction: &Fraction, place: u32) -> Fraction {
+        let mut slope = fraction.partial(place);
+        let variables: Vec<u32> = fraction.variables();
+        for variable in variables {
+            let Atom::Kernel { function, argument } = self.theory.atoms.atom(variable).clone()
+            else {
+                continue;
+            };
+            let inner = self.partial(&argument, place);
+            if !inner.is_zero() {
+                slope += fraction.partial(variable)
+                    * self.theory.atoms.kernel_slope(function, &argument)
+                    * inner;
+            }
+        }
+        slope
+    }
+}

@@ -1,0 +1,244 @@
+//! From a tree to its value: a grid of fractions in the document's variables.
+
+use crate::algebra::{Fraction, Polynomial, Rational};
+use crate::notation::ast::{Kind, Node};
+use crate::source::Span;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::axis;
+use crate::verify::reason;
+use crate::verify::theory::Theory;
+use crate::verify::theory::law::inertia;
+use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::figures::Figures;
+use crate::verify::values::quantity::Shape;
+use crate::verify::values::spatial::in_space;
+use crate::verify::values::symbol::{Meaning, meaning};
+use crate::verify::values::value::{ShapeMismatch, Value};
+use num_traits::Zero;
+use std::collections::HashMap;
+
+/// Why a formula has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Trouble {
+    /// What is the matter.
+    pub kind: TroubleKind,
+    /// One clause that says it.
+    pub message: String,
+    /// Where.
+    pub span: Span,
+}
+
+/// The kinds of trouble.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TroubleKind {
+    /// The shapes do not fit.
+    IllTyped,
+    /// The reader did not understand it.
+    Unreadable,
+    /// It is understood and nothing is known of it yet.
+    Unsupported,
+}
+
+/// A definition of a function: its parameter's components and its value.
+#[derive(Clone, Debug)]
+pub(crate) struct FunctionOf {
+    /// The variables of the parameter.
+    pub parameter: Vec<u32>,
+    /// The value in them.
+    pub value: Value,
+}
+
+/// What a formula is lowered with.
+pub(crate) struct Lowering<'a> {
+    /// Laws, premises and variables.
+    pub theory: &'a mut Theory,
+    /// Letters.
+    pub reading: &'a Reading,
+    /// The frame that a derivative of a vector without a label is taken in.
+    pub unlabelled: Frame,
+    /// Whether a vector without label was differentiated.
+    pub met_unlabelled: bool,
+    /// Whether every vector of the line stands on space axes.
+    pub in_space: bool,
+    /// Functions that the document defines.
+    pub functions: &'a HashMap<String, FunctionOf>,
+    /// Numbers of the document.
+    pub figures: &'a Figures,
+}
+
+pub(crate) type Lowered = Result<Value, Trouble>;
+
+pub(crate) fn trouble(kind: TroubleKind, span: Span, message: impl Into<String>) -> Trouble {
+    Trouble {
+        kind,
+        message: message.into(),
+        span,
+    }
+}
+
+impl Lowering<'_> {
+    /// The value of a node.
+    pub(crate) fn value(&mut self, node: &Node) -> Lowered {
+        let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
+        match &node.kind {
+            Kind::Number(number) => Ok(Value::scalar(self.number(number))),
+            Kind::WithUnit(inside, unit) => self.with_unit(inside, unit),
+            Kind::Bold(number) if number.value.is_zero() => Ok(Value::scalar(Fraction::zero())),
+            Kind::Bold(_) => Ok(Value::identity(3)),
+            Kind::Symbol(symbol) => {
+                let mut meaning = meaning(symbol, self.reading, &mut self.theory.atoms);
+                if self.in_space {
+                    meaning = in_space(meaning, &mut self.theory.atoms);
+                }
+                let value = self.meaning_value(meaning, 0);
+                if self.reading.marks_skew(symbol) {
+                    return value.skew().map_err(ill);
+                }
+                Ok(value)
+            }
+            Kind::Negate(a) => Ok(self.value(a)?.negated()),
+            Kind::Group(_, a) => self.value(a),
+            // `[r × v]_x` is a component.
+            Kind::InFrame(a, label) => {
+                let value = self.value(a)?;
+                Ok(match axis(&label.text) {
+                    Some(index) if value.is_vector() => {
+                        Value::scalar(value.entries[usize::from(index)].clone())
+                    }
+                    _ => value,
+                })
+            }
+            Kind::Sum(terms) => {
+                let mut sum = Value::scalar(Fraction::zero());
+                for term in terms {
+                    let value = self.value(&term.node)?;
+                    let (left, value) = self.aligned(sum, value);
+                    sum = left
+                        .plus(&value, term.negative)
+                        .map_err(|ShapeMismatch(m)| {
+                            trouble(
+                                TroubleKind::IllTyped,
+                                term.node.span,
+                                format!("cannot add {m}"),
+                            )
+                        })?;
+                }
+                Ok(sum)
+            }
+            Kind::Product(factors) => self.product(node, factors),
+            Kind::Quotient(a, b) => {
+                let (a, b) = (self.value(a)?, self.value(b)?);
+                if !b.is_scalar() || b.is_zero() {
+                    return Err(ill(ShapeMismatch(format!(
+                        "cannot divide by {}",
+                        if b.is_scalar() {
+                            "zero"
+                        } else {
+                            "a vector or matrix"
+                        }
+                    ))));
+                }
+                Ok(a.map(|entry| entry.clone() / b.entries[0].clone()))
+            }
+            Kind::Power(base, exponent) => self.power(node, base, exponent),
+            Kind::Transpose(a) => Ok(self.value(a)?.transposed()),
+            Kind::Skew(a) => self.value(a)?.skew().map_err(ill),
+            Kind::Norm(a) => self.norm(a),
+            Kind::Tuple(entries) => self.tuple(node, entries),
+            Kind::Matrix(rows) => self.grid(node, rows),
+            Kind::Determinant(rows) => self.determinant(node, rows),
+            Kind::TimeDerivative {
+                operand,
+                order,
+                frame,
+                ..
+            } => self.time_derivative(operand, *order, frame.as_ref()),
+            Kind::Derivative {
+                operand, variables, ..
+            } => self.derivative(node, operand, variables),
+            Kind::Function(function, argument) => self.function(node, *function, argument),
+            Kind::Call(head, arguments) => self.call(node, head, arguments),
+            Kind::Error(message) => {
+                Err(trouble(TroubleKind::Unreadable, node.span, message.clone()))
+            }
+            Kind::Ellipsis => Err(trouble(
+                TroubleKind::Unsupported,
+                node.span,
+                "something is left out here",
+            )),
+            Kind::PlusMinus(_) => Err(trouble(
+                TroubleKind::Unsupported,
+                node.span,
+                "± has no single value",
+            )),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits: None,
+            } => self.integral(node, integrand, variable),
+            Kind::Integral { .. } => Err(trouble(
+                TroubleKind::Unsupported,
+                node.span,
+                reason::INTEGRAL,
+            )),
+            Kind::IndexedSum { .. } => Err(trouble(
+                TroubleKind::Unsupported,
+                node.span,
+                "a sum over an index is not expanded",
+            )),
+        }
+    }
+
+    /// The value of what a symbol stands for, differentiated `order` times in the axes used.
+    pub(crate) fn meaning_value(&mut self, meaning: Meaning, order: u8) -> Value {
+        match meaning {
+            Meaning::UnitVector(_) | Meaning::Identity | Meaning::Pi if order > 0 => {
+                Value::from_fn(3, 1, |_, _| Fraction::zero())
+            }
+            Meaning::Quaternion(entity, part) => self.quaternion_part(entity, part),
+            Meaning::UnitVector(component) => Value::axis(component.into()),
+            Meaning::Identity => Value::identity(3),
+            Meaning::Pi => {
+                Value::scalar(variable_fraction(self.theory.atoms.special(Atom::Opaque {
+                    latex: "\\pi".to_owned(),
+                })))
+            }
+            Meaning::Component(entity, component) => {
+                Value::scalar(self.theory.atoms.value(entity, component, order))
+            }
+            Meaning::Whole(entity) => {
+                let shape = self.theory.atoms.info(entity).shape;
+                let atoms = &mut self.theory.atoms;
+                match shape {
+                    Shape::Scalar => Value::scalar(atoms.value(entity, 0, order)),
+                    Shape::Vector => Value::column(atoms.vector(entity, order)),
+                    Shape::Symmetric => {
+                        let tensor = inertia(atoms, self.theory.setting.products);
+                        Value::from_fn(3, 3, |r, c| tensor[(r, c)].clone())
+                    }
+                    Shape::Matrix => {
+                        Value::from_fn(3, 3, |r, c| atoms.value(entity, (3 * r + c) as u8, order))
+                    }
+                    Shape::Grid(rows, columns) => {
+                        let (rows, columns) = (usize::from(rows), usize::from(columns));
+                        Value::from_fn(rows, columns, |r, c| {
+                            atoms.value(entity, (columns * r + c) as u8, order)
+                        })
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A number as a fraction.
+pub(crate) fn constant(value: Rational) -> Fraction {
+    Fraction::from(Polynomial::constant(value))
+}
+
+/// A fraction with its variables replaced.
+pub(crate) fn substituted(fraction: &Fraction, image: &impl Fn(u32) -> Fraction) -> Fraction {
+    let lift = |c: &Rational| constant(c.clone());
+    fraction.numerator().evaluate(image, lift) / fraction.denominator().evaluate(image, lift)
+}

@@ -1,0 +1,122 @@
+//! Vectors and tensors on space axes, told by a label: `\mathbf a^s`, `\mathbf L_{\text{in}}`.
+
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::values::atoms::{Atoms, Entity, Owner};
+use crate::verify::values::lower::Lowering;
+use crate::verify::values::quantity::Shape;
+use crate::verify::values::symbol::{Meaning, meaning};
+
+/// Words and abbreviations for axes of fixed orientation, wherever they stand.
+const WORDS: &[&str] = &[
+    "in", "inertial", "space", "spatial", "fixed", "lab", "world", "inert",
+];
+/// Letters for them, where the document speaks of an attitude.
+const LETTERS: &[&str] = &["s", "S", "n", "N", "i", "I", "w", "W", "e", "E"];
+
+/// A symbol without the label that puts it on space axes; `None` where it has none.
+pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {
+    if !(symbol.style.vector || symbol.style.tensor || symbol.style.bar) {
+        return None;
+    }
+    let letters = reading.attitude.is_spoken_of();
+    let labels = |text: &str| {
+        let text = text.trim();
+        WORDS.contains(&text) || (letters && LETTERS.contains(&text))
+    };
+    let told = !reading
+        .usage
+        .always_wears(&Letter::of(symbol), &symbol.superscripts);
+    let mut bare = symbol.clone();
+    bare.subscripts.retain(|text| !labels(text));
+    bare.superscripts.retain(|text| !(labels(text) && told));
+    (bare != *symbol).then_some(bare)
+}
+
+/// Letters for the body's axes, where the document speaks of an attitude.
+const BODY: &[&str] = &["B", "b", "body"];
+
+/// A symbol without the label that puts it on the body's axes, `\mathbf h_B`, or the matrix without the two labels that it
+/// leads between, `\mathbf R_{WB}`; `None` where it has none.
+pub(crate) fn without_body_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {
+    let marked = symbol.style.vector || symbol.style.tensor || symbol.style.bar;
+    if !reading.attitude.is_spoken_of() {
+        return None;
+    }
+    let matrix = reading.attitude.matrix.as_ref() == Some(&Letter::of(symbol));
+    let labels = |text: &str| {
+        let text = text.trim();
+        let both = text.split_at_checked(1);
+        let leads = both.is_some_and(|(to, from)| LETTERS.contains(&to) && BODY.contains(&from));
+        matrix && leads || marked && !matrix && BODY.contains(&text)
+    };
+    let mut bare = symbol.clone();
+    bare.subscripts.retain(|text| !labels(text));
+    (bare != *symbol).then_some(bare)
+}
+
+/// What stands on space axes for what stands on the axes used.
+pub(crate) fn in_space(meaning: Meaning, atoms: &mut Atoms) -> Meaning {
+    match meaning {
+        Meaning::Whole(entity) => spatial(entity, atoms).map_or(meaning, Meaning::Whole),
+        Meaning::Component(entity, component) => {
+            match (spatial(entity, atoms), atoms.info(entity).shape) {
+                (Some(turned), Shape::Vector) => Meaning::Component(turned, component),
+                _ => meaning,
+            }
+        }
+        other => other,
+    }
+}
+
+fn spatial(entity: Entity, atoms: &mut Atoms) -> Option<Entity> {
+    let info = atoms.info(entity).clone();
+    if info.in_body.is_some() {
+        return Some(entity);
+    }
+    let shape = match info.shape {
+        Shape::Vector => Shape::Vector,
+        Shape::Matrix | Shape::Symmetric => Shape::Matrix,
+        Shape::Scalar | Shape::Grid(..) => return None,
+    };
+    let owner = match info.owner {
+        Owner::Quantity(quantity, variant) => {
+            Owner::Quantity(quantity, format!("{variant} on space axes"))
+        }
+        Owner::Symbol(name) => Owner::Symbol(format!("{name} on space axes")),
+    };
+    let turned = atoms.entity(&owner, shape, false, &format!("{}^s", info.latex));
+    atoms.info_mut(turned).in_body = Some(entity);
+    Some(turned)
+}
+
+impl Lowering<'_> {
+    /// Whether a differentiated operand is a column of numbers of its own, so that every frame sees the same rate: on
+    /// space axes, or the vector part of a quaternion.
+    pub(crate) fn is_column_of_numbers(&mut self, operand: &Node) -> bool {
+        if self.in_space {
+            return true;
+        }
+        let Kind::Symbol(symbol) = &inner(operand).kind else {
+            return false;
+        };
+        match meaning(symbol, self.reading, &mut self.theory.atoms) {
+            Meaning::Quaternion(..) => true,
+            Meaning::Whole(entity) => self.theory.atoms.info(entity).in_body.is_some(),
+            _ => false,
+        }
+    }
+}
+
+/// Whether a line stands on space axes as a whole: a label says so on one of its symbols, and no attitude stands in it that
+/// would take the others there.
+pub(crate) fn all_in_space(sides: &[Node], reading: &Reading) -> bool {
+    let all: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
+    let labelled = all.iter().any(|s| without_label(s, reading).is_some());
+    let turned = all.iter().any(|s| {
+        reading.attitude.matrix.as_ref() == Some(&Letter::of(s))
+            || reading.attitude.part(s).is_some()
+    });
+    labelled && !turned
+}

@@ -1,0 +1,106 @@
+//! What the subscripts and superscripts of a symbol say: an axis, two axes, a point, or a name.
+
+use crate::notation::ast::Symbol;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, axes, axis};
+use crate::verify::values::quantity::Quantity;
+
+/// The subscripts of a symbol, sorted by what they say.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Subscripts {
+    pub(crate) single: Option<u8>,
+    /// Whether it is a component of a vector with an index of its own: `\tau_{d1}`.
+    pub(crate) of_named: bool,
+    pub(crate) double: Option<(u8, u8)>,
+    /// What tells apart several entities of one letter: a step index, a word.
+    pub(crate) variant: String,
+}
+
+/// Letters for points about which moments are taken; they do not make another quantity.
+pub(crate) const POINTS: &[&str] = &[
+    "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
+];
+
+pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
+    let mut sorted = Subscripts::default();
+    let whole = reading.usage.wholes.names(symbol);
+    if whole {
+        sorted.variant = symbol.subscripts.join(",");
+    }
+    // Beside I_xx, an I_1 is a moment with a name of its own.
+    let letter = Letter::of(symbol);
+    let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
+        && reading.usage.has_lettered_entries(&letter);
+    for text in symbol.subscripts.iter().filter(|_| !whole) {
+        let text = text.trim();
+        if named_apart && matches!(text, "1" | "2" | "3") {
+            sorted.variant.push_str(text);
+        } else if let Some(index) = axis(text) {
+            sorted.single = Some(index);
+        } else if let Some(pair) = axes(text) {
+            sorted.double = Some(pair);
+        } else if let Some((name, index)) = name_and_index(text, &letter, reading) {
+            sorted.single = Some(index);
+            sorted.variant.push_str(name);
+            sorted.of_named = true;
+        } else if let Some((point, index)) = point_and_index(text) {
+            sorted.single = Some(index);
+            sorted.variant.push_str(point);
+        } else {
+            sorted.variant.push_str(text);
+        }
+    }
+    let told = !reading
+        .usage
+        .always_wears(&Letter::of(symbol), &symbol.superscripts);
+    for text in symbol
+        .superscripts
+        .iter()
+        .filter(|s| told && !POINTS.contains(&s.trim()))
+    {
+        sorted.variant.push('^');
+        sorted.variant.push_str(text.trim());
+    }
+    sorted.variant.push_str(&"'".repeat(symbol.primes.into()));
+    if symbol.variation {
+        sorted.variant.push('δ');
+    }
+    sorted
+}
+
+/// `d1` and `gg,x` are components of the vectors `d` and `gg` of that letter.
+fn name_and_index<'t>(text: &'t str, letter: &Letter, reading: &Reading) -> Option<(&'t str, u8)> {
+    let (at, _) = text.char_indices().last()?;
+    let name = text[..at].trim_end_matches([',', ' ']);
+    let index = axis(&text[at..])?;
+    let met = !name.is_empty() && reading.usage.has_index(letter, name);
+    (met && !POINTS.contains(&name)).then_some((name, index))
+}
+
+/// `Gx` is the x component about G.
+fn point_and_index(text: &str) -> Option<(&str, u8)> {
+    let (at, _) = text.char_indices().last()?;
+    let point = text[..at].trim();
+    Some((POINTS.contains(&point).then_some("")?, axis(&text[at..])?))
+}
+
+/// Whether a moment of inertia is about the point that the body turns about: O, or the only point there is.
+pub(crate) fn is_main_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
+    let met = reading.usage.subscripts.get(letter);
+    let only = met.is_some_and(|all| all.len() == 1);
+    POINTS.contains(&point) && (matches!(point, "O" | "o") || only)
+}
+
+/// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.
+pub(crate) fn another_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
+    let centre = |p: &str| matches!(p, "G" | "C" | "c" | "cm" | "CM" | "cg");
+    let met = reading.usage.subscripts.get(letter);
+    matches!(point, "O" | "o") && met.is_some_and(|all| all.iter().any(|s| centre(s)))
+}
+
+/// `k`, `k+1`, `n`: the index of an integration step.
+pub(crate) fn step_index(variant: &str) -> bool {
+    let mut characters = variant.chars();
+    matches!(characters.next(), Some('k' | 'n' | 'i' | 'j'))
+        && characters.all(|c| c.is_ascii_digit() || matches!(c, '+' | '-' | '/' | ' '))
+}

@@ -1,0 +1,353 @@
+//! What a symbol of a formula stands for.
+
+use crate::notation::ast::Symbol;
+use crate::verify::letters::attitude_reading::Part;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::Letter;
+use crate::verify::values::atoms::{Atoms, Entity, Owner};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::spatial::{in_space, without_body_label, without_label};
+use crate::verify::values::subscript::{
+    POINTS, Subscripts, another_point, is_main_point, step_index, subscripts,
+};
+
+/// What a symbol stands for.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// A whole quantity or symbol.
+    Whole(Entity),
+    /// One component of it.
+    Component(Entity, u8),
+    /// The unit vector along an axis of the axes used.
+    UnitVector(u8),
+    /// The identity matrix.
+    Identity,
+    /// π.
+    Pi,
+    /// The attitude quaternion, its conjugate or its vector part.
+    Quaternion(Entity, Part),
+}
+
+impl Meaning {
+    /// What it is, or is a component of, where that has a value of its own.
+    pub(crate) fn entity(&self) -> Option<Entity> {
+        match *self {
+            Self::Whole(entity) | Self::Component(entity, _) => Some(entity),
+            _ => None,
+        }
+    }
+}
+
+/// The variant of a velocity that may be any point's.
+pub(crate) const ANY_POINT: &str = "any point";
+
+/// The variant of a vector quantity that is its length.
+pub(crate) const MAGNITUDE: &str = "magnitude";
+
+/// Decides what a symbol stands for.
+pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    if let Some(part) = reading.attitude.part(symbol) {
+        let entity = atoms.quantity(Quantity::Quaternion);
+        return match part {
+            Part::Number(at) => Meaning::Component(entity, at),
+            part => Meaning::Quaternion(entity, part),
+        };
+    }
+    if let Some(bare) = without_label(symbol, reading) {
+        let meaning = meaning(&bare, reading, atoms);
+        return in_space(meaning, atoms);
+    }
+    if let Some(bare) = without_body_label(symbol, reading) {
+        return meaning(&bare, reading, atoms);
+    }
+    if reading.marks_skew(symbol) {
+        let mut vector = symbol.clone();
+        vector.style.tilde = false;
+        return meaning(&vector, reading, atoms);
+    }
+    let sorted = subscripts(symbol, reading);
+    let letter = Letter::of(symbol);
+    let named = reading.usage.wholes.names(symbol);
+    if let Some(meaning) = constant(symbol, &sorted, reading).filter(|_| !named) {
+        return meaning;
+    }
+    let unmarked = sorted.single.is_none() && sorted.double.is_none() && !symbol.style.vector;
+    if unmarked && let Some(&(quantity, component)) = reading.components.get(&letter) {
+        let mut variant = quantity_variant(quantity, &sorted.variant);
+        if quantity == Quantity::Inertia && is_main_point(&letter, &variant, reading) {
+            variant.clear();
+        }
+        let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
+        return Meaning::Component(entity, component);
+    }
+    let about = sorted.variant.is_empty() || POINTS.contains(&sorted.variant.as_str());
+    let lone = unmarked && about && !symbol.style.bar;
+    if lone && let Some(&quantity) = reading.bare.get(&letter) {
+        return of_quantity(quantity, &letter, &sorted, atoms);
+    }
+    if lone && let Some(meaning) = scalar(&letter, reading, atoms) {
+        return meaning;
+    }
+    match reading.quantities.get(&letter) {
+        // The law speaks of the force on the particle; others have letters of their own.
+        Some(Quantity::Force) if letter.name != "F" => {
+            of_symbol(symbol, &letter, &sorted, reading, atoms)
+        }
+        Some(&quantity) if is_quantity(quantity, symbol, &sorted, reading) => {
+            of_quantity(quantity, &letter, &sorted, atoms)
+        }
+        _ => of_symbol(symbol, &letter, &sorted, reading, atoms),
+    }
+}
+
+/// What a vector's letter stands for where it is written as a number: a component that the document calls so, the
+/// magnitude of a momentum or a moment, or else a number of its own.
+fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meaning> {
+    let quantity = *reading.quantities.get(letter)?;
+    if !matches!(quantity.shape(), Shape::Vector | Shape::Symmetric) || !reading.is_scalar(letter) {
+        return None;
+    }
+    if let Some(&component) = reading.usage.components_named.get(letter) {
+        let entity = quantity_entity(quantity, "", &letter.name, atoms);
+        return Some(Meaning::Component(entity, component));
+    }
+    let latex = latex_name(&letter.name);
+    let length = matches!(quantity, Quantity::Momentum | Quantity::Moment)
+        || reading.usage.lengths.contains(letter);
+    let owner = if length {
+        Owner::Quantity(quantity, MAGNITUDE.to_owned())
+    } else {
+        Owner::Symbol(format!("{} number", letter.name))
+    };
+    let constant = !length && !reading.usage.get(letter).moving;
+    Some(Meaning::Whole(atoms.entity(
+        &owner,
+        Shape::Scalar,
+        constant,
+        &latex,
+    )))
+}
+
+/// Unit vectors, the identity and π.
+fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<Meaning> {
+    let marked = symbol.style.hat || symbol.style.vector || reading.is_plain_unit(symbol);
+    let axis_of_name = match symbol.name.as_str() {
+        "i" | "x" => Some(0),
+        "j" | "y" => Some(1),
+        "k" | "z" => Some(2),
+        _ => None,
+    };
+    let is_letter = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
+    if marked
+        && is_letter
+        && sorted.variant.is_empty()
+        && sorted.single.is_none()
+        && let Some(component) = axis_of_name
+    {
+        return Some(Meaning::UnitVector(component));
+    }
+    let basis = matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
+    if basis
+        && (symbol.style.hat
+            || symbol.style.vector
+            || reading.numbers_unit_vectors(&Letter::of(symbol)))
+        && sorted.variant.is_empty()
+        && let Some(component) = sorted.single
+    {
+        return Some(Meaning::UnitVector(component));
+    }
+    let plain = symbol.subscripts.is_empty();
+    match symbol.name.as_str() {
+        "pi" if plain => Some(Meaning::Pi),
+        "E" | "1" if plain && (symbol.style.vector || symbol.style.tensor) => {
+            Some(Meaning::Identity)
+        }
+        "I" if symbol.style.vector && reading.usage.get(&Letter::plain("J")).bare > 0 => {
+            Some(Meaning::Identity)
+        }
+        "I" if symbol.subscripts == ["3"]
+            && !reading.usage.has_index(&Letter::plain("I"), "1")
+            && reading.usage.get(&Letter::plain("J")).bare > 0 =>
+        {
+            Some(Meaning::Identity)
+        }
+        _ => None,
+    }
+}
+
+/// Whether this use of the letter is the quantity and not a namesake: a bare Ω in a document whose frame rate is
+/// an indexed Ω is still that; an `I_s` is a moment with a name of its own.
+fn is_quantity(
+    quantity: Quantity,
+    symbol: &Symbol,
+    sorted: &Subscripts,
+    reading: &Reading,
+) -> bool {
+    let letter = Letter::of(symbol);
+    let marked = symbol.style.vector
+        || symbol.style.bar
+        || sorted.single.is_some()
+        || reading.usage.wholes.is_vector(symbol);
+    match quantity {
+        Quantity::Inertia => sorted.variant.is_empty(),
+        Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
+        Quantity::Attitude => sorted.variant.is_empty() && sorted.single.is_none(),
+        Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),
+        Quantity::AngularVelocity | Quantity::FrameRate => {
+            // ω_n or ω_0 without marks, beside a vector ω, is a scalar of its own.
+            sorted.variant.is_empty() || marked || step_index(&sorted.variant)
+        }
+        Quantity::Momentum | Quantity::Moment => {
+            sorted.variant.is_empty()
+                || (POINTS.contains(&sorted.variant.as_str())
+                    && !another_point(&letter, &sorted.variant, reading))
+                || step_index(&sorted.variant)
+        }
+        _ => marked || reading.usage.is_vector(&letter) || !sorted.variant.is_empty(),
+    }
+}
+
+fn quantity_variant(quantity: Quantity, variant: &str) -> String {
+    if quantity == Quantity::RelativeMomentum {
+        return String::new();
+    }
+    let about_a_point = matches!(
+        quantity,
+        Quantity::Momentum | Quantity::Moment | Quantity::Energy
+    );
+    if about_a_point && POINTS.contains(&variant) {
+        String::new()
+    } else {
+        variant.to_owned()
+    }
+}
+
+fn quantity_entity(quantity: Quantity, variant: &str, name: &str, atoms: &mut Atoms) -> Entity {
+    let origin = matches!(variant, "O" | "o" | "0") && quantity == Quantity::Velocity;
+    let (quantity, variant) = match quantity {
+        _ if origin => (Quantity::OriginVelocity, ""),
+        // The velocity of the moving point is the one that the law speaks of.
+        Quantity::Velocity if matches!(variant, "P" | "p") => (Quantity::Velocity, ""),
+        Quantity::Velocity if variant.is_empty() => (Quantity::Velocity, ANY_POINT),
+        _ => (quantity, variant),
+    };
+    let owner = Owner::Quantity(quantity, variant.to_owned());
+    atoms.entity(
+        &owner,
+        quantity.shape(),
+        quantity.constant(),
+        &latex_name(name),
+    )
+}
+
+fn of_quantity(
+    quantity: Quantity,
+    letter: &Letter,
+    sorted: &Subscripts,
+    atoms: &mut Atoms,
+) -> Meaning {
+    let variant = quantity_variant(quantity, &sorted.variant);
+    let entity = quantity_entity(quantity, &variant, &letter.name, atoms);
+    match (quantity, sorted.single, sorted.double) {
+        (Quantity::Inertia, _, Some((row, column))) => {
+            let component = match (row.min(column), row.max(column)) {
+                (0, 1) => 3,
+                (0, 2) => 4,
+                (1, 2) => 5,
+                (r, _) => r,
+            };
+            Meaning::Component(entity, component)
+        }
+        (Quantity::Attitude, _, Some((row, column))) => {
+            Meaning::Component(entity, 3 * row + column)
+        }
+        (_, Some(index), _) => Meaning::Component(entity, index),
+        _ => Meaning::Whole(entity),
+    }
+}
+
+/// A symbol that the theory does not know.
+fn of_symbol(
+    symbol: &Symbol,
+    letter: &Letter,
+    sorted: &Subscripts,
+    reading: &Reading,
+    atoms: &mut Atoms,
+) -> Meaning {
+    let used = reading.usage.get(letter);
+    // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
+    let named = !sorted.variant.is_empty() && reading.quantities.contains_key(letter);
+    let always_hatted =
+        symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
+    let marks = symbol.style.vector
+        || always_hatted
+        || (symbol.style.bar && sorted.single.is_some())
+        || reading.usage.wholes.is_vector(symbol)
+        || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
+        || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
+        || used.component > 1 && sorted.single.is_some();
+    let tensor = symbol.style.tensor || sorted.double.is_some();
+    let shape = if tensor {
+        Shape::Matrix
+    } else if marks {
+        Shape::Vector
+    } else {
+        Shape::Scalar
+    };
+    let mut key = format!(
+        "{}{}",
+        letter.name,
+        if letter.calligraphic {
+            " calligraphic"
+        } else {
+            ""
+        }
+    );
+    // The components of a unit vector ĉ are written c₁, c₂, c₃.
+    let only_hatted = marks && used.bare == 0 && used.vector == used.hatted;
+    if (symbol.style.hat && !only_hatted) || symbol.style.tilde {
+        key.push_str(if symbol.style.hat { " hat" } else { " tilde" });
+    }
+    if !sorted.variant.is_empty() {
+        key = format!("{key} {}", sorted.variant);
+    }
+    let index = if shape == Shape::Scalar {
+        sorted.single
+    } else {
+        None
+    };
+    if let Some(index) = index {
+        key = format!("{key} _{index}");
+    }
+    let mut latex = latex_name(&letter.name);
+    if !symbol.subscripts.is_empty() && (shape == Shape::Scalar || !sorted.variant.is_empty()) {
+        latex = format!("{latex}_{{{}}}", symbol.subscripts.join(","));
+    }
+    let entity = atoms.entity(
+        &Owner::Symbol(format!("{key} {shape:?}")),
+        shape,
+        if named || reading.usage.is_labelled(letter) {
+            !reading.usage.moves(symbol)
+        } else {
+            !used.moving
+        },
+        &latex,
+    );
+    match (shape, sorted.single, sorted.double) {
+        (Shape::Vector, Some(index), _) => Meaning::Component(entity, index),
+        (Shape::Matrix, _, Some((row, column))) => Meaning::Component(entity, 3 * row + column),
+        _ => Meaning::Whole(entity),
+    }
+}
+
+/// The LaTeX of a letter: a command where the name is one.
+pub(crate) fn latex_name(name: &str) -> String {
+    let one_letter = name.chars().count() == 1;
+    let greek = name.chars().all(|c| c.is_ascii_alphabetic())
+        && name.chars().any(|c| c.is_ascii_lowercase());
+    if one_letter || !greek {
+        name.to_owned()
+    } else {
+        format!("\\{name}")
+    }
+}

@@ -1,0 +1,144 @@
+//! Units of measurement as factors to SI: 1 rev/min is 2π/60 rad/s.
+
+use crate::algebra::Rational;
+use num_traits::One;
+
+/// A factor: a rational number times a power of π.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Scale {
+    /// The rational number.
+    pub factor: Rational,
+    /// The power of π.
+    pub pi: i32,
+}
+
+impl Scale {
+    fn one() -> Self {
+        Self {
+            factor: Rational::one(),
+            pi: 0,
+        }
+    }
+
+    /// Whether nothing changes.
+    pub(crate) fn is_one(&self) -> bool {
+        *self == Self::one()
+    }
+
+    /// Whether it is that of a degree.
+    pub(crate) fn is_angle(&self) -> bool {
+        self.pi == 1 && self.factor == Rational::from((1, 180))
+    }
+
+    fn times(mut self, factor: &Rational, pi: i32, exponent: i32) -> Self {
+        for _ in 0..exponent.unsigned_abs() {
+            self.factor = if exponent < 0 {
+                self.factor / factor.clone()
+            } else {
+                self.factor * factor.clone()
+            };
+        }
+        self.pi += pi * exponent;
+        self
+    }
+}
+
+/// The factor of one unit. Feet and pounds are a system of their own, so they count as one.
+fn unit(name: &str) -> Option<(Rational, i32)> {
+    let plain = |n: i64, d: i64| Some((Rational::from((n, d)), 0));
+    match name {
+        "kg" | "m" | "s" | "N" | "rad" | "J" | "W" | "Hz" | "Pa" | "Nm" | "lb" | "ft" | "slug" => {
+            plain(1, 1)
+        }
+        "g" | "mm" | "ms" | "mN" | "mJ" => plain(1, 1000),
+        "cm" => plain(1, 100),
+        "km" | "kN" | "kJ" | "kW" | "kPa" | "kNm" => plain(1000, 1),
+        "MN" | "MJ" | "MW" | "MPa" => plain(1_000_000, 1),
+        "min" => plain(60, 1),
+        "h" => plain(3600, 1),
+        "in" => plain(1, 12),
+        "rev" | "turn" => Some((Rational::from(2), 1)),
+        "rpm" => Some((Rational::from((1, 30)), 1)),
+        "deg" | "°" => Some((Rational::from((1, 180)), 1)),
+        _ => None,
+    }
+}
+
+/// The factor of a unit such as `kg m^2`, `rad/s`, `rev/min` or `N mm`; one where it is not known.
+///
+/// A slash, or `per`, puts the unit behind it below the line.
+pub(crate) fn scale(text: &str) -> Scale {
+    let mut total = Scale::one();
+    let mut rest = text;
+    let mut below = false;
+    while let Some(c) = rest.chars().next() {
+        if !c.is_alphabetic() && c != '°' {
+            below |= c == '/';
+            rest = &rest[c.len_utf8()..];
+            continue;
+        }
+        let end = rest
+            .find(|c: char| !c.is_alphabetic() && c != '°')
+            .unwrap_or(rest.len());
+        let (name, after) = rest.split_at(end);
+        let (exponent, after) = exponent(after);
+        rest = after;
+        if name == "per" {
+            below = true;
+            continue;
+        }
+        let Some((factor, pi)) = unit(name) else {
+            return Scale::one();
+        };
+        let sign = if std::mem::take(&mut below) { -1 } else { 1 };
+        total = total.times(&factor, pi, sign * exponent);
+    }
+    total
+}
+
+/// The power behind a unit: `^2`, `^{-1}`, `²`, or a bare digit; one where none is written.
+fn exponent(text: &str) -> (i32, &str) {
+    if let Some(rest) = text.strip_prefix('²') {
+        return (2, rest);
+    }
+    if let Some(rest) = text.strip_prefix('³') {
+        return (3, rest);
+    }
+    let inside = text.trim_start_matches(['^', '{', '(']);
+    let negative = inside.starts_with('-');
+    let digits = inside.strip_prefix('-').unwrap_or(inside);
+    let length = digits.bytes().take_while(u8::is_ascii_digit).count();
+    match digits[..length].parse::<i32>() {
+        Ok(n) if n < 10 => (if negative { -n } else { n }, &digits[length..]),
+        _ => (1, text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_become_factors() {
+        let cases = [
+            ("kg m^2", (1, 1), 0),
+            ("rad/s", (1, 1), 0),
+            ("rev/min", (2, 60), 1),
+            ("rpm", (1, 30), 1),
+            ("deg", (1, 180), 1),
+            ("deg/s", (1, 180), 1),
+            ("mm^2", (1, 1_000_000), 0),
+            ("kg.m^2", (1, 1), 0),
+            ("N mm", (1, 1000), 0),
+            ("km/h", (1000, 3600), 0),
+            ("m s^{-1}", (1, 1), 0),
+            ("min^-1", (1, 60), 0),
+            ("g·cm²", (1, 10_000_000), 0),
+            ("furlong", (1, 1), 0),
+        ];
+        for (text, factor, pi) in cases {
+            let factor = Rational::from(factor);
+            assert_eq!(scale(text), Scale { factor, pi }, "{text}");
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! What the words of a document say: roles of lines, premises, moments, what is constant.
+
+pub(super) mod attitude_words;
+pub(super) mod constants_in_words;
+pub(super) mod moments_in_words;
+pub(super) mod phrases;
+pub(super) mod premise;
+pub(super) mod prose;
+pub(super) mod role;

@@ -1,0 +1,212 @@
+//! What the words of a document say of its attitude: which way the matrix and the quaternion go, and on which axes the
+//! angular velocity stands.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::usage::inner;
+
+/// A sentence in lower case, each formula of one symbol as `⟨name⟩`, every other as `⟨⟩`.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sentence {
+    /// Its words.
+    pub text: String,
+    /// The lone symbols in it, in their own case.
+    pub letters: Vec<String>,
+}
+
+/// Which way components are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// From the body to space.
+    ToSpace,
+    /// From space to the body.
+    ToBody,
+}
+
+/// Bytes of a sentence that are kept.
+const LONGEST: usize = 4_000;
+
+/// Words for axes of fixed orientation.
+const SPACE: &[&str] = &[
+    "space",
+    "spatial",
+    "inertial",
+    "world",
+    "lab ",
+    "laboratory",
+    "global",
+    "fixed frame",
+    "fixed axes",
+    "earth",
+    "ground",
+    "reference frame",
+];
+
+/// The sentences of a document.
+pub(crate) fn sentences(document: &Document) -> Vec<Sentence> {
+    let mut all = vec![];
+    let mut open = Sentence::default();
+    for item in &document.items {
+        match item {
+            Item::Prose { text, .. } => {
+                for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
+                    if open.text.len() < LONGEST {
+                        open.text.push_str(piece);
+                    }
+                    if piece.ends_with(['.', '!', '?']) {
+                        all.push(std::mem::take(&mut open));
+                    }
+                }
+            }
+            Item::Formula(formula) => {
+                for row in &formula.rows {
+                    let letter = match row {
+                        Row::Expression(node) => lone(node),
+                        _ => None,
+                    };
+                    open.text.push_str(&format!("⟨{}⟩", letter.unwrap_or("")));
+                    open.letters.extend(letter.map(str::to_owned));
+                }
+            }
+            Item::Heading { text, .. } => {
+                all.push(std::mem::take(&mut open));
+                all.push(Sentence {
+                    text: text.to_lowercase(),
+                    letters: vec![],
+                });
+            }
+            Item::Break => all.push(std::mem::take(&mut open)),
+            Item::Comment { .. } => {}
+        }
+    }
+    all.push(open);
+    all.retain(|s| !s.text.trim().is_empty());
+    all
+}
+
+fn lone(node: &Node) -> Option<&str> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(&symbol.name),
+        _ => None,
+    }
+}
+
+/// Which way a sentence says that something goes, if it does.
+///
+/// "Takes body components to space components" goes to space; "rotates the space axes into the body axes" does not say
+/// where components go, and so says nothing here.
+pub(crate) fn way(text: &str) -> Option<Way> {
+    let text = text
+        .replace("relative to", "against")
+        .replace("with respect to", "against");
+    if text.contains("column") && text.contains("body") {
+        return Some(Way::ToSpace);
+    }
+    if text.contains(" rows") && text.contains("body") {
+        return Some(Way::ToBody);
+    }
+    let verb = [
+        "takes",
+        "take ",
+        "turns",
+        "maps",
+        "transforms",
+        "rotates",
+        "converts",
+        "carries",
+        "brings",
+        "from ",
+        "resolves",
+    ];
+    let start = verb.iter().filter_map(|v| text.find(v)).min()?;
+    let rest = &text[start..];
+    let of_axes = rest.starts_with("rotat") || rest.starts_with("turn") || rest.starts_with("carr");
+    let components = ["component", "coordinate", "vector", "resolved", "expressed"];
+    if of_axes && !components.iter().any(|word| rest.contains(word)) {
+        return None;
+    }
+    let body = rest.find("body")?;
+    let space = SPACE.iter().filter_map(|word| rest.find(word)).min()?;
+    let between = &rest[body.min(space)..body.max(space)];
+    if ![" to ", " into ", " to\n", "-to-", " onto "]
+        .iter()
+        .any(|word| between.contains(word))
+    {
+        return None;
+    }
+    Some(if body < space {
+        Way::ToSpace
+    } else {
+        Way::ToBody
+    })
+}
+
+/// Whether a sentence says that the angular velocity, as the letter stands, has its components on space axes (`true`) or
+/// on the body's (`false`).
+pub(crate) fn rate_in_space(text: &str) -> Option<bool> {
+    let says = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    let rate = says(&["angular velocity", "body rate", "⟨omega⟩", "⟨ω⟩"]);
+    let resolved = says(&[
+        "component",
+        "resolved",
+        "expressed",
+        "written",
+        "spatial angular velocity",
+        "axes",
+        "coordinates",
+        "body rate",
+        "⟨omega⟩ in world",
+        "⟨omega⟩ in the world",
+        "⟨omega⟩ in space",
+        "⟨omega⟩ in the inertial",
+    ]);
+    match (text.contains("body"), says(SPACE)) {
+        _ if !(rate && resolved) => None,
+        (true, _) => Some(false),
+        (false, true) => Some(true),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_way_is_read_from_the_words() {
+        let cases = [
+            (
+                "the matrix ⟨r⟩ that takes body components to space components",
+                Some(Way::ToSpace),
+            ),
+            (
+                "the rotation matrix from the inertial frame to the body frame",
+                Some(Way::ToBody),
+            ),
+            (
+                "and ⟨q⟩ turns body components into space components.",
+                Some(Way::ToSpace),
+            ),
+            (
+                "it takes components along the axes of the body to components in space.",
+                Some(Way::ToSpace),
+            ),
+            ("the matrix rotates the space axes into the body axes", None),
+            (
+                "the attitude of the body relative to the inertial frame",
+                None,
+            ),
+            (
+                "the columns of ⟨r⟩ are the axes of the body",
+                Some(Way::ToSpace),
+            ),
+            (
+                "it transforms a vector from world coordinates to body coordinates",
+                Some(Way::ToBody),
+            ),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(way(text), expected, "{text}");
+        }
+    }
+}

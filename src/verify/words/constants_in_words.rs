@@ -1,0 +1,144 @@
+//! What words say does not change: "θ, φ̇ and ψ̇ are constant", "turns at the constant rate Ω".
+
+use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use crate::source::Span;
+use crate::verify::check::{Checker, keep_end};
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::Letter;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::FromProse;
+use crate::verify::words::role::Words;
+
+/// Words behind a list of symbols.
+const BEHIND: &[&str] = &[
+    "is constant",
+    "are constant",
+    "are all constant",
+    "are both constant",
+    "remain constant",
+    "remains constant",
+    "stay constant",
+    "stays constant",
+    "constant)",
+    "held constant",
+];
+/// Words before a symbol.
+const BEFORE: &[&str] = &[
+    "constant rate",
+    "constant speed",
+    "constant angular velocity",
+    "constant angular speed",
+    "constant spin",
+    "constant rates",
+];
+
+/// Words of a supposition: what it calls constant may change elsewhere.
+const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
+
+fn supposes(sentence: &str) -> bool {
+    let sentence = sentence.to_lowercase();
+    let mut words = sentence.split(|c: char| !c.is_alphabetic());
+    words.any(|word| SUPPOSED.contains(&word))
+}
+
+impl Reading {
+    /// Letters of a list that a supposition calls constant move, as far as the rest of the document goes.
+    pub(crate) fn supposed_constant(&mut self, before: &str, text: &str, listed: &mut Vec<Letter>) {
+        let text = text.trim_start().trim_start_matches(',').trim();
+        if matches!(text, "" | "and" | "and the") {
+            return;
+        }
+        let constant = BEHIND.iter().any(|words| text.starts_with(words));
+        for letter in listed.drain(..).filter(|_| constant && supposes(before)) {
+            self.usage.letters.entry(letter).or_default().moving = true;
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// Notes an expression that the words may call constant.
+    pub(crate) fn note_expression(&mut self, node: &Node) {
+        let mut before = self.sentence.trim_end().to_lowercase();
+        keep_end(&mut before, 40);
+        if BEFORE.iter().any(|words| before.ends_with(words)) {
+            self.constant_in_words(node, false);
+        }
+        self.small_before(node);
+        self.named.push(node.clone());
+    }
+
+    /// Takes what a piece of prose behind expressions calls constant.
+    pub(crate) fn constants_in_words(&mut self, text: &str) {
+        let text = text.trim_start().to_lowercase();
+        let rest = text.trim_start_matches(',').trim_start();
+        let goes_on = rest.is_empty() || rest.starts_with("and ");
+        if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains('.') {
+            return;
+        }
+        let named = std::mem::take(&mut self.named);
+        self.small_behind(&text, &named);
+        let derived = Words::of(&self.sentence).derive();
+        if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
+            let supposed = supposes(&self.sentence);
+            named
+                .iter()
+                .for_each(|node| self.constant_in_words(node, supposed));
+        }
+    }
+
+    /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say.
+    fn constant_in_words(&mut self, node: &Node, supposed: bool) {
+        let rate = Node {
+            kind: Kind::TimeDerivative {
+                operand: Box::new(node.clone()),
+                order: 1,
+                style: DerivativeStyle::Dots,
+                frame: None,
+            },
+            span: node.span,
+        };
+        let Ok(value) = self.lowering(Frame::Moving).value(&rate) else {
+            return;
+        };
+        let parts: Vec<u32> = value
+            .entries
+            .iter()
+            .filter_map(|e| e.as_variable())
+            .collect();
+        let own = |&v: &u32| match self.theory.atoms.owner(v) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, _)) => {
+                supposed && matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate)
+            }
+            None => false,
+        };
+        if parts.is_empty() || parts.len() != value.entries.len() || !parts.iter().all(own) {
+            return;
+        }
+        let text = self.document.source.slice(node.span).trim().to_owned();
+        let name = format!("{text} is constant");
+        let premise = Premise {
+            name: name.clone(),
+            residuals: value.entries,
+            preferred: parts,
+            definition: false,
+        };
+        if self.theory.assume(premise) == Taken::Solved {
+            self.keep(&name, false);
+            self.tell(node.span, name);
+        }
+    }
+
+    /// Reports a premise that words set.
+    pub(crate) fn tell(&mut self, span: Span, premise: String) {
+        let (source_line, _, _) = self.place(span.start);
+        self.from_prose.push(FromProse {
+            span,
+            source_line,
+            premise,
+        });
+    }
+}

@@ -1,0 +1,305 @@
+//! Moments of inertia that words give a letter: "with I for the moment of inertia about the axis of symmetry and I' about
+//! a diameter".
+
+use crate::notation::ast::{Kind, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::theory::Premise;
+use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
+use crate::verify::words::prose::Said;
+
+/// The axis that words name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Named {
+    /// By its letter or number.
+    Axis(u8),
+    /// The axis of symmetry.
+    Axial,
+    /// Any axis across it.
+    Transverse,
+}
+
+/// A letter and the axis that its moment is about.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedMoment {
+    symbol: Symbol,
+    /// The components of the tensor that it stands for.
+    components: Vec<u8>,
+    span: Span,
+}
+
+/// A sentence with `⟨n⟩` in the place of its n-th lone symbol and `⟨⟩` in that of any other formula.
+#[derive(Default)]
+struct Sentence {
+    text: String,
+    symbols: Vec<(Symbol, Span)>,
+}
+
+/// Bytes of a sentence that are looked at.
+const LONGEST: usize = 2_000;
+
+const PHRASES: &[&str] = &["moment of inertia about", "moments of inertia about"];
+const AXIAL: &[&str] = &[
+    "symmetry",
+    "spin axis",
+    "shaft",
+    "figure axis",
+    "axle",
+    "polar axis",
+    "its own axis",
+    "its axis",
+];
+const TRANSVERSE: &[&str] = &[
+    "diameter",
+    "transverse",
+    "perpendicular",
+    "equatorial",
+    "every other",
+    "any other",
+];
+/// Words that may stand between a letter and what it is called.
+const BETWEEN: &[&str] = &[
+    "be",
+    "is",
+    "for",
+    "the",
+    "its",
+    "denote",
+    "denotes",
+    "as",
+    "stands",
+    "stand",
+    "are",
+    "one",
+    "that",
+    "principal",
+    "central",
+    "constant",
+    "a",
+    "about",
+];
+
+/// The moments that a document names in words.
+pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
+    let sentences = sentences(document);
+    let Some(along) = sentences.iter().find_map(axis_of_symmetry).or(Some(2)) else {
+        return vec![];
+    };
+    let across: Vec<u8> = (0..3).filter(|&c| c != along).collect();
+    let mut found: Vec<NamedMoment> = vec![];
+    for sentence in &sentences {
+        for (at, named) in sentence.named() {
+            let Some((symbol, span)) = sentence.symbols.get(at).cloned() else {
+                continue;
+            };
+            let components = match named {
+                Named::Axis(component) => vec![component],
+                Named::Axial => vec![along],
+                Named::Transverse => across.clone(),
+            };
+            if found.iter().all(|other| other.symbol != symbol) {
+                found.push(NamedMoment {
+                    symbol,
+                    components,
+                    span,
+                });
+            }
+        }
+    }
+    found
+}
+
+impl Sentence {
+    /// Symbols by their place, with the axis that the words give each.
+    fn named(&self) -> Vec<(usize, Named)> {
+        let mut found = vec![];
+        let Some(start) = PHRASES.iter().find_map(|phrase| self.text.find(phrase)) else {
+            return found;
+        };
+        let before = self.text[..start].rfind('⟨').unwrap_or(start);
+        // Each "about …" with the symbol right before it, or right behind it.
+        for (at, _) in self.text[before..].match_indices("about ") {
+            let at = before + at;
+            let words = self.text[at + "about ".len()..]
+                .split([',', ';', '.'])
+                .next();
+            let words = words.unwrap_or_default();
+            let end = words.find(" and ").unwrap_or(words.len());
+            let Some((named, rest)) = self.axis(&words[..end]) else {
+                continue;
+            };
+            let own = self.symbol_before(at);
+            let behind = || self.symbol_behind(rest);
+            if let Some(symbol) = own.or_else(behind) {
+                found.push((symbol, named));
+            }
+        }
+        found
+    }
+
+    /// The symbol before a place, with nothing but a naming between.
+    fn symbol_before(&self, at: usize) -> Option<usize> {
+        let text = &self.text[..at];
+        let open = text.rfind('⟨')?;
+        let (number, words) = text[open + '⟨'.len_utf8()..].split_once('⟩')?;
+        let words = words
+            .replace("moments of inertia", "")
+            .replace("moment of inertia", "");
+        let naming = words.split_whitespace().all(|word| BETWEEN.contains(&word));
+        naming.then(|| number.parse().ok())?
+    }
+
+    /// The symbol after words for an axis: "about the shaft is ⟨I⟩".
+    fn symbol_behind(&self, words: &str) -> Option<usize> {
+        let text = words.trim_start();
+        let text = ["is ", "be ", "by ", "called "]
+            .iter()
+            .find_map(|w| text.strip_prefix(w))?;
+        text.strip_prefix('⟨')?.split_once('⟩')?.0.parse().ok()
+    }
+
+    /// The axis that words name, and what stands behind its name.
+    fn axis<'t>(&self, words: &'t str) -> Option<(Named, &'t str)> {
+        let place = |list: &[&str]| {
+            list.iter()
+                .filter_map(|w| words.find(w).map(|at| at + w.len()))
+                .min()
+        };
+        let (axial, transverse) = (place(AXIAL), place(TRANSVERSE));
+        match (axial, transverse) {
+            (_, Some(end)) => Some((Named::Transverse, &words[end..])),
+            (Some(end), None) => Some((Named::Axial, &words[end..])),
+            (None, None) => {
+                let open = words.find('⟨')?;
+                let (number, rest) = words[open + '⟨'.len_utf8()..].split_once('⟩')?;
+                let component = axis(&self.symbols.get(number.parse::<usize>().ok()?)?.0.name)?;
+                rest.trim_start().starts_with("axis").then_some(())?;
+                Some((
+                    Named::Axis(component),
+                    rest.trim_start().trim_start_matches("axis"),
+                ))
+            }
+        }
+    }
+}
+
+/// The axis that is said to be the one of symmetry: "the ⟨x⟩ axis is the shaft".
+fn axis_of_symmetry(sentence: &Sentence) -> Option<u8> {
+    if !AXIAL.iter().any(|words| sentence.text.contains(words)) {
+        return None;
+    }
+    let text = &sentence.text;
+    sentence
+        .symbols
+        .iter()
+        .enumerate()
+        .find_map(|(at, (symbol, _))| {
+            let mark = format!("⟨{at}⟩ axis");
+            let along = format!("⟨{at}⟩ along");
+            let named = text.contains(&mark) || text.contains(&along);
+            let about = text.contains(&format!("about the ⟨{at}⟩"));
+            (named && !about).then(|| axis(&symbol.name))?
+        })
+}
+
+fn sentences(document: &Document) -> Vec<Sentence> {
+    let mut all = vec![];
+    let mut open = Sentence::default();
+    for item in &document.items {
+        match item {
+            Item::Prose { text, .. } => {
+                for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
+                    // A page without a stop is no sentence.
+                    if open.text.len() + piece.len() < LONGEST {
+                        open.text.push_str(&piece.replace(['\n', '*'], " "));
+                    }
+                    if piece.ends_with(['.', '!', '?']) {
+                        all.push(std::mem::take(&mut open));
+                    }
+                }
+            }
+            Item::Formula(_) if open.text.len() > LONGEST => {}
+            Item::Formula(formula) => {
+                let lone = match formula.rows.as_slice() {
+                    [Row::Expression(node)] => match &inner(node).kind {
+                        Kind::Symbol(symbol) => Some(symbol.clone()),
+                        _ => None,
+                    },
+                    _ => None,
+                };
+                match lone {
+                    Some(symbol) => {
+                        open.text.push_str(&format!("⟨{}⟩", open.symbols.len()));
+                        open.symbols.push((symbol, formula.span));
+                    }
+                    None => open.text.push_str("⟨⟩"),
+                }
+            }
+            Item::Heading { .. } => all.push(std::mem::take(&mut open)),
+            Item::Break | Item::Comment { .. } => open.text.push(' '),
+        }
+    }
+    all.push(open);
+    all
+}
+
+impl Reading {
+    /// A bare letter that words call a moment about an axis is that component.
+    pub(crate) fn by_moments(&mut self, document: &Document) {
+        self.moments = named_moments(document);
+        for moment in &self.moments {
+            let letter = Letter::of(&moment.symbol);
+            let bare = moment.symbol.subscripts.is_empty() && moment.symbol.primes == 0;
+            let marked = moment.symbol.style.vector || moment.symbol.style.tensor;
+            if bare && !marked && !self.components.contains_key(&letter) {
+                self.components
+                    .insert(letter, (Quantity::Inertia, moment.components[0]));
+            }
+        }
+    }
+}
+
+impl Checker<'_> {
+    /// Takes the moments that words name as the components that they are.
+    pub(crate) fn moments_in_words(&mut self) {
+        let moments = self.reading.moments.clone();
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        for moment in &moments {
+            let (own, place) = match self.meaning_of(&moment.symbol) {
+                Meaning::Whole(entity) => (entity, 0),
+                Meaning::Component(entity, component) => (entity, component),
+                _ => continue,
+            };
+            let name = format!("the moment of inertia called {}", moment.symbol.name);
+            let value = self.theory.atoms.value(own, place, 0);
+            let parts = moment
+                .components
+                .iter()
+                .map(|&c| self.theory.atoms.part(inertia, c, 0));
+            let parts: Vec<u32> = parts
+                .filter(|&part| variable_fraction(part) != value)
+                .collect();
+            if own != inertia {
+                self.theory.atoms.info_mut(own).constant = true;
+            }
+            self.known.insert(own);
+            self.theory.assume(Premise {
+                name,
+                residuals: parts
+                    .iter()
+                    .map(|&p| variable_fraction(p) - value.clone())
+                    .collect(),
+                preferred: parts,
+                definition: true,
+            });
+            if moments.len() > 1 {
+                self.take(Said::Principal, moment.span);
+            }
+        }
+    }
+}

@@ -1,0 +1,302 @@
+//! What words call a quantity, and where they stand beside a letter.
+
+use crate::verify::values::quantity::Quantity;
+use std::sync::LazyLock;
+
+/// What the phrases for a quantity name; `None` keeps a phrase from being read as a shorter one in it.
+const NAMES: &[(Option<Quantity>, &[&str])] = &[
+    (
+        Some(Quantity::RelativeMomentum),
+        &[
+            "relative angular momentum",
+            "relative momentum",
+            "wheel momentum",
+            "rotor momentum",
+            "wheel angular momentum",
+            "momentum of the wheel",
+            "momentum of the rotor",
+            "momentum of the flywheel",
+            "momentum of the wheels",
+            "momentum of the rotors",
+            "wheel's momentum",
+            "wheel's angular momentum",
+            "rotor's momentum",
+            "rotor's angular momentum",
+            "momentum relative to the body",
+            "momentum relative to the satellite",
+            "momentum relative to the spacecraft",
+            "momentum relative to the platform",
+            "momentum relative to the housing",
+            "momentum relative to the carrier",
+            "spin momentum",
+            "stored momentum",
+            "internal momentum",
+            "extra momentum",
+        ],
+    ),
+    (
+        Some(Quantity::Momentum),
+        &["moment of momentum", "angular momentum", "momentum"],
+    ),
+    (Some(Quantity::LinearMomentum), &["linear momentum"]),
+    (
+        Some(Quantity::Energy),
+        &[
+            "kinetic energy",
+            "rotational energy",
+            "energy",
+            "hamiltonian",
+        ],
+    ),
+    (
+        Some(Quantity::Inertia),
+        &[
+            "products of inertia",
+            "product of inertia",
+            "moments of inertia",
+            "moment of inertia",
+            "principal moments",
+            "inertia matrix",
+            "inertia tensor",
+        ],
+    ),
+    (
+        Some(Quantity::AngularAcceleration),
+        &["angular acceleration"],
+    ),
+    (
+        Some(Quantity::FrameRate),
+        &[
+            "angular velocity of the axes",
+            "angular velocity of the frame",
+        ],
+    ),
+    (
+        Some(Quantity::AngularVelocity),
+        &["body rates", "angular velocity"],
+    ),
+    (Some(Quantity::Moment), &["torque", "moment", "couple"]),
+    (Some(Quantity::Force), &["force"]),
+    (Some(Quantity::Power), &["power"]),
+    (Some(Quantity::Mass), &["mass"]),
+    (Some(Quantity::Acceleration), &["acceleration"]),
+    (
+        None,
+        &[
+            "precession rate",
+            "mass centre",
+            "mass center",
+            "moment of the impulse",
+            "moment of the blow",
+            "potential energy",
+            "total energy",
+            "lagrangian",
+            "gravitational acceleration",
+            "acceleration of gravity",
+            "acceleration due to gravity",
+        ],
+    ),
+];
+
+/// How something is said to turn: "rotates with the angular velocity".
+const TURNING: &[&str] = &["turn", "turns", "turning", "rotate", "rotates", "rotating"];
+
+/// What is said of a quantity, and is not the quantity.
+const LAWS: &[&str] = &[
+    "theorem of",
+    "law of",
+    "principle of",
+    "balance of",
+    "conservation of",
+    "rate of change of",
+    "change of",
+    "derivative of",
+];
+
+/// Phrases and what they name.
+static PHRASES: LazyLock<Vec<(String, Option<Quantity>)>> = LazyLock::new(|| {
+    let named = NAMES
+        .iter()
+        .flat_map(|(quantity, phrases)| phrases.iter().map(|p| (p.to_string(), *quantity)));
+    let turning = TURNING.iter().flat_map(|verb| {
+        ["", "the ", "an "].map(|article| {
+            let phrase = format!("{verb} with {article}angular velocity");
+            (phrase, Some(Quantity::FrameRate))
+        })
+    });
+    named.chain(turning).collect()
+});
+
+/// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
+fn is_word(text: &str, at: usize, phrase: &str) -> bool {
+    let letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+    let rest = &text[at + phrase.len()..];
+    let rest = rest.strip_prefix('s').unwrap_or(rest);
+    !letter(text[..at].chars().next_back()) && !letter(rest.chars().next())
+}
+
+/// The single letters that a text names right after such a phrase: "moments A, A, C", with the phrase's quantity.
+pub(crate) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
+    let lower = text.to_lowercase();
+    let mut named = vec![];
+    if lower.len() != text.len() {
+        return named;
+    }
+    for (phrase, quantity) in PHRASES.iter() {
+        let Some(quantity) = quantity else { continue };
+        for (at, _) in lower.match_indices(phrase.as_str()) {
+            if !is_word(&lower, at, phrase) || !text.is_char_boundary(at + phrase.len()) {
+                continue;
+            }
+            let rest = text[at + phrase.len()..].trim_start_matches('s');
+            let words = rest
+                .split(|c: char| c.is_whitespace() || c == ',')
+                .filter(|w| !w.is_empty() && *w != "and");
+            let single = |w: &&str| w.chars().count() == 1 && w.chars().all(char::is_alphabetic);
+            let found = words.take_while(single).filter(|w| *w != "a" && *w != "I");
+            named.extend(found.map(|w| {
+                // "Moments A, B, C" are of inertia.
+                let inertia = *quantity == Quantity::Moment && matches!(w, "A" | "B" | "C");
+                let quantity = if inertia {
+                    Quantity::Inertia
+                } else {
+                    *quantity
+                };
+                (w.to_owned(), quantity)
+            }));
+        }
+    }
+    named
+}
+
+/// What brings a thing in, and names nothing: "with the angular momentum from above this becomes".
+const ASIDE: &[&str] = &[
+    "with the ",
+    "using the ",
+    "inserting the ",
+    "substituting the ",
+    "from the ",
+];
+
+/// Whether a text in small letters speaks of wheels in the body, which have a momentum of their own.
+pub(crate) fn speaks_of_wheels(text: &str) -> bool {
+    let words = ["wheel", "rotor", "gyrostat", "relative angular momentum"];
+    words.iter().any(|word| text.contains(word))
+}
+
+/// Whether "mass" is the end of "centre of mass".
+fn is_of_mass(before: &str, phrase: &str) -> bool {
+    let point = ["centre of ", "center of ", "element of "];
+    phrase == "mass" && point.iter().any(|words| before.ends_with(words))
+}
+
+/// Whether a thing is brought in, and another clause follows it.
+fn is_aside(before: &str, behind: &str) -> bool {
+    let verbs = [
+        "becomes", "gives", "yields", "reads", "this is", "we get", "we find", "we have",
+    ];
+    ASIDE.iter().any(|words| before.ends_with(words))
+        && verbs.iter().any(|verb| behind.contains(verb))
+}
+
+/// The quantity that the words before a formula name, where they come close to it.
+pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<Quantity> {
+    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
+        let at = text
+            .rmatch_indices(phrase.as_str())
+            .find(|&(at, _)| {
+                is_word(text, at, phrase)
+                    && !is_of_mass(&text[..at], phrase)
+                    && !is_aside(&text[..at], &text[at..])
+            })?
+            .0;
+        Some((at + phrase.len(), phrase.len(), *quantity))
+    };
+    let (end, length, quantity) = PHRASES
+        .iter()
+        .filter_map(near)
+        .max_by_key(|&(end, len, _)| (end, len))?;
+    let clause = text[..end - length].rsplit([',', ';', '.']).next();
+    // "The theorem of angular momentum is": the letter before the sign is the moment, or what else it speaks of.
+    let lead = clause
+        .unwrap_or_default()
+        .trim_end()
+        .trim_end_matches(" the");
+    if LAWS.iter().any(|law| lead.ends_with(law)) {
+        return None;
+    }
+    let of_axes = clause.is_some_and(|words| {
+        let subject = |name: &str| words.split_whitespace().any(|word| word == name);
+        (subject("frame") || subject("axes")) && !subject("body")
+    });
+    (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
+        Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
+        other => other,
+    })?
+}
+
+/// Whether words that name something reach over the formulas behind them to the next: "the energy about ⟨ is" does to
+/// a display; over a formula right behind the words, only its list goes on: "the moments ⟨, ⟨ and ".
+pub(crate) fn reaches(text: &str, display: bool) -> bool {
+    let separators = ["", "and", "or", "&", "/"];
+    let mut pieces = text.split('⟨');
+    let named = pieces
+        .next()
+        .is_none_or(|between| matches!(between.trim(), "" | "s" | ":"));
+    if display && !named {
+        return true;
+    }
+    pieces.all(|between| {
+        between
+            .split_whitespace()
+            .all(|word| separators.contains(&word.trim_end_matches(',')))
+    })
+}
+
+/// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".
+pub(crate) fn apposition(text: &str, near: bool) -> Option<Quantity> {
+    let text = text.strip_prefix(' ').filter(|_| near)?;
+    let rest = ["the ", "its "]
+        .iter()
+        .find_map(|lead| text.strip_prefix(lead))?;
+    let rest = ["total ", "resultant ", "external ", "net "]
+        .iter()
+        .find_map(|word| rest.strip_prefix(word))
+        .unwrap_or(rest);
+    let found = PHRASES
+        .iter()
+        .filter(|(phrase, _)| rest.starts_with(phrase.as_str()) && is_word(rest, 0, phrase));
+    found.max_by_key(|(phrase, _)| phrase.len())?.1
+}
+
+/// The quantity that the words right after a letter name: "is the angular momentum".
+pub(crate) fn said_after(text: &str) -> Option<Quantity> {
+    let text = text
+        .trim_start()
+        .trim_start_matches([',', ';'])
+        .trim_start();
+    let rest = [
+        "is the ",
+        "is its ",
+        "are the ",
+        "denotes the ",
+        "be the ",
+        "represents the ",
+        "is called the ",
+        "for the ",
+    ]
+    .iter()
+    .find_map(|lead| text.strip_prefix(lead))?;
+    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
+        let at = rest
+            .match_indices(phrase.as_str())
+            .find(|&(at, _)| is_word(rest, at, phrase))?
+            .0;
+        (at < 30).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
+    };
+    PHRASES
+        .iter()
+        .filter_map(near)
+        .min_by_key(|&(at, len, _)| (at, len))?
+        .2
+}

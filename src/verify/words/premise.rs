@@ -1,0 +1,209 @@
+//! Premises that nobody writes as a line: in words, by the letters that are used, by the kind of motion.
+
+use crate::algebra::{Fraction, Proof, Variable};
+use crate::notation::ast::Symbol;
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::Letter;
+use crate::verify::lines::line::Read;
+use crate::verify::theory::decide::{Decision, decide};
+use crate::verify::theory::law::Axes;
+use crate::verify::theory::{Premise, Taken};
+use crate::verify::values::atoms::Atom;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
+use crate::verify::words::prose::Said;
+use std::collections::BTreeSet;
+
+impl Checker<'_> {
+    /// Takes in a premise that words set.
+    pub(crate) fn take(&mut self, said: Said, span: Span) {
+        // Of two sets of axes, the words do not tell which is principal.
+        if said == Said::Principal && self.reading.usage.has_primed_axes() {
+            return;
+        }
+        let name = said.words();
+        let new = match said {
+            // Beside axes with an angular velocity of their own, they are the other ones.
+            Said::SpeaksOfBodyAxes if self.has_frame_rate() => false,
+            Said::BodyAxes | Said::SpeaksOfBodyAxes => {
+                let new = self.theory.setting.axes != Axes::Body;
+                self.theory.set(|setting| setting.axes = Axes::Body);
+                new
+            }
+            Said::DotsOnBody => self.dots.replace(Frame::Moving) != Some(Frame::Moving),
+            Said::DotsInSpace => self.dots.replace(Frame::Space) != Some(Frame::Space),
+            Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
+            Said::SymmetryPlane(a, b) => {
+                let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
+                self.vanish(&name, Quantity::Inertia, &across)
+            }
+            Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
+        };
+        if new {
+            self.tell(span, name);
+        }
+    }
+
+    /// Whether the document gives the axes an angular velocity of their own.
+    fn has_frame_rate(&self) -> bool {
+        let mut quantities = self.reading.quantities.values();
+        quantities.any(|&q| q == Quantity::FrameRate)
+    }
+
+    /// Assumes that components of a quantity are zero.
+    pub(crate) fn vanish(&mut self, name: &str, quantity: Quantity, components: &[u8]) -> bool {
+        let entity = self.theory.atoms.quantity(quantity);
+        let residuals: Vec<Fraction> = components
+            .iter()
+            .map(|&c| self.theory.atoms.value(entity, c, 0))
+            .collect();
+        let preferred = components
+            .iter()
+            .map(|&c| self.theory.atoms.part(entity, c, 0))
+            .collect();
+        let premise = Premise {
+            name: name.to_owned(),
+            residuals,
+            preferred,
+            definition: false,
+        };
+        let taken = self.theory.assume(premise);
+        if matches!(taken, Taken::Solved | Taken::Kept) {
+            self.scopes.push((name.to_owned(), self.level));
+            return true;
+        }
+        false
+    }
+
+    /// Whether equations hold with no moment, in a document that writes no moment or force anywhere; it is then assumed.
+    pub(crate) fn proved_without_moment(&mut self, read: &Read, at: Span) -> Option<Proof> {
+        let acts = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
+        let parts = self.reading.components.values().map(|(q, _)| q);
+        let all: BTreeSet<&Quantity> = self.reading.quantities.values().chain(parts).collect();
+        if all.iter().any(|&q| acts(q)) || !all.contains(&Quantity::Inertia) {
+            return None;
+        }
+        let name = "no moment is written anywhere: ΣM = 0".to_owned();
+        if !self.theory.relations.kept.is_empty() || !self.speaks_of_a_spin_rate(read) {
+            return None;
+        }
+        if !self.vanish(&name, Quantity::Moment, &[0, 1, 2]) {
+            return None;
+        }
+        if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
+            self.tell(at, name);
+            return Some(proof);
+        }
+        self.theory.exhausted = false;
+        self.theory.retain(|premise| premise.name != name);
+        self.scopes.retain(|(scope, _)| *scope != name);
+        None
+    }
+
+    /// Whether the rate of the angular velocity makes a difference.
+    fn speaks_of_a_spin_rate(&mut self, read: &Read) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let entries: Vec<Fraction> = read.residuals().cloned().collect();
+        let mut rests = entries.iter().map(|entry| self.theory.normal(entry));
+        let found: BTreeSet<Variable> = rests.by_ref().flat_map(|r| r.variables()).collect();
+        let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity, order, .. } if *entity == omega && *order > 0);
+        found.into_iter().any(rate)
+    }
+
+    /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
+    pub(crate) fn single_moments(&mut self) {
+        if self.reading.plane {
+            self.turn_in_the_plane();
+        }
+        if self.reading.symmetric {
+            self.two_equal_moments();
+        }
+        let inertia: Vec<&Letter> = self
+            .reading
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q == Quantity::Inertia)
+            .map(|(l, _)| l)
+            .collect();
+        let by_component = self
+            .reading
+            .components
+            .values()
+            .any(|(q, _)| *q == Quantity::Inertia);
+        let single = inertia
+            .iter()
+            .any(|l| self.reading.usage.get(l).component > 0);
+        let double = inertia.iter().any(|l| self.reading.usage.get(l).double > 0);
+        let whole = inertia.iter().any(|l| {
+            let used = self.reading.usage.get(l);
+            used.bare + used.tensor + used.vector > 0
+        });
+        let by_letters = by_component && !whole && !self.reading.speaks_of_products;
+        if !double && (single || by_letters) {
+            self.take(Said::Principal, Span::default());
+        }
+    }
+
+    /// ω is along z, and the rate of the angle if the document has one.
+    fn turn_in_the_plane(&mut self) {
+        let name = "a turn about the z axis";
+        self.vanish(name, Quantity::AngularVelocity, &[0, 1]);
+        let Some(angle) = self.reading.usage.only_angle() else {
+            return;
+        };
+        let symbol = Symbol {
+            name: angle.name,
+            ..Symbol::default()
+        };
+        let Meaning::Whole(entity) = self.meaning_of(&symbol) else {
+            return;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let (turn, rate) = (
+            self.theory.atoms.value(omega, 2, 0),
+            self.theory.atoms.value(entity, 0, 1),
+        );
+        let preferred = vec![self.theory.atoms.part(omega, 2, 0)];
+        self.theory.assume(Premise {
+            name: "the angle of the turn: ω is its rate".to_owned(),
+            preferred,
+            residuals: vec![turn - rate],
+            definition: true,
+        });
+    }
+
+    /// Moments called A, A, C.
+    fn two_equal_moments(&mut self) {
+        let entity = self.theory.atoms.quantity(Quantity::Inertia);
+        let [first, second] = [0, 1].map(|c| self.theory.atoms.value(entity, c, 0));
+        let premise = Premise {
+            name: "two moments are equal: I₁ = I₂".to_owned(),
+            preferred: vec![self.theory.atoms.part(entity, 1, 0)],
+            residuals: vec![second - first],
+            definition: true,
+        };
+        self.theory.assume(premise);
+    }
+}
+
+/// Whether a document writes the inertia as a function of time.
+pub(crate) fn inertia_changes(reading: &Reading) -> bool {
+    let inertia = |letter: &Letter| {
+        let whole = reading.quantities.get(letter).copied();
+        let part = reading.components.get(letter).map(|(q, _)| *q);
+        whole.or(part) == Some(Quantity::Inertia)
+    };
+    reading.usage.functions_of_time.iter().any(inertia)
+}
+
+/// The component of the product of inertia of two axes.
+fn product(a: u8, b: u8) -> u8 {
+    match (a.min(b), a.max(b)) {
+        (0, 1) => 3,
+        (0, 2) => 4,
+        _ => 5,
+    }
+}

@@ -1,0 +1,240 @@
+//! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
+
+use crate::notation::document::{Document, Item};
+
+/// What words can set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Said {
+    /// The axes turn with the body: Ω = ω.
+    BodyAxes,
+    /// Axes of the body are spoken of.
+    SpeaksOfBodyAxes,
+    /// The products of inertia vanish.
+    Principal,
+    /// The plane with these two axes is a plane of symmetry: the products across it vanish.
+    SymmetryPlane(u8, u8),
+    /// No moment acts.
+    TorqueFree,
+    /// Dots are rates on the body axes.
+    DotsOnBody,
+    /// Dots are rates seen from space.
+    DotsInSpace,
+}
+
+impl Said {
+    /// The premise in words, as a report shows it.
+    pub(crate) fn words(self) -> String {
+        match self {
+            Self::BodyAxes | Self::SpeaksOfBodyAxes => {
+                "axes attached to the body: Ω = ω".to_owned()
+            }
+            Self::Principal => "principal axes: the products of inertia vanish".to_owned(),
+            Self::SymmetryPlane(a, b) => {
+                let name = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
+                format!(
+                    "{}{} is a plane of symmetry: the products across it vanish",
+                    name(a),
+                    name(b)
+                )
+            }
+            Self::TorqueFree => "no torque: ΣM = 0".to_owned(),
+            Self::DotsInSpace => "a dot is a rate seen from space".to_owned(),
+            Self::DotsOnBody => "a dot is a rate on the body axes".to_owned(),
+        }
+    }
+}
+
+const ATTACHED: &[&str] = &[
+    "attached to the body",
+    "attached to the rigid body",
+    "fixed in the body",
+    "fixed to the body",
+    "fixed with the body",
+    "carried by the body",
+    "fixed in the airframe",
+    "axes fixed in the",
+    "axes in the body",
+    "rotate with the body",
+    "turn with the body",
+    "attached to the rotor",
+    "embedded in the body",
+];
+const BODY_AXES: &[&str] = &["body axes", "body-fixed", "body fixed", "body frame"];
+const DOTS: &[&str] = &[
+    "dot is taken",
+    "dots are",
+    "dot denotes",
+    "dots denote",
+    "dot means",
+    "dot is the",
+];
+const FREE: &[&str] = &[
+    "no torque",
+    "torque-free",
+    "torque free",
+    "zero torque",
+    "no external torque",
+    "no moment acts",
+    "no external moment",
+    "free of torque",
+    "no moments act",
+    "moment-free",
+    "absence of torque",
+    "without torque",
+    "force-free",
+    "free motion",
+    "no applied torque",
+    "no net torque",
+    "no resultant torque",
+    "free rigid body",
+    "no external torques",
+];
+const PRINCIPAL: &[&str] = &[
+    "principal axes",
+    "principal axis",
+    "principal-axis",
+    "principal moments",
+    "principal body axes",
+    "principal coordinates",
+    "principal frame",
+    "axes are principal",
+];
+const NOT_SO: &[&str] = &["not ", "need not", "n't ", "general axes", "arbitrary"];
+
+/// What a piece of prose sets.
+pub(crate) fn said(text: &str) -> Vec<Said> {
+    let text = text.to_lowercase();
+    let mut found = vec![];
+    let dots = text
+        .split(['.', ';'])
+        .filter(|clause| DOTS.iter().any(|dot| clause.contains(dot)));
+    for clause in dots {
+        if ["body", "moving", "rotating"]
+            .iter()
+            .any(|w| clause.contains(w))
+        {
+            found.push(Said::DotsOnBody);
+        } else if ["inertial", "in space", "fixed frame"]
+            .iter()
+            .any(|w| clause.contains(w))
+        {
+            found.push(Said::DotsInSpace);
+        }
+    }
+    if positive(&text, ATTACHED) {
+        found.push(Said::BodyAxes);
+    } else if positive(&text, BODY_AXES) {
+        found.push(Said::SpeaksOfBodyAxes);
+    }
+    if positive(&text, PRINCIPAL) || positive(&text, AXIS) && !text.contains("plane") {
+        found.push(Said::Principal);
+    }
+    if positive(&text, FREE) || no_torque(&text) {
+        found.push(Said::TorqueFree);
+    }
+    found
+}
+
+/// A body with an axis of symmetry has no products of inertia on axes along it.
+const AXIS: &[&str] = &[
+    "symmetric about",
+    "symmetrical about",
+    "axis of symmetry",
+    "symmetry axis",
+    "axially symmetric",
+    "axisymmetric",
+    "body of revolution",
+    "solid of revolution",
+    "symmetric top",
+    "symmetrical top",
+];
+
+/// Whether a document speaks of vectors that may be any.
+pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
+    let any = [
+        "any vector",
+        "arbitrary vector",
+        "a vector",
+        "every vector",
+        "some vector",
+        "any quantity",
+        "any two vectors",
+        "generic vector",
+        "general vector",
+    ];
+    document.items.iter().any(|item| match item {
+        Item::Prose { text, .. } | Item::Heading { text, .. } => {
+            let text = text.to_lowercase();
+            any.iter().any(|words| text.contains(words))
+        }
+        _ => false,
+    })
+}
+
+/// "No outside torque", "without any applied moment": a denial, at most one word, and the thing.
+fn no_torque(text: &str) -> bool {
+    let words: Vec<&str> = text
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|w| !w.is_empty())
+        .collect();
+    let kinds = [
+        "outside",
+        "external",
+        "applied",
+        "net",
+        "resultant",
+        "outer",
+        "other",
+        "disturbing",
+    ];
+    let things = [
+        "torque", "torques", "moment", "moments", "couple", "couples",
+    ];
+    words.windows(3).any(|w| {
+        matches!(w[0], "no" | "without") && kinds.contains(&w[1]) && things.contains(&w[2])
+    })
+}
+
+/// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
+pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
+    let text = sentence.to_lowercase();
+    let symmetric = [
+        "plane of symmetry",
+        "symmetry plane",
+        "symmetric with respect to",
+        "symmetrical about",
+        "symmetric about",
+    ];
+    if !symmetric.iter().any(|words| text.contains(words)) || !text.contains("plane") {
+        return None;
+    }
+    let planes = [
+        ("xz", (0, 2)),
+        ("xy", (0, 1)),
+        ("yz", (1, 2)),
+        ("zx", (0, 2)),
+        ("yx", (0, 1)),
+        ("zy", (1, 2)),
+    ];
+    let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
+    planes
+        .iter()
+        .find(|(name, _)| words.contains(name))
+        .map(|&(_, (a, b))| Said::SymmetryPlane(a, b))
+}
+
+/// Whether one of the phrases stands there and is not denied right before or after it.
+fn positive(text: &str, phrases: &[&str]) -> bool {
+    phrases.iter().any(|phrase| {
+        text.match_indices(phrase).any(|(at, _)| {
+            let start = text[..at].rfind(['.', ';', '!', '?']).map_or(0, |i| i + 1);
+            let end = text[at..]
+                .find(['.', ';', '!', '?'])
+                .map_or(text.len(), |i| at + i);
+            let clause = &text[start..end];
+            !NOT_SO
+                .iter()
+                .any(|no| clause.replace(phrase, "").contains(no))
+        })
+    })
+}

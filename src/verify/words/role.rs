@@ -1,0 +1,377 @@
+//! What a line is for, from the sentence that introduces it.
+
+use crate::verify::verdict::Role;
+
+/// Phrases that introduce an assumption.
+const ASSUME: &[&str] = &[
+    "assume",
+    "assuming",
+    "assumed",
+    "suppose",
+    "supposing",
+    "let",
+    "choose",
+    "choosing",
+    "take",
+    "taking",
+    "consider",
+    "provided",
+    "if",
+    "when",
+    "set",
+    "setting",
+    "imagine",
+    "restrict",
+    "impose",
+    "with",
+    "for",
+    "by assumption",
+    "by hypothesis",
+];
+/// Phrases that introduce a definition.
+const DEFINE: &[&str] = &[
+    "define",
+    "defined",
+    "defines",
+    "defining",
+    "denote",
+    "denotes",
+    "denoted",
+    "denoting",
+    "call",
+    "called",
+    "where",
+    "introduce",
+    "introducing",
+    "abbreviate",
+    "abbreviation",
+    "notation",
+    "write for",
+    "stands for",
+    "named",
+    "let",
+];
+/// Phrases that hand something over from outside.
+const GIVEN: &[&str] = &["given"];
+/// Words after which a claim follows, whatever stood before.
+const CLAIM: &[&str] = &[
+    "then",
+    "so",
+    "hence",
+    "gives",
+    "give",
+    "thus",
+    "therefore",
+    "becomes",
+    "become",
+    "yields",
+    "yield",
+    "we get",
+    "we find",
+    "we have",
+    "we obtain",
+    "obtain",
+    "follows",
+    "is left",
+    "reads",
+    "implies",
+    "it is",
+    "this is",
+    "leads to",
+    "shows",
+    "reduces to",
+    "reduce to",
+    "can be written",
+    "in that case",
+    "term by term",
+    "component by component",
+    "for which",
+    "has the size",
+    "keeps the value",
+];
+/// Phrases that mean what a shorter one does.
+const SHORTER: &[(&str, &str)] = &[
+    ("let us assume", "assume"),
+    ("let us suppose", "suppose"),
+    ("so that", "such that"),
+    ("take the special", "assume"),
+    ("take the case", "assume"),
+    ("let us choose", "choose"),
+    ("let us set", "set"),
+    ("let us define", "define"),
+    ("let us denote", "denote"),
+];
+/// Openings that look like an assumption and introduce a claim.
+const NO_ROLE: &[&str] = &[
+    "let us expand",
+    "let us say",
+    "let us look",
+    "let us see",
+    "let us write",
+    "let us find",
+    "let us now",
+    "let us apply",
+    "let us compute",
+    "let us differentiate",
+    "let us put",
+    "let us collect",
+    "let us check",
+    "let us multiply",
+    "let me",
+    "let us calculate",
+    "let us substitute",
+    "let us insert",
+    "let us derive",
+    "let us evaluate",
+    "let us start",
+    "let us go",
+    "let us discuss",
+    "let us call",
+    "let's",
+    "let say",
+    "if we expand",
+    "if we write",
+    "if we differentiate",
+    "if we put",
+    "if we insert",
+    "if we substitute",
+    "if we multiply",
+    "if i want",
+    "if we want",
+    "take the derivative",
+    "taking the derivative",
+    "take the time derivative",
+    "taking the dot",
+    "take the dot",
+    "take the cross",
+    "taking the cross",
+    "take components",
+    "taking components",
+    "take the component",
+    "taking the time",
+    "when we",
+    "for the",
+    "for a",
+    "for any",
+    "for this",
+    "for that",
+    "for each",
+    "for every",
+    "for example",
+    "for instance",
+    "for body",
+    "for general",
+    "for later",
+    "for comparison",
+    "for free",
+    "for axes",
+    "for principal",
+    "with the",
+    "with respect",
+    "with this",
+    "with these",
+    "with a",
+    "with its",
+    "with an",
+    "with zero",
+    "with no",
+    "with torque",
+    "with respect to",
+    "set of",
+    "take a",
+    "take the",
+    "let us take a",
+    "consider the",
+    "consider a",
+    "consider an",
+    "so-called",
+    "called the",
+    "is called",
+    "so called",
+    "known as",
+    "given by",
+    "given to",
+    "is given by",
+    "are given by",
+    "we call",
+    "we denote",
+    "if you",
+    "if one",
+    "choose to write",
+    "as defined",
+    "where the",
+];
+
+/// The role that a sentence gives to a formula that stands behind it.
+///
+/// Words reach to the end of their sentence, or to a word such as *then* or *gives*; the last role word that is in
+/// force decides.
+pub(crate) fn role(sentence: &str) -> Role {
+    let mut text = Words::of(&main_clauses(sentence)).0;
+    for (phrase, word) in SHORTER {
+        text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
+    }
+    // The formula may follow "called the precession rate": a definition, though "called the" alone is none.
+    let definition = last_of(
+        &text,
+        &[
+            "define",
+            "defined",
+            "denote",
+            "denoted by",
+            "we call",
+            "we denote",
+        ],
+    );
+    for phrase in NO_ROLE {
+        text = text.replace(
+            &format!(" {phrase} "),
+            &format!(" {} ", "_".repeat(phrase.len())),
+        );
+    }
+    if has_left_its_condition(&text) {
+        return Role::Claim;
+    }
+    let claim = last_of(&text, CLAIM);
+    let best = [
+        (last_of(&text, ASSUME), Role::Assume),
+        (last_of(&text, DEFINE).max(definition), Role::Define),
+        (last_of(&text, GIVEN), Role::Given),
+    ];
+    let (place, role) = best
+        .into_iter()
+        .fold((None, Role::Claim), |kept, (place, role)| {
+            if place > kept.0 { (place, role) } else { kept }
+        });
+    if place.is_none() || claim > place {
+        Role::Claim
+    } else {
+        role
+    }
+}
+
+/// "With ⟨ω = Ω⟩ the spin is": the condition has ended.
+fn has_left_its_condition(text: &str) -> bool {
+    let Some((_, trailing)) = text.rsplit_once('⟩') else {
+        return false;
+    };
+    let predicate = [" is ", " are "];
+    let weak = [" with ", " for ", " if ", " when "];
+    predicate.iter().any(|verb| trailing.ends_with(verb))
+        && weak.iter().any(|word| text.contains(word))
+}
+
+/// A sentence in lower case, each of its words between single spaces.
+pub(crate) struct Words(String);
+
+impl Words {
+    /// The words of a sentence; stops within it are spaces.
+    pub(crate) fn of(sentence: &str) -> Self {
+        let kept = |c: char| c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩');
+        let lower = sentence.to_lowercase();
+        let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
+        let mut text = " ".to_owned();
+        words.for_each(|word| text.extend([word, " "]));
+        Self(text)
+    }
+
+    /// Whether they derive what follows: "hence", "gives".
+    pub(crate) fn derive(&self) -> bool {
+        last_of(&self.0, CLAIM).is_some()
+    }
+
+    /// Whether they assume what follows in so many words.
+    pub(crate) fn assume(&self) -> bool {
+        let words = [
+            "assume",
+            "assuming",
+            "assumed",
+            "suppose",
+            "supposing",
+            "impose",
+            "given",
+        ];
+        last_of(&self.0, &words).is_some_and(|at| !self.0[at..].contains('⟩'))
+    }
+
+    /// Whether the last of them picks out a case: "we take ⟨…⟩".
+    pub(crate) fn pick(&self) -> bool {
+        let verbs = ["take", "choose", "pick", "require", "prescribe", "set"];
+        let last = self.0.split_whitespace().next_back();
+        last.is_some_and(|word| verbs.contains(&word))
+    }
+
+    /// Whether they name a constraint that a body or a point of it is under.
+    pub(crate) fn constrain(&self) -> bool {
+        let words = [
+            "slip",
+            "slips",
+            "slipping",
+            "rolls",
+            "fixed",
+            "at rest",
+            "pinned",
+            "hinged",
+            "constrained",
+            "stationary",
+        ];
+        last_of(&self.0, &words).is_some()
+    }
+}
+
+/// A comma after a formula, and a subject behind it, open the main clause: "where ⟨n⟩ is constant, the equation is".
+fn main_clauses(sentence: &str) -> String {
+    let mut text = sentence.to_owned();
+    for subject in [
+        "the", "this", "these", "it", "its", "we", "one", "both", "only", "each", "all", "they",
+    ] {
+        let opening = format!(", {subject} ");
+        let mut from = 0;
+        while let Some(at) = text[from..].find(&opening).map(|i| from + i) {
+            let inside = &text[..at];
+            let formula = inside.rfind('⟩').is_some();
+            if formula {
+                text.insert_str(at + 1, " then");
+            }
+            from = at + opening.len();
+        }
+    }
+    text
+}
+
+fn last_of(text: &str, words: &[&str]) -> Option<usize> {
+    words
+        .iter()
+        .filter_map(|word| text.rfind(&format!(" {word} ")))
+        .max()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sentence_sets_the_role() {
+        let cases = [
+            (
+                "Now choose the principal axes of inertia, that is, assume",
+                Role::Assume,
+            ),
+            ("Let us expand", Role::Claim),
+            ("let us say this is", Role::Claim),
+            ("Let a vector be resolved on the moving axes:", Role::Assume),
+            ("Assume I_xy = 0, then the equation becomes", Role::Claim),
+            ("Define the body precession rate", Role::Define),
+            ("They are defined by", Role::Define),
+            ("The kinetic energy is", Role::Claim),
+            ("The plane is a plane of symmetry, so assume", Role::Assume),
+            ("Choose the time origin such that", Role::Assume),
+            ("With zero torque the equations of motion are", Role::Claim),
+            ("Its derivative is given by", Role::Claim),
+            ("Solved for the acceleration,", Role::Claim),
+        ];
+        for (sentence, expected) in cases {
+            assert_eq!(role(sentence), expected, "{sentence}");
+        }
+    }
+}
