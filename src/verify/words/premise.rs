@@ -103,14 +103,27 @@ impl Checker<'_> {
         None
     }
 
-    /// Whether the rate of the angular velocity makes a difference.
+    /// Whether a difference is that of an equation of motion: ω̇ is in it, and what multiplies it is no ω, as in a power.
     fn speaks_of_a_spin_rate(&mut self, read: &Read) -> bool {
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         let entries: Vec<Fraction> = read.residuals().cloned().collect();
-        let mut rests = entries.iter().map(|entry| self.theory.normal(entry));
-        let found: BTreeSet<Variable> = rests.by_ref().flat_map(|r| r.variables()).collect();
-        let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity, order, .. } if *entity == omega && *order > 0);
-        found.into_iter().any(rate)
+        let rests: Vec<Fraction> = entries.iter().map(|e| self.theory.normal(e)).collect();
+        let order = |v: Variable| match self.theory.atoms.atom(v) {
+            Atom::Part { entity, order, .. } if *entity == omega => Some(*order),
+            _ => None,
+        };
+        let mut met = false;
+        for rest in &rests {
+            let rates = rest.variables().into_iter().filter(|&v| order(v) > Some(0));
+            for rate in rates {
+                let factor = rest.numerator().coefficient_of(rate, 1);
+                if factor.variables().into_iter().any(|v| order(v).is_some()) {
+                    return false;
+                }
+                met = true;
+            }
+        }
+        met
     }
 
     /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
