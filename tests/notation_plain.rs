@@ -175,3 +175,12 @@ fn a_typeset_minus_before_a_number_is_a_sign() {
     assert_eq!(plain("a = −2 b"), plain("a = -2 b"));
     assert_eq!(plain("a = b ×3"), plain("a = b × 3"));
 }
+
+#[test]
+fn programs_call_products_and_inverses_by_name() {
+    assert_eq!(
+        plain("T = dot(w, J*w)"),
+        "T = (group (* (group w) · (group (* J w))))"
+    );
+    assert_eq!(plain("a = inv(J)*b"), "a = (* (^ (group J) (- 1)) b)");
+}

@@ -293,6 +293,14 @@ const WORDS: &[&str] = &[
     "sinh", "cosh", "tanh", "cross", "skew", "sum",
 ];
 
+/// Whether a word with a bracket right behind it calls a function, as programs write it: `dot(a, b)`, `inv(I)`.
+pub(crate) fn is_call(word: &str) -> bool {
+    matches!(
+        word,
+        "dot" | "cross" | "inv" | "norm" | "transpose" | "trace" | "diag" | "abs"
+    )
+}
+
 /// What a word of plain text stands for, where it is known: Greek names, functions, components that run
 /// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
 pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {

@@ -32,8 +32,14 @@ impl<'a> Lexer<'a> {
     /// A word whose meaning is known; its tokens are those of the same thing in LaTeX.
     fn word(&mut self, word: &'a str, start: usize) -> bool {
         self.at = start + word.len();
-        if matches!(word, "cross" | "dot") && self.rest().starts_with('(') {
-            let name = if word == "cross" { "crossof" } else { "dotof" };
+        if unicode::is_call(word) && self.rest().starts_with('(') {
+            let name = match word {
+                "cross" => "crossof",
+                "dot" => "dotof",
+                "inv" => "inverseof",
+                "transpose" => "transposeof",
+                _ => word,
+            };
             self.push(Lexeme::Command(name), start);
             return true;
         }

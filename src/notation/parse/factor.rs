@@ -217,6 +217,7 @@ impl<'a> Parser<'_, 'a> {
                 self.scripts(node, start)
             }
             "crossof" | "dotof" => self.product_of(name == "crossof", start),
+            "inverseof" | "transposeof" => self.matrix_call(name == "inverseof", start),
             "cbrt" => {
                 let argument = self.argument_node();
                 let kind = self.root_as_power(argument, "3");
@@ -271,6 +272,21 @@ impl<'a> Parser<'_, 'a> {
         });
         let product = self.node(Kind::Product(factors.into()), start);
         self.grouped(Bracket::Round, product, start)
+    }
+
+    /// `inv(I)` and `transpose(R)` of plain text.
+    fn matrix_call(&mut self, inverse: bool, start: usize) -> Node {
+        let matrix = self.factor();
+        let kind = match inverse {
+            true => {
+                let power = Kind::Number(super::product::read_number("1"));
+                let power = self.node(power, start);
+                let minus = self.node(Kind::Negate(Box::new(power)), start);
+                Kind::Power(Box::new(matrix), Box::new(minus))
+            }
+            false => Kind::Transpose(Box::new(matrix)),
+        };
+        self.node(kind, start)
     }
 
     /// What follows an unknown command is read on, and the error stands at the command.

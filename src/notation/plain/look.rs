@@ -46,7 +46,9 @@ fn look(word: &str) -> Look {
     let mut runs = core
         .split(|c: char| !c.is_alphanumeric())
         .filter(|run| !run.is_empty());
-    if core.is_empty() || sentence_letter || runs.any(|run| is_english(run) && !known(run)) {
+    let called = |run: &str| unicode::is_call(run) && core.contains(&format!("{run}("));
+    let english = |run: &str| is_english(run) && !known(run) && !called(run);
+    if core.is_empty() || sentence_letter || runs.any(english) {
         return Look::Words;
     }
     Look::Weak

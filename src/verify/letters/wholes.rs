@@ -70,7 +70,8 @@ impl Wholes {
         };
         let grid = matches!(&inner(right).kind, Kind::Matrix(rows) if rows.len() > 1);
         let indexed = symbol.subscripts.iter().any(|s| axis(s).is_some());
-        if indexed && (grid || symbol.style.vector && is_directed(right, symbol)) {
+        let square = is_square_of(right, &Letter::of(symbol));
+        if indexed && (grid || square || symbol.style.vector && is_directed(right, symbol)) {
             self.named
                 .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
@@ -108,6 +109,32 @@ impl Wholes {
                 self.vectors.insert(name);
             }
         }
+    }
+}
+
+/// Whether a node is the square of a letter's vector, which programs call L2: `dot(L, L)`, `|L|^2`, `L^T L`.
+fn is_square_of(node: &Node, letter: &Letter) -> bool {
+    let own = |node: &Node| matches!(&inner(node).kind, Kind::Symbol(s) if s.subscripts.is_empty() && Letter::of(s) == *letter);
+    match &inner(node).kind {
+        Kind::Product(factors) => match factors.as_slice() {
+            [first, second] => {
+                let row = match &inner(&first.node).kind {
+                    Kind::Transpose(inside) => own(inside),
+                    _ => second.operator == Operator::Dot && own(&first.node),
+                };
+                row && own(&second.node)
+            }
+            _ => false,
+        },
+        Kind::Power(base, exponent) => {
+            let base = match &inner(base).kind {
+                Kind::Norm(inside) => inside,
+                _ => base,
+            };
+            let two = matches!(&exponent.kind, Kind::Number(n) if n.value == num_rational::BigRational::from_integer(2.into()));
+            two && own(base)
+        }
+        _ => false,
     }
 }
 

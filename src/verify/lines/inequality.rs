@@ -27,7 +27,7 @@ impl Checker<'_> {
         );
         match relation {
             Relation::NotEqual if line.relations.len() == 1 => self.not_equal(line, role, finding),
-            _ if ordered && matches!(role, Role::Assume | Role::Given) => {
+            _ if ordered && role != Role::Claim => {
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
             }

@@ -191,6 +191,11 @@ fn is_quantity(
     match quantity {
         Quantity::Inertia => sorted.variant.is_empty(),
         Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
+        // The h_w of a wheel, never marked and without a component, is a number.
+        Quantity::RelativeMomentum => {
+            let component = reading.usage.get(&letter).component > 0;
+            marked || component || reading.usage.is_vector(&letter)
+        }
         Quantity::Attitude => sorted.variant.is_empty() && sorted.single.is_none(),
         Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),
         Quantity::AngularVelocity | Quantity::FrameRate => {

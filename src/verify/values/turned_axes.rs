@@ -128,7 +128,7 @@ fn coordinate(name: &str, primes: u8) -> Symbol {
     }
 }
 
-/// The two coordinates of an index: `x'y'`, `uu`.
+/// The two coordinates of an index: `x'y'`, `uu`, `u`.
 fn coordinates(index: &str) -> Option<[Symbol; 2]> {
     let mut found: Vec<Symbol> = vec![];
     for c in index.chars().filter(|c| !matches!(c, ' ' | ',')) {
@@ -137,6 +137,10 @@ fn coordinates(index: &str) -> Option<[Symbol; 2]> {
             c if c.is_alphabetic() => found.push(coordinate(&c.to_string(), 0)),
             _ => return None,
         }
+    }
+    // `I_{x'}` is the moment about that axis.
+    if found.len() == 1 {
+        found.push(found[0].clone());
     }
     found.try_into().ok()
 }

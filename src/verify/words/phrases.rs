@@ -178,10 +178,29 @@ const ASIDE: &[&str] = &[
     "from the ",
 ];
 
+/// Parts of a body that spin in it.
+const WHEELS: &[&str] = &[
+    "wheel",
+    "rotor",
+    "gyrostat",
+    "propeller",
+    "turbine",
+    "relative angular momentum",
+];
+
 /// Whether a text in small letters speaks of wheels in the body, which have a momentum of their own.
 pub(crate) fn speaks_of_wheels(text: &str) -> bool {
-    let words = ["wheel", "rotor", "gyrostat", "relative angular momentum"];
-    words.iter().any(|word| text.contains(word))
+    WHEELS.iter().any(|word| text.contains(word))
+}
+
+/// Whether what a clause in small letters says of a momentum is said of a wheel: "relative to the airframe the propeller
+/// has the angular momentum".
+fn is_of_a_wheel(clause: &str) -> bool {
+    let part = WHEELS
+        .iter()
+        .filter_map(|word| clause.find(word))
+        .any(|at| clause[at..].contains(" has "));
+    part && clause.contains("relative to")
 }
 
 /// Whether "mass" is the end of "centre of mass".
@@ -229,8 +248,10 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
         let subject = |name: &str| words.split_whitespace().any(|word| word == name);
         (subject("frame") || subject("axes")) && !subject("body")
     });
+    let of_wheel = clause.is_some_and(is_of_a_wheel);
     (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
         Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
+        Some(Quantity::Momentum) if of_wheel => Some(Quantity::RelativeMomentum),
         other => other,
     })?
 }
