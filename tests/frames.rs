@@ -106,3 +106,27 @@ $$ \dot{\mathbf h}_N = \mathbf A_{NB}\left(\dot{\mathbf h}_B - [\boldsymbol\omeg
 ";
     assert_eq!(verdicts(text), "pppr");
 }
+
+#[test]
+fn frames_may_be_named_in_plain_words() {
+    let text = r"Frame 1 is inertial, frame 2 is welded to the body.
+
+$$ \left.\frac{d\mathbf L_C}{dt}\right|_1 = \left.\frac{d\mathbf L_C}{dt}\right|_2 + \boldsymbol\omega_{2/1}\times\mathbf L_C $$
+
+$$ \mathbf L_C = \mathbf I_C\,\boldsymbol\omega_{2/1} $$
+
+$$ \left.\frac{d\mathbf L_C}{dt}\right|_1 = \mathbf I_C\,\dot{\boldsymbol\omega}_{2/1} $$
+";
+    assert_eq!(verdicts(text), "ppr");
+}
+
+#[test]
+fn what_tells_nothing_apart_is_dropped() {
+    let text = r"With the inertia tensor $\mathbf I_0$,
+
+$$ \mathbf M_0 = \mathbf I_0\,\dot{\boldsymbol\omega} + \boldsymbol\omega\times\mathbf I_0\,\boldsymbol\omega $$
+
+$$ \mathbf M_0 = \mathbf I_0\,\dot{\boldsymbol\omega} - \boldsymbol\omega\times\mathbf I_0\,\boldsymbol\omega $$
+";
+    assert_eq!(verdicts(text), "pr");
+}

@@ -184,3 +184,14 @@ fn programs_call_products_and_inverses_by_name() {
     );
     assert_eq!(plain("a = inv(J)*b"), "a = (* (^ (group J) (- 1)) b)");
 }
+
+#[test]
+fn a_point_with_space_around_it_is_that_of_a_product() {
+    assert_eq!(plain("E = 0.5 w . (I w)"), plain("E = 0.5 w · (I w)"));
+    assert_eq!(plain("(w x H) . w = 0"), plain("(w x H) · w = 0"));
+    let sentence = document("The sum a + b = c . Then d = e.", Format::Text);
+    assert_eq!(
+        sentence,
+        document("The sum a + b = c. Then d = e.", Format::Text)
+    );
+}

@@ -24,7 +24,7 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
-use crate::verify::words::role::{Words, role};
+use crate::verify::words::role::{Words, ends_with_condition, role};
 use std::collections::{BTreeSet, HashMap};
 
 /// Checks every line of a document.
@@ -252,10 +252,10 @@ impl<'a> Checker<'a> {
         let ended: BTreeSet<String> = self
             .scopes
             .iter()
-            .filter(|(_, l)| *l >= level)
+            .filter(|(name, l)| *l >= level && !self.outlasts(name, span))
             .map(|(name, _)| name.clone())
             .collect();
-        self.scopes.retain(|(_, l)| *l < level);
+        self.scopes.retain(|(name, _)| !ended.contains(name));
         if !ended.is_empty() {
             self.theory.retain(|premise| !ended.contains(&premise.name));
         }
@@ -313,7 +313,7 @@ impl<'a> Checker<'a> {
             false => role(&self.sentence),
         };
         let closed = self.sentence.trim_end().strip_suffix(',');
-        let clause = display && closed.is_some_and(|text| text.trim_end().ends_with('⟩'));
+        let clause = display && closed.is_some_and(ends_with_condition);
         match role {
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,

@@ -167,19 +167,20 @@ impl<'a> Lexer<'a> {
         true
     }
 
-    /// The point of `w.L`: between two letters and close to both.
+    /// The point of `w.L`, close to both letters, or of `w . (I w)`, with space on both sides.
     fn dots_product(&self, rest: &str) -> bool {
-        let mut next = rest.chars();
         let letters = self.out.last().is_some_and(|t| {
             matches!(
                 t.kind,
                 Lexeme::Letter(_) | Lexeme::Command(_) | Lexeme::Close
-            )
+            ) || self.spaced && matches!(t.kind, Lexeme::Char(')' | ']') | Lexeme::Number(_))
         });
-        next.next() == Some('.')
-            && !self.spaced
-            && letters
-            && next.next().is_some_and(char::is_alphabetic)
+        let Some(behind) = rest.strip_prefix('.').filter(|_| letters) else {
+            return false;
+        };
+        let next = beginning(behind, LONGEST_WORD).trim_start();
+        let operand = |c: char| c.is_alphabetic() || self.spaced && matches!(c, '(' | '[');
+        behind.starts_with([' ', '\t']) == self.spaced && next.starts_with(operand)
     }
 
     /// `^(2n)` raises what stands in the bracket, `^-1` the number with its sign.

@@ -18,6 +18,9 @@ const SHORT: &[&str] = &[
     "to", "up", "us", "we", "he", "my", "go", "am", "me", "eq", "vs",
 ];
 
+/// A point with space on both sides is that of a product: `w . (I w)`.
+const DOT: &str = ".";
+
 const ARROWS: &[&str] = &["=>", "==>", "->", "-->", "<=>", "⇒", "⟹", "→", "⇔", "∴"];
 
 fn look(word: &str) -> Look {
@@ -38,6 +41,9 @@ fn look(word: &str) -> Look {
     let known = |word: &str| unicode::word(word).is_some();
     if strong || known(core) || is_rate(core) {
         return Look::Strong;
+    }
+    if word == DOT {
+        return Look::Weak;
     }
     if core.contains(['/', '^', '*']) && is_unit(core) {
         return Look::Weak;
@@ -174,7 +180,7 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
                 next.strong |= strong;
                 // The commas of `ω = (p, q, r)` stand inside it.
                 let inside = word.ends_with(',') && is_open(&text[next.start..next.end]);
-                if word.ends_with(['.', ',', ';', ':']) && !inside {
+                if word.ends_with(['.', ',', ';', ':']) && !inside && word != DOT {
                     out.push(next);
                 } else {
                     run = Some(next);

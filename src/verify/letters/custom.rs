@@ -162,7 +162,7 @@ impl Reading {
             "I" | "J" if self.is_single_moment(letter) => None,
             "I" | "J" => Some(Quantity::Inertia),
             "Theta" if used.double + used.tensor > 0 => Some(Quantity::Inertia),
-            "T" if !taken(Quantity::Energy) => Some(Quantity::Energy),
+            "T" if used.tensor == 0 && !taken(Quantity::Energy) => Some(Quantity::Energy),
             "E" if used.bare > 0
                 && self.speaks_of_energy
                 && !taken(Quantity::Energy)

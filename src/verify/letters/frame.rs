@@ -28,7 +28,7 @@ const WORDS: &[(Frame, &[&str])] = &[
     (
         Frame::Moving,
         &[
-            "turn", "rotat", "moves", "moving", "body", "attached", "spin",
+            "turn", "rotat", "moves", "moving", "body", "attached", "spin", "welded",
         ],
     ),
     (
@@ -75,6 +75,7 @@ impl Frames {
         let mut frames = Self::default();
         if !written.is_empty() {
             frames.by_words(document, &written);
+            frames.by_plain_words(document, &written);
             frames.by_neighbours(&written);
         }
         frames
@@ -123,6 +124,25 @@ impl Frames {
             let said = said.or_else(|| in_words(&clause).filter(|_| verb));
             if let Some(frame) = said {
                 self.named.entry(name).or_insert(frame);
+            }
+        }
+    }
+
+    /// "Frame 1 is inertial, frame 2 is welded to the body", with the names in the words.
+    fn by_plain_words(&mut self, document: &Document, written: &BTreeSet<String>) {
+        for item in &document.items {
+            let Item::Prose { text, .. } = item else {
+                continue;
+            };
+            let text = text.to_lowercase();
+            for clause in text.split(['.', ';', ',']) {
+                for name in written {
+                    let subject = format!("frame {} is ", name.to_lowercase());
+                    let said = clause.split_once(&subject).map(|(_, rest)| rest);
+                    if let Some(frame) = said.and_then(in_words) {
+                        self.named.entry(name.clone()).or_insert(frame);
+                    }
+                }
             }
         }
     }

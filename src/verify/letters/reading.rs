@@ -9,7 +9,7 @@ use crate::verify::check::keep_end;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::rivals::has_differences;
-use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
+use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
@@ -155,6 +155,21 @@ impl Reading {
             && !self.left_sides.contains(letter)
     }
 
+    /// Whether the moments I_11, I_22, I_33 or A, B, C are written, and nowhere a product or the word for one.
+    pub(crate) fn writes_only_diagonal(&self) -> bool {
+        let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;
+        let letters = self.quantities.iter().filter(inertia);
+        let indices = letters.filter_map(|(letter, _)| self.usage.subscripts.get(letter));
+        let entries = indices.flatten().filter_map(|s| axes(s));
+        let mut diagonal = entries.map(|(r, c)| r == c).collect::<Vec<_>>();
+        let named = self
+            .components
+            .values()
+            .filter(|(q, _)| *q == Quantity::Inertia);
+        diagonal.extend(named.map(|(_, component)| *component < 3));
+        !diagonal.is_empty() && diagonal.into_iter().all(|d| d) && !self.speaks_of_products
+    }
+
     /// The letters of the attitude, those apart that stand for something else.
     fn by_attitude(&mut self, document: &Document) {
         let taken = |letter: &Letter| {
@@ -243,7 +258,9 @@ impl Reading {
                     self.left_sides.extend(lines.flat_map(named_letters));
                     listed.extend(named.iter().cloned());
                     last = named;
-                    near = !formula.display;
+                    // Behind a line, "the" opens the main clause: "With ⟨B = 2A⟩ the momentum is".
+                    let names = |row: &Row| matches!(row, Row::Expression(_));
+                    near = !formula.display && formula.rows.iter().all(names);
                     if formula.display {
                         before.clear();
                     } else {

@@ -148,6 +148,7 @@ impl Usage {
     fn symbol(&mut self, symbol: &Symbol) {
         let entry = self.letters.entry(Letter::of(symbol)).or_default();
         let index = symbol.subscripts.iter().find_map(|s| axis(s));
+        let index = index.filter(|_| !self.wholes.counts(symbol));
         let double = symbol.subscripts.iter().find_map(|s| axes(s));
         if symbol.style.tensor {
             entry.tensor += 1;
@@ -163,6 +164,7 @@ impl Usage {
             entry.hats += usize::from(symbol.style.hat);
         }
         entry.resultant += usize::from(symbol.resultant);
+        entry.naked += usize::from(symbol.subscripts.is_empty());
         self.superscripts
             .entry(Letter::of(symbol))
             .or_default()

@@ -47,6 +47,8 @@ pub(crate) struct Use {
     pub bare: usize,
     /// Times with the mark of a vector and a hat.
     pub hatted: usize,
+    /// Times without any index, a word or a point included.
+    pub naked: usize,
     /// Under a hat alone.
     pub hats: usize,
     /// Times as a factor of a cross product without a mark.

@@ -16,6 +16,8 @@ pub(crate) struct Wholes {
     named: BTreeSet<Name>,
     /// Vectors among them that are told by a number.
     vectors: BTreeSet<Name>,
+    /// Letters whose numbers go beyond the three of the axes: the rotors `Ω_1` to `Ω_4`.
+    counted: BTreeSet<Letter>,
 }
 
 impl Wholes {
@@ -42,6 +44,8 @@ impl Wholes {
                 Row::Unreadable { .. } => {}
             }
         }
+        let beyond = met.iter().filter(|s| is_beyond_axes(s));
+        wholes.counted = beyond.map(|s| Letter::of(s)).collect();
         used.retain(|symbol| number(symbol).is_some() && !is_basis(symbol));
         for symbol in used {
             wholes.numbered(symbol, &met);
@@ -52,7 +56,13 @@ impl Wholes {
     /// Whether the index of a symbol is a part of its name.
     pub(crate) fn names(&self, symbol: &Symbol) -> bool {
         let name = (Letter::of(symbol), symbol.subscripts.clone());
-        self.named.contains(&name) || self.vectors.contains(&name)
+        self.named.contains(&name) || self.vectors.contains(&name) || self.counts(symbol)
+    }
+
+    /// Whether the number under a symbol only tells it from others, and is that of no axis.
+    pub(crate) fn counts(&self, symbol: &Symbol) -> bool {
+        let digit = number(symbol).is_some_and(|n| n.len() == 1);
+        digit && self.counted.contains(&Letter::of(symbol))
     }
 
     /// Whether a symbol is a vector that a number tells from others of its letter.
@@ -145,6 +155,23 @@ fn number(symbol: &Symbol) -> Option<&str> {
     };
     let digits = index.chars().all(|c| c.is_ascii_digit() || c == '/');
     (digits && !index.is_empty()).then_some(index)
+}
+
+/// Whether the number under a plain letter is more than that of the last axis; of a quaternion there are four.
+fn is_beyond_axes(symbol: &Symbol) -> bool {
+    let quaternion = [
+        "q",
+        "e",
+        "epsilon",
+        "varepsilon",
+        "beta",
+        "lambda",
+        "eta",
+        "p",
+    ];
+    number(symbol).is_some_and(|n| matches!(n, "4" | "5" | "6" | "7" | "8" | "9"))
+        && !symbol.style.vector
+        && !quaternion.contains(&symbol.name.as_str())
 }
 
 /// Whether a symbol is a unit vector of some axes: `\mathbf e_1`.

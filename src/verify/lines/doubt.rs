@@ -108,6 +108,11 @@ impl Checker<'_> {
                             mechanical = true;
                             loose = Some(names::latex(&self.theory.atoms, variable));
                         }
+                        // Nor does the acceleration of a point that is still there: no line says what it is.
+                        Owner::Quantity(Quantity::Acceleration, _) => {
+                            mechanical = true;
+                            loose = Some(names::latex(&self.theory.atoms, variable));
+                        }
                         _ if order > 0 && info.shape == Shape::Vector => {
                             let moves_freely = !self.any_vector && !self.rate_is_tied(entity);
                             loose = moves_freely

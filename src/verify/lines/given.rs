@@ -8,7 +8,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::values::atoms::Owner;
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::{One, Zero};
@@ -78,6 +78,9 @@ impl Checker<'_> {
         if !self.displayed && self.constrained && rest.last().is_some_and(still) {
             return Role::Assume;
         }
+        if !self.displayed && self.is_said_to_be_constant(left) && rest.iter().all(is_zero) {
+            return Role::Assume;
+        }
         if role == Role::Claim || self.firm {
             return role;
         }
@@ -109,6 +112,42 @@ impl Checker<'_> {
             own && self.is_free(entity) && !self.theory.mentions_entity(entity)
         });
         if new { role } else { Role::Claim }
+    }
+
+    /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines.
+    fn is_said_to_be_constant(&mut self, left: &Node) -> bool {
+        let words = self.sentence.rsplit('⟩').next().unwrap_or_default();
+        let said = words.to_lowercase().contains("constant");
+        let Kind::TimeDerivative { operand, .. } = &inner(left).kind else {
+            return false;
+        };
+        let entities = self.entities([&**operand]);
+        let own = |entity| matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+        said && !entities.is_empty() && entities.into_iter().all(own)
+    }
+
+    /// Whether a line only names a moment: "the axes coincide at ⟨t = 0⟩", "(⟨φ = 0⟩ at rest)".
+    pub(crate) fn names_a_moment(&mut self, sides: &[Node]) -> bool {
+        let [left, rest @ ..] = sides else {
+            return false;
+        };
+        let number = |side: &Node| symbols(side).is_empty();
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        if self.displayed || self.asserted || !rest.iter().all(number) {
+            return false;
+        }
+        let Meaning::Whole(entity) = self.meaning_of(symbol) else {
+            return false;
+        };
+        let info = self.theory.atoms.info(entity);
+        match info.owner {
+            Owner::Quantity(quantity, _) => quantity == Quantity::Time,
+            Owner::Symbol(_) => {
+                !info.constant && info.shape == Shape::Scalar && self.is_free(entity)
+            }
+        }
     }
 
     /// Whether a line speaks of the magnitude of a vector, or of a symbol that a relation has: it may set an angle by it,

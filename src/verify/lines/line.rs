@@ -118,6 +118,14 @@ impl Checker<'_> {
         self.note_other_moments(&sides);
         let role = self.role_by_content(role, &sides);
         finding.role = role;
+        if role == Role::Claim && self.names_a_moment(&sides) {
+            finding.verdict = Verdict::Accepted;
+            finding.role = Role::Given;
+            finding
+                .remarks
+                .push("names a moment of the motion".to_owned());
+            return;
+        }
         let settled = self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)

@@ -91,6 +91,35 @@ pub(crate) fn is_main_point(letter: &Letter, point: &str, reading: &Reading) -> 
     POINTS.contains(&point) && (matches!(point, "O" | "o") || only)
 }
 
+/// Whether what is written under a quantity tells it from no other of its letter: the `I_C` of `L_C = I_C ω`, the `M_0`
+/// about the point 0, the ω_{2/1} of one body in one frame.
+pub(crate) fn tells_nothing_apart(
+    quantity: Quantity,
+    symbol: &Symbol,
+    point: &str,
+    reading: &Reading,
+) -> bool {
+    let letter = Letter::of(symbol);
+    let used = reading.usage.get(&letter);
+    let index = |s: &str| axis(s).is_some() || axes(s).is_some();
+    let met = reading.usage.subscripts.get(&letter);
+    let mut points = met.into_iter().flatten().filter(|s| !index(s));
+    let alone = points.all(|s| s == point) && used.naked == 0;
+    let whole = match quantity {
+        Quantity::Inertia => {
+            let marked = symbol.style.vector || symbol.style.tensor || used.tensor > 0;
+            marked || used.component + used.double == 0
+        }
+        Quantity::Momentum | Quantity::Moment => symbol.style.vector,
+        Quantity::AngularVelocity => {
+            let mut others = met.into_iter().flatten().filter(|s| s.contains('/'));
+            return point.contains('/') && symbol.style.vector && others.all(|s| s == point);
+        }
+        _ => false,
+    };
+    whole && alone && (POINTS.contains(&point) || point == "0")
+}
+
 /// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.
 pub(crate) fn another_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
     let centre = |p: &str| matches!(p, "G" | "C" | "c" | "cm" | "CM" | "cg");

@@ -8,7 +8,7 @@ use crate::verify::values::atoms::{Atoms, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::{in_space, without_body_label, without_label};
 use crate::verify::values::subscript::{
-    POINTS, Subscripts, another_point, is_main_point, step_index, subscripts,
+    POINTS, Subscripts, another_point, is_main_point, step_index, subscripts, tells_nothing_apart,
 };
 
 /// What a symbol stands for.
@@ -65,8 +65,12 @@ pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         vector.style.tilde = false;
         return meaning(&vector, reading, atoms);
     }
-    let sorted = subscripts(symbol, reading);
+    let mut sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
+    let quantity = reading.quantities.get(&letter);
+    if quantity.is_some_and(|&q| tells_nothing_apart(q, symbol, &sorted.variant, reading)) {
+        sorted.variant.clear();
+    }
     let named = reading.usage.wholes.names(symbol);
     if let Some(meaning) = constant(symbol, &sorted, reading).filter(|_| !named) {
         return meaning;
@@ -137,7 +141,13 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
         "k" | "z" => Some(2),
         _ => None,
     };
-    let is_letter = matches!(symbol.name.as_str(), "i" | "j" | "k") || symbol.style.hat;
+    // Beside the triad x̂, ŷ, ẑ a k̂ is a direction of its own.
+    let hatted = |name: &str| reading.usage.get(&Letter::plain(name)).hats > 0;
+    let beside = hatted("x") && hatted("y") && hatted("z") && !hatted("i") && !hatted("j");
+    let is_letter = match symbol.name.as_str() {
+        "i" | "j" | "k" => !beside,
+        _ => symbol.style.hat,
+    };
     if marked
         && is_letter
         && sorted.variant.is_empty()

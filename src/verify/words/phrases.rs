@@ -36,7 +36,12 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
     ),
     (
         Some(Quantity::Momentum),
-        &["moment of momentum", "angular momentum", "momentum"],
+        &[
+            "moment of momentum",
+            "angular momentum",
+            "kinetic moment",
+            "momentum",
+        ],
     ),
     (Some(Quantity::LinearMomentum), &["linear momentum"]),
     (

@@ -71,11 +71,13 @@ impl Checker<'_> {
             definition: false,
         };
         let taken = self.theory.assume(premise);
-        if matches!(taken, Taken::Solved | Taken::Kept) {
+        let new = matches!(taken, Taken::Solved | Taken::Kept);
+        // A tensor of which the document only writes the diagonal is on principal axes under every heading.
+        let lasts = quantity == Quantity::Inertia && self.reading.writes_only_diagonal();
+        if new && !lasts {
             self.scopes.push((name.to_owned(), self.level));
-            return true;
         }
-        false
+        new
     }
 
     /// Whether equations hold with no moment, in a document that writes no moment or force anywhere; it is then assumed.

@@ -195,6 +195,17 @@ fn no_torque(text: &str) -> bool {
     })
 }
 
+/// Whether a text speaks of a torque, other than that there is none.
+pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
+    let mut text = text.to_lowercase();
+    for phrase in FREE {
+        text = text.replace(phrase, "");
+    }
+    ["torque", "couple", "motor", "damp"]
+        .iter()
+        .any(|word| text.contains(word))
+}
+
 /// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
 pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
     let text = sentence.to_lowercase();

@@ -27,6 +27,11 @@ const ASSUME: &[&str] = &[
     "for",
     "by assumption",
     "by hypothesis",
+    "from here on",
+    "from now on",
+    "henceforth",
+    "belong to",
+    "belongs to",
 ];
 /// Phrases that introduce a definition.
 const DEFINE: &[&str] = &[
@@ -202,6 +207,12 @@ const NO_ROLE: &[&str] = &[
     "are given by",
     "we call",
     "we denote",
+    "if and only if",
+    "only if",
+    "only when",
+    "exactly if",
+    "exactly when",
+    "precisely when",
     "if you",
     "if one",
     "choose to write",
@@ -268,6 +279,17 @@ fn has_left_its_condition(text: &str) -> bool {
         && weak.iter().any(|word| text.contains(word))
 }
 
+/// Whether a text before a comma ends with a condition: "with ⟨B = 2A⟩", "with ⟨B = 2A⟩ and all else the same".
+pub(crate) fn ends_with_condition(text: &str) -> bool {
+    let text = text.trim_end();
+    let last = [" with ", " With ", " for ", " For "]
+        .iter()
+        .filter_map(|word| text.rfind(word))
+        .max();
+    text.ends_with('⟩')
+        || last.is_some_and(|at| text[at..].contains("⟨⟩") && !text[at..].contains(','))
+}
+
 /// A sentence in lower case, each of its words between single spaces.
 pub(crate) struct Words(String);
 
@@ -305,7 +327,16 @@ impl Words {
     pub(crate) fn pick(&self) -> bool {
         let verbs = ["take", "choose", "pick", "require", "prescribe", "set"];
         let last = self.0.split_whitespace().next_back();
-        last.is_some_and(|word| verbs.contains(&word))
+        let belongs = ["belong to ", "belongs to "]
+            .iter()
+            .any(|words| self.0.ends_with(words));
+        belongs || last.is_some_and(|word| verbs.contains(&word))
+    }
+
+    /// Whether what follows is a condition for something that was said: "it is stable if".
+    pub(crate) fn condition(&self) -> bool {
+        let last = last_of(&self.0, &["if", "when", "provided", "whenever"]);
+        last.is_some_and(|at| at > 0 && self.0[at..].split_whitespace().count() <= 3)
     }
 
     /// Whether they name a constraint that a body or a point of it is under.
