@@ -17,3 +17,4 @@ pub(super) mod line;
 pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod small;
+pub(super) mod trust;

@@ -6,6 +6,7 @@ pub(super) mod edit;
 pub(super) mod hollow;
 pub(super) mod lost_terms;
 pub(super) mod lost_vectors;
+pub(super) mod order;
 pub(super) mod places;
 pub(super) mod shown;
 pub(super) mod slips;

@@ -10,6 +10,7 @@ pub(super) mod kept;
 pub(super) mod kernel_facts;
 pub(super) mod law;
 pub(super) mod ledger;
+pub(super) mod mentioned;
 pub(super) mod more_moments;
 pub(super) mod point;
 pub(super) mod solve;
@@ -22,6 +23,7 @@ use crate::verify::theory::attitude_law::{UNIT, square_of_scalar_part};
 use crate::verify::theory::kept::Relations;
 use crate::verify::theory::law::{Setting, law};
 use crate::verify::theory::ledger::{Ledger, Source};
+use crate::verify::theory::mentioned::Mentioned;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
 use crate::verify::values::figures::Alternative;
 use num_traits::{One, Zero};
@@ -94,8 +96,9 @@ pub(super) struct Theory {
     /// Relations that could not be solved for a symbol.
     pub(super) relations: Relations,
     pub(super) premises: Vec<Premise>,
-    /// The variables that premises mention, those in the arguments of functions too.
-    mentioned: BTreeSet<Variable>,
+    mentioned: Mentioned,
+    /// The turn of the premise that was solved last.
+    last_turn: Option<solve::Turn>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
     /// Where the rules come from.
@@ -120,7 +123,8 @@ impl Theory {
             instants: BTreeSet::new(),
             relations: Relations::default(),
             premises: vec![],
-            mentioned: BTreeSet::new(),
+            mentioned: Mentioned::default(),
+            last_turn: None,
             rules: HashMap::new(),
             normals: HashMap::new(),
             sources: HashMap::new(),
@@ -176,36 +180,12 @@ impl Theory {
         let before = self.premises.len();
         self.premises.retain(keep);
         if self.premises.len() != before {
-            let all = self
-                .premises
-                .iter()
-                .flat_map(|premise| self.variables(premise));
-            self.mentioned = all.collect();
+            self.mentioned = Mentioned::default();
+            for premise in &self.premises {
+                self.mentioned.add(premise, &self.atoms);
+            }
             self.rebuild();
         }
-    }
-
-    fn variables(&self, premise: &Premise) -> Vec<Variable> {
-        let written = premise.residuals.iter().flat_map(Fraction::variables);
-        written.flat_map(|v| self.atoms.with_arguments(v)).collect()
-    }
-
-    /// Whether a premise mentions a variable.
-    pub(super) fn mentions(&self, variable: Variable) -> bool {
-        self.mentioned.contains(&variable)
-    }
-
-    /// Whether a premise mentions an entity: a component of it, or a rate.
-    pub(super) fn mentions_entity(&self, entity: Entity) -> bool {
-        self.mentions_part(entity, None)
-    }
-
-    /// Whether a premise mentions a component of an entity, or any, where none is asked for.
-    pub(super) fn mentions_part(&self, entity: Entity, place: Option<u8>) -> bool {
-        self.mentioned.iter().any(|&v| {
-            matches!(*self.atoms.atom(v), Atom::Part { entity: e, component, .. }
-                if e == entity && place.is_none_or(|place| place == component))
-        })
     }
 
     /// Takes a premise in.
@@ -216,14 +196,19 @@ impl Theory {
         }
         // A definition may have told that a symbol moves.
         self.laws.clear();
-        let variables = self.variables(&premise);
-        self.premises.push(premise);
-        let taken = self.rebuild();
+        let last = self.comes_last(&premise);
+        self.premises.push(premise.clone());
+        let taken = if last {
+            self.ledger = Ledger::default();
+            self.solve(&premise)
+        } else {
+            self.rebuild()
+        };
         if taken == Taken::Contradiction {
             self.premises.pop();
             self.rebuild();
         } else {
-            self.mentioned.extend(variables);
+            self.mentioned.add(&premise, &self.atoms);
         }
         taken
     }

@@ -1,6 +1,6 @@
 //! The slips that people make, as changes to the text of a line.
 
-use crate::notation::ast::{FrameLabel, Kind, Node, Operator, Symbol, Term};
+use crate::notation::ast::{FrameLabel, Kind, Node, Symbol, Term};
 use crate::source::{Source, Span};
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
@@ -46,7 +46,7 @@ impl<'a> Slips<'a> {
         self.edits
     }
 
-    fn push(
+    pub(crate) fn push(
         &mut self,
         span: Span,
         text: impl Into<String>,
@@ -135,23 +135,7 @@ impl<'a> Slips<'a> {
                     self.push(label.span, text, "frame", 10, message);
                 }
             }
-            Kind::Product(factors) => {
-                for pair in factors.windows(2) {
-                    if pair[1].operator == Operator::Cross {
-                        let (a, b) = (self.slice(&pair[0].node), self.slice(&pair[1].node));
-                        let sign = self.source.slice(pair[1].sign);
-                        let text = format!("{b} {sign} {a}");
-                        let span = pair[0].node.span.to(pair[1].node.span);
-                        self.push(
-                            span,
-                            text,
-                            "cross-order",
-                            11,
-                            "the factors of × are swapped",
-                        );
-                    }
-                }
-            }
+            Kind::Product(factors) => self.swapped(factors),
             Kind::Power(base, exponent) => {
                 let base_text = self.slice(base).to_owned();
                 if self.slice(exponent).trim_matches(['{', '}', ' ']) == "2" {

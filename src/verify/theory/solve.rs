@@ -9,6 +9,9 @@ use crate::verify::values::quantity::Quantity;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
+/// Sorts premises by when they are solved.
+pub(crate) type Turn = (bool, bool, u8);
+
 /// Terms of a relation that is tried again.
 const MOST_TERMS: usize = 12;
 
@@ -27,10 +30,10 @@ impl Theory {
             .filter(|p| !self.left_out.contains(&p.name))
             .cloned()
             .collect();
-        order.sort_by_key(|premise| {
-            let momentary = self.instants.contains(&premise.name);
-            (momentary, !premise.definition, self.highest_order(premise))
-        });
+        order.sort_by_key(|premise| self.turn(premise));
+        if self.left_out.is_empty() {
+            self.last_turn = order.last().map(|premise| self.turn(premise));
+        }
         let mut worst = Taken::Solved;
         for premise in &order {
             match self.solve(premise) {
@@ -43,6 +46,20 @@ impl Theory {
             Taken::Kept => self.solve_kept(&order),
             _ => worst,
         }
+    }
+
+    /// When a premise is solved: those of one instant last, definitions first, rates after values.
+    fn turn(&self, premise: &Premise) -> Turn {
+        let momentary = self.instants.contains(&premise.name);
+        (momentary, !premise.definition, self.highest_order(premise))
+    }
+
+    /// Whether a premise that is added can be solved behind all others, so that their solutions stand.
+    pub(crate) fn comes_last(&mut self, premise: &Premise) -> bool {
+        let turn = Some(self.turn(premise));
+        let in_turn = self.relations.kept.is_empty() && turn >= self.last_turn;
+        self.last_turn = self.last_turn.max(turn);
+        self.left_out.is_empty() && (in_turn || self.only_names(premise))
     }
 
     /// Tries again what was kept, where rules came after it: they may have simplified it.
@@ -163,7 +180,12 @@ impl Theory {
         let polynomial = residual.numerator();
         let candidates = polynomial.variables().into_iter().filter_map(|variable| {
             let score = self.solvable(polynomial, variable)?;
-            let wanted = u32::from(premise.preferred.contains(&variable)) * 8;
+            let wanted = match premise.preferred.contains(&variable) {
+                // A definition says what its symbol is, and nothing of what that is made of.
+                true if premise.definition => 64,
+                true => 8,
+                false => 0,
+            };
             Some((score + wanted, variable))
         });
         let (_, variable) = candidates.max_by_key(|&(score, v)| (score, std::cmp::Reverse(v)))?;

@@ -1,0 +1,57 @@
+//! What the premises in force speak of.
+
+use crate::algebra::{Fraction, Variable};
+use crate::verify::theory::{Premise, Theory};
+use crate::verify::values::atoms::{Atom, Atoms, Entity};
+use std::collections::BTreeSet;
+
+/// The variables that premises mention, those in the arguments of functions too, and whose parts they are.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Mentioned {
+    variables: BTreeSet<Variable>,
+    parts: BTreeSet<(Entity, u8)>,
+}
+
+impl Mentioned {
+    /// Notes what a premise mentions.
+    pub(crate) fn add(&mut self, premise: &Premise, atoms: &Atoms) {
+        let written = premise.residuals.iter().flat_map(Fraction::variables);
+        for variable in written.flat_map(|v| atoms.with_arguments(v)) {
+            self.variables.insert(variable);
+            if let Atom::Part {
+                entity, component, ..
+            } = *atoms.atom(variable)
+            {
+                self.parts.insert((entity, component));
+            }
+        }
+    }
+}
+
+impl Theory {
+    /// Whether a premise mentions a variable.
+    pub(crate) fn mentions(&self, variable: Variable) -> bool {
+        self.mentioned.variables.contains(&variable)
+    }
+
+    /// Whether a premise mentions an entity: a component of it, or a rate.
+    pub(crate) fn mentions_entity(&self, entity: Entity) -> bool {
+        self.mentions_part(entity, None)
+    }
+
+    /// Whether a premise mentions a component of an entity, or any, where none is asked for.
+    pub(crate) fn mentions_part(&self, entity: Entity, place: Option<u8>) -> bool {
+        let (first, last) = place.map_or((0, u8::MAX), |place| (place, place));
+        let parts = (entity, first)..=(entity, last);
+        self.mentioned.parts.range(parts).next().is_some()
+    }
+
+    /// Whether a premise only names what no other premise speaks of.
+    pub(crate) fn only_names(&self, premise: &Premise) -> bool {
+        let named = |&variable: &Variable| match *self.atoms.atom(variable) {
+            Atom::Part { entity, .. } => !self.mentions_entity(entity),
+            _ => false,
+        };
+        premise.definition && !premise.preferred.is_empty() && premise.preferred.iter().all(named)
+    }
+}
