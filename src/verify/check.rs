@@ -165,7 +165,7 @@ impl<'a> Checker<'a> {
             translation: None,
             drifts: reading.speaks_of(Quantity::CentreVelocity),
             newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
-            rigid: !inertia_changes(&reading),
+            rigid: !inertia_changes(document, &reading),
             gyrostat: reading
                 .quantities
                 .values()

@@ -7,6 +7,7 @@ pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;
 pub(super) mod naming;
+pub(super) mod one_axis;
 pub(super) mod primes;
 pub(super) mod reading;
 pub(super) mod rivals;

@@ -8,3 +8,4 @@ pub(super) mod phrases;
 pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod role;
+pub(super) mod role_words;

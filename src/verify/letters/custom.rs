@@ -3,7 +3,8 @@
 use crate::notation::ast::{Kind, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::letters::usage::{Letter, axis, inner, symbols};
+use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -16,6 +17,21 @@ impl Reading {
             }
             if let Some(quantity) = self.custom(&letter) {
                 self.quantities.insert(letter, quantity);
+            }
+        }
+    }
+
+    /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, are no kinetic energies.
+    pub(crate) fn note_totals(&mut self, document: &Document) {
+        for line in lines(document) {
+            let [left, rest @ ..] = line.sides.as_slice() else {
+                continue;
+            };
+            let weight = |symbol: &Symbol| symbol.name == "g" && symbol.subscripts.is_empty();
+            if let Kind::Symbol(symbol) = &inner(left).kind
+                && rest.iter().flat_map(symbols).any(weight)
+            {
+                self.totals.insert(Letter::of(symbol));
             }
         }
     }
@@ -146,6 +162,7 @@ impl Reading {
             "omega" => Some(Quantity::AngularVelocity),
             "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
             "Omega" if directed => Some(Quantity::FrameRate),
+            "Omega" if self.flat && !self.has("omega") => Some(Quantity::AngularVelocity),
             "alpha" if directed => Some(Quantity::AngularAcceleration),
             // Lagrange's function.
             "L" if letter.calligraphic && !directed => None,
@@ -165,6 +182,7 @@ impl Reading {
             "T" if used.tensor == 0 && !taken(Quantity::Energy) => Some(Quantity::Energy),
             "E" if used.bare > 0
                 && self.speaks_of_energy
+                && !self.totals.contains(letter)
                 && !taken(Quantity::Energy)
                 && !self.has_bare("T") =>
             {

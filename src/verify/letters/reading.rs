@@ -38,6 +38,10 @@ pub(crate) struct Reading {
     votes: BTreeMap<(Letter, Quantity), usize>,
     /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
     pub plane: bool,
+    /// Letters whose value has a weight in it.
+    pub(crate) totals: BTreeSet<Letter>,
+    /// Whether ω and the inertia are only ever numbers.
+    pub(crate) flat: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.
@@ -70,6 +74,8 @@ impl Reading {
         reading.listed_moments(document);
         reading.sequences(has_differences(document));
         reading.by_moments(document);
+        reading.flat = reading.is_flat();
+        reading.note_totals(document);
         reading.by_words();
         reading.part_rivals(document);
         reading.by_attitude(document);
@@ -79,43 +85,6 @@ impl Reading {
         reading.in_a_plane();
         reading.typed_w(document.format == Format::Text);
         reading
-    }
-
-    /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
-    fn in_a_plane(&mut self) {
-        let turning = |q: &Quantity| {
-            matches!(
-                q,
-                Quantity::AngularVelocity
-                    | Quantity::AngularAcceleration
-                    | Quantity::Momentum
-                    | Quantity::Moment
-                    | Quantity::Inertia
-            )
-        };
-        let letters: Vec<(Letter, Quantity)> = self
-            .quantities
-            .iter()
-            .filter(|(_, q)| turning(q))
-            .map(|(l, q)| (l.clone(), *q))
-            .collect();
-        let number = |letter: &Letter| {
-            let used = self.usage.get(letter);
-            let indices = self.usage.subscripts.get(letter);
-            let points = indices.is_none_or(|all| !all.iter().any(|s| runs(s)));
-            points && used.vector + used.tensor + used.component + used.double == 0
-        };
-        let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
-        let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);
-        let weighs = letters.iter().any(|(_, q)| *q == Quantity::Inertia);
-        let parts = self.components.values().any(|(q, _)| turning(q));
-        if turns && weighs && !parts && letters.iter().all(|(l, _)| number(l)) {
-            for (letter, quantity) in letters {
-                self.quantities.remove(&letter);
-                self.components.insert(letter, (quantity, 2));
-            }
-            self.plane = true;
-        }
     }
 
     /// Whether a vector's letter without a mark is a number: where the document sets it equal to a component, or where
@@ -323,6 +292,7 @@ impl Reading {
         match quantity {
             // Beside a T, E is the sum of it and a potential energy.
             Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
+            Quantity::Energy if self.totals.contains(letter) => false,
             Quantity::Energy | Quantity::Power => used.bare > 0 && used.vector == 0,
             Quantity::Inertia => {
                 matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
@@ -331,7 +301,7 @@ impl Reading {
             // An ω without an Ω beside it is the body's own.
             Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
             Quantity::FrameRate | Quantity::AngularVelocity => {
-                used.vector + used.component > 0
+                (self.flat || used.vector + used.component > 0)
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
             }
             Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
@@ -340,10 +310,18 @@ impl Reading {
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false
             }
-            Quantity::Force
+            Quantity::Force | Quantity::AngularAcceleration
                 if matches!(letter.name.as_str(), "M" | "tau" | "Gamma" | "T" | "L") =>
             {
                 false
+            }
+            Quantity::Moment | Quantity::Momentum
+                if self.flat && used.vector + used.component == 0 =>
+            {
+                !matches!(
+                    letter.name.as_str(),
+                    "omega" | "Omega" | "I" | "J" | "Theta" | "m"
+                )
             }
             Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
             Quantity::RelativeMomentum => {
@@ -388,11 +366,4 @@ fn lone_letters(node: &Node) -> Vec<Letter> {
         Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
         _ => vec![],
     }
-}
-
-/// Whether an index runs: i, jk, k+1.
-fn runs(index: &str) -> bool {
-    let mut letters = index.chars().filter(|c| c.is_alphabetic());
-    let runs = |c| matches!(c, 'i'..='n');
-    index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
 }

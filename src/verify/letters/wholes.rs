@@ -14,6 +14,8 @@ type Name = (Letter, Vec<String>);
 pub(crate) struct Wholes {
     /// Of any shape: `A_2 = [[…]]`.
     named: BTreeSet<Name>,
+    /// Symbols that a line sets equal to a matrix of three rows and columns, or words call a tensor.
+    grids: BTreeSet<Name>,
     /// Vectors among them that are told by a number.
     vectors: BTreeSet<Name>,
     /// Letters whose numbers go beyond the three of the axes: the rotors `Ω_1` to `Ω_4`.
@@ -24,6 +26,7 @@ impl Wholes {
     /// Goes through every line of a document.
     pub(crate) fn of(document: &Document) -> Self {
         let mut wholes = Self::default();
+        wholes.tensors_in_words(document);
         let mut met: Vec<&Symbol> = vec![];
         let mut used: Vec<&Symbol> = vec![];
         let formulas = document.items.iter().filter_map(|item| match item {
@@ -71,6 +74,48 @@ impl Wholes {
         self.vectors.contains(&name)
     }
 
+    /// Whether a symbol is a matrix of three rows and columns.
+    pub(crate) fn is_grid(&self, symbol: &Symbol) -> bool {
+        let name = (Letter::of(symbol), symbol.subscripts.clone());
+        self.grids.contains(&name)
+    }
+
+    /// "The inertia tensor $I_C$", "$I_b$ is the tensor".
+    fn tensors_in_words(&mut self, document: &Document) {
+        let tensor = |text: &str| {
+            let text = text.to_lowercase();
+            let called = |words: &&str| text.trim_end().ends_with(*words);
+            ["tensor", "inertia matrix"].iter().any(called)
+        };
+        let behind = |text: &str| {
+            let clause = text.split(['.', ';', ',']).next().unwrap_or_default();
+            let is = [" is the ", " denotes the "].iter();
+            is.filter_map(|verb| text.strip_prefix(verb))
+                .next()
+                .is_some()
+                && clause.contains("inertia tensor")
+        };
+        for (at, item) in document.items.iter().enumerate() {
+            let Item::Formula(formula) = item else {
+                continue;
+            };
+            let [Row::Expression(node)] = formula.rows.as_slice() else {
+                continue;
+            };
+            let prose = |at: Option<usize>| match at.and_then(|at| document.items.get(at)) {
+                Some(Item::Prose { text, .. }) => text.as_str(),
+                _ => "",
+            };
+            let named = tensor(prose(at.checked_sub(1))) || behind(prose(Some(at + 1)));
+            if let Kind::Symbol(symbol) = &inner(node).kind
+                && named
+            {
+                self.grids
+                    .insert((Letter::of(symbol), symbol.subscripts.clone()));
+            }
+        }
+    }
+
     fn line(&mut self, line: &Line) {
         let [left, right, ..] = line.sides.as_slice() else {
             return;
@@ -79,6 +124,11 @@ impl Wholes {
             return;
         };
         let grid = matches!(&inner(right).kind, Kind::Matrix(rows) if rows.len() > 1);
+        let square = |rows: &[Vec<Node>]| rows.len() == 3 && rows.iter().all(|r| r.len() == 3);
+        if matches!(&inner(right).kind, Kind::Matrix(rows) if square(rows)) {
+            self.grids
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
+        }
         let indexed = symbol.subscripts.iter().any(|s| axis(s).is_some());
         let square = is_square_of(right, &Letter::of(symbol));
         if indexed && (grid || square || symbol.style.vector && is_directed(right, symbol)) {

@@ -1,6 +1,5 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
-use crate::algebra::{Monomial, Rational};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{inner, symbols, undotted};
@@ -11,7 +10,7 @@ use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::{Finding, Role, Verdict};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// Quantities that a problem hands over.
 const INPUTS: &[Quantity] = &[
@@ -48,7 +47,11 @@ impl Checker<'_> {
         {
             return true;
         }
-        let zero = matches!(&last.kind, Kind::Number(n) if n.value.is_zero());
+        let zero = is_zero(last);
+        let number = zero || symbols(last).is_empty();
+        if number && !self.asserted && self.is_any_moment(first, zero) {
+            return true;
+        }
         if (zero && self.asserted && self.displayed) || !self.is_free_input(first) {
             return false;
         }
@@ -234,28 +237,58 @@ impl Checker<'_> {
             })
     }
 
+    /// Whether a side is the moment, or one component of it, that a free rate of ω̇ makes: its value follows from nothing.
+    /// Zero is such a value while nothing says how the body turns, or in a list of data.
+    fn is_any_moment(&mut self, side: &Node, zero: bool) -> bool {
+        let Kind::Symbol(symbol) = &inner(side).kind else {
+            return false;
+        };
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let components = match self.meaning_of(symbol) {
+            Meaning::Whole(entity) if entity == moment => 0..3,
+            Meaning::Component(entity, c) if entity == moment => c..c + 1,
+            _ => return false,
+        };
+        let data = self.findings.last().is_some_and(|f| f.role == Role::Given);
+        let turns_freely = (0..3).all(|c| {
+            let rate = self.theory.atoms.value(omega, c, 0);
+            let rate = self.theory.normal(&rate);
+            rate.as_variable().is_some() || rate.is_zero() && self.reading.plane
+        });
+        let mut driven = components.filter(|c| !self.reading.plane || *c == 2);
+        (data || turns_freely || !zero)
+            && driven.all(|c| {
+                let value = self.theory.atoms.value(moment, c, 0);
+                let made_of = self.theory.normal(&value).variables();
+                let rates = (0..3).map(|k| self.theory.atoms.part(omega, k, 1));
+                rates.into_iter().any(|rate| made_of.contains(&rate))
+            })
+    }
+
     /// Whether a line sets one moment of inertia equal to the sum of two others, as they are of a lamina: C = A + B.
     fn narrows_the_body(&mut self, sides: &[Node], read: &Read) -> bool {
         let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
             return false;
         };
-        let (Kind::Symbol(_), [whole], [rest]) = (
-            &inner(left).kind,
-            equation.left.entries.as_slice(),
-            equation.residual.entries.as_slice(),
-        ) else {
+        let (Kind::Symbol(_), [residual]) =
+            (&inner(left).kind, equation.residual.entries.as_slice())
+        else {
             return false;
         };
-        let (whole, rest) = (self.theory.normal(whole), self.theory.normal(rest));
-        let inertia = Owner::Quantity(Quantity::Inertia, String::new());
-        let of_body = |v: u32| self.theory.atoms.owner(v) == Some(&inertia);
-        let parts = whole - rest;
-        let one =
-            |(monomial, factor): &(Monomial, Rational)| monomial.degree() == 1 && factor.is_one();
-        parts.is_polynomial()
-            && parts.numerator().len() == 2
-            && parts.numerator().terms().iter().all(one)
-            && parts.variables().into_iter().all(of_body)
+        let said = self.theory.normal(residual);
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let [x, y, z] = [0, 1, 2].map(|c| self.theory.atoms.value(inertia, c, 0));
+        let sums = [
+            z.clone() - x.clone() - y.clone(),
+            x.clone() - y.clone() - z.clone(),
+            y - z - x,
+        ];
+        sums.iter().any(|sum| {
+            let flat = self.theory.normal(sum);
+            let own = flat.variables().len() > 1;
+            own && ((said.clone() - flat.clone()).is_zero() || (said.clone() + flat).is_zero())
+        })
     }
 
     /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
@@ -293,9 +326,18 @@ impl Checker<'_> {
         })
     }
 
+    /// Whether a side is a symbol of the document that no line has said anything of.
+    fn is_new_name(&mut self, side: &Node) -> bool {
+        let new = self.new_symbol(side);
+        new.is_some_and(|(entity, place)| !self.theory.mentions_part(entity, place))
+    }
+
     /// Takes a line in that hands a value over; where its sentence derives it, it is not checked, and that is said.
     pub(crate) fn given(&mut self, sides: &[Node], finding: &mut Finding) {
-        self.accept(sides, Role::Given, finding);
+        // A new name for what is known holds wherever the name does.
+        let names = matches!(sides, [_, right] if self.is_new_name(right));
+        let role = if names { Role::Define } else { Role::Given };
+        self.accept(sides, role, finding);
         if finding.verdict != Verdict::Accepted {
             return;
         }

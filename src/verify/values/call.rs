@@ -2,9 +2,11 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Function, Kind, Node};
-use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::values::atoms::variable_fraction;
+use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
+use crate::verify::names;
+use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
+use crate::verify::values::quantity::Shape;
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
 
@@ -57,6 +59,9 @@ impl Lowering<'_> {
             if let Some(value) = self.applied(head, argument)? {
                 return Ok(value);
             }
+            if let Some(value) = self.at_an_instant(head, argument)? {
+                return Ok(value);
+            }
             if let Some(value) = self.elsewhere(head, argument)? {
                 return Ok(value);
             }
@@ -80,6 +85,41 @@ impl Lowering<'_> {
             node.span,
             "a function of several arguments is not known here",
         ))
+    }
+
+    /// `\omega(0)`, `s(t_0)`: what moves, at one instant, is a symbol of its own that does not.
+    fn at_an_instant(&mut self, head: &Node, at: &Node) -> Result<Option<Value>, Trouble> {
+        let Some((instant, symbol)) = instant(at).zip(symbols(undotted(head)).first().copied())
+        else {
+            return Ok(None);
+        };
+        let letter = Letter::of(symbol);
+        let usage = &self.reading.usage;
+        let moves = usage.get(&letter).moving || usage.functions_of_time.contains(&letter);
+        let value = self.value(head)?;
+        let turns = self.reading.quantities.get(&letter).copied();
+        let parts = self.reading.components.get(&letter).map(|(q, _)| *q);
+        let turns = turns.or(parts).is_some_and(|q| !q.constant());
+        if !(moves || turns) || !matches!(undotted(head).kind, Kind::Symbol(_)) {
+            return Ok(None);
+        }
+        let entries = value.entries.iter().map(|entry| {
+            let named = entry.as_variable()?;
+            let latex = names::latex(&self.theory.atoms, named);
+            let owner = Owner::Symbol(format!("{latex} at {instant}"));
+            let latex = format!("{latex}({instant})");
+            let own = self
+                .theory
+                .atoms
+                .entity(&owner, Shape::Scalar, true, &latex);
+            Some(self.theory.atoms.value(own, 0, 0))
+        });
+        let entries: Option<Vec<Fraction>> = entries.collect();
+        Ok(entries.map(|entries| {
+            Value::from_fn(value.rows, value.columns, |r, c| {
+                entries[r * value.columns + c].clone()
+            })
+        }))
     }
 
     /// `A(ω_k)` where A was defined with ω in it: A with ω_k in the place of ω.
@@ -143,5 +183,19 @@ impl Lowering<'_> {
             place.map_or_else(|| variable_fraction(v), |i| at.entries[i].clone())
         };
         Ok(Some(function.value.map(|entry| substituted(entry, &image))))
+    }
+}
+
+/// The instant that an argument names: 0, or t with an index.
+fn instant(node: &Node) -> Option<String> {
+    match &inner(node).kind {
+        Kind::Number(number) if number.value.is_zero() => Some("0".to_owned()),
+        Kind::Symbol(symbol) if symbol.name == "t" => {
+            let [index] = symbol.subscripts.as_slice() else {
+                return None;
+            };
+            Some(format!("t_{index}"))
+        }
+        _ => None,
     }
 }

@@ -1,7 +1,7 @@
 //! Products, powers and norms.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Factor, Function, Node, Operator};
+use crate::notation::ast::{Factor, Function, Kind, Node, Operator};
 use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::{One, Zero};
@@ -22,8 +22,16 @@ impl Lowering<'_> {
             });
             Ok(())
         };
-        for factor in factors {
-            let value = self.value(&factor.node)?;
+        for (at, factor) in factors.iter().enumerate() {
+            // In `a^T a\,1` the number is the unit matrix: nobody multiplies by 1.
+            let unit = factor.operator == Operator::Juxtaposed
+                && at > 0
+                && is_one(&factor.node)
+                && !matches!(factors[at - 1].node.kind, Kind::Number(_));
+            let value = match unit {
+                true => Value::identity(3),
+                false => self.value(&factor.node)?,
+            };
             // In `r × I · r` the dot is the product of the tensor with what stands behind it.
             let tensor = |run: &Value| run.rows == 3 && run.columns == 3;
             let applied = crossing && factor.operator == Operator::Dot && value.rows == 3;
@@ -140,4 +148,8 @@ impl Lowering<'_> {
             None => self.theory.kernel(Function::Sqrt, radicand),
         }
     }
+}
+
+fn is_one(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Number(n) if n.decimals.is_none() && n.value.is_one())
 }

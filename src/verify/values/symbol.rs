@@ -76,7 +76,12 @@ pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         return meaning;
     }
     let unmarked = sorted.single.is_none() && sorted.double.is_none() && !symbol.style.vector;
-    if unmarked && let Some(&(quantity, component)) = reading.components.get(&letter) {
+    // The Ω₀ of a turn about one axis is a value that Ω has at some time.
+    let at_some_time = reading.plane && matches!(sorted.variant.as_str(), "0" | "i" | "f");
+    if unmarked
+        && (!at_some_time || reading.usage.moves(symbol))
+        && let Some(&(quantity, component)) = reading.components.get(&letter)
+    {
         let mut variant = quantity_variant(quantity, &sorted.variant);
         if quantity == Quantity::Inertia && is_main_point(&letter, &variant, reading) {
             variant.clear();
@@ -291,7 +296,9 @@ fn of_symbol(
 ) -> Meaning {
     let used = reading.usage.get(letter);
     // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
-    let named = !sorted.variant.is_empty() && reading.quantities.contains_key(letter);
+    let of_quantity =
+        reading.quantities.contains_key(letter) || reading.components.contains_key(letter);
+    let named = !sorted.variant.is_empty() && of_quantity;
     let always_hatted =
         symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
     let marks = symbol.style.vector
@@ -301,7 +308,9 @@ fn of_symbol(
         || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
         || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
         || used.component > 1 && sorted.single.is_some();
-    let tensor = symbol.style.tensor || sorted.double.is_some();
+    let tensor = symbol.style.tensor
+        || sorted.double.is_some()
+        || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
     let shape = if tensor {
         Shape::Matrix
     } else if marks {

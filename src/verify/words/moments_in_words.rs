@@ -14,10 +14,10 @@ use crate::verify::values::symbol::Meaning;
 use crate::verify::words::prose::Said;
 
 /// The axis that words name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 enum Named {
-    /// By its letter or number.
-    Axis(u8),
+    /// By letters or numbers.
+    Axes(Vec<u8>),
     /// The axis of symmetry.
     Axial,
     /// Any axis across it.
@@ -43,7 +43,12 @@ struct Sentence {
 /// Bytes of a sentence that are looked at.
 const LONGEST: usize = 2_000;
 
-const PHRASES: &[&str] = &["moment of inertia about", "moments of inertia about"];
+const PHRASES: &[&str] = &[
+    "moment of inertia about",
+    "moments of inertia about",
+    "moment of inertia ⟨",
+    "moments of inertia ⟨",
+];
 const AXIAL: &[&str] = &[
     "symmetry",
     "spin axis",
@@ -98,7 +103,7 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
                 continue;
             };
             let components = match named {
-                Named::Axis(component) => vec![component],
+                Named::Axes(components) => components,
                 Named::Axial => vec![along],
                 Named::Transverse => across.clone(),
             };
@@ -128,9 +133,11 @@ impl Sentence {
             let words = self.text[at + "about ".len()..]
                 .split([',', ';', '.'])
                 .next();
+            let words = words.unwrap_or_default().split("about ").next();
             let words = words.unwrap_or_default();
             let end = words.find(" and ").unwrap_or(words.len());
-            let Some((named, rest)) = self.axis(&words[..end]) else {
+            let axes = self.axes(words).map(|axes| (axes, ""));
+            let Some((named, rest)) = axes.or_else(|| self.axis(&words[..end])) else {
                 continue;
             };
             let own = self.symbol_before(at);
@@ -175,16 +182,47 @@ impl Sentence {
             (_, Some(end)) => Some((Named::Transverse, &words[end..])),
             (Some(end), None) => Some((Named::Axial, &words[end..])),
             (None, None) => {
-                let open = words.find('⟨')?;
-                let (number, rest) = words[open + '⟨'.len_utf8()..].split_once('⟩')?;
-                let component = axis(&self.symbols.get(number.parse::<usize>().ok()?)?.0.name)?;
-                rest.trim_start().starts_with("axis").then_some(())?;
-                Some((
-                    Named::Axis(component),
-                    rest.trim_start().trim_start_matches("axis"),
-                ))
+                let (at, _) = words.match_indices("axis").next()?;
+                let near = |text: &str, from_end: bool| {
+                    let mut all = text.split([' ', '-']).filter(|w| !w.is_empty());
+                    let word = if from_end {
+                        all.next_back()
+                    } else {
+                        all.next()
+                    };
+                    word.and_then(|word| self.axis_called(word))
+                };
+                let behind = &words[at + "axis".len()..];
+                let component = near(&words[..at], true).or_else(|| near(behind, false))?;
+                Some((Named::Axes(vec![component]), behind))
             }
         }
+    }
+
+    /// "The axes 1 and 2", "the x and y axes": more than one.
+    fn axes(&self, words: &str) -> Option<Named> {
+        let (before, behind) = words.split_once("axes")?;
+        let joins = |word: &&str| matches!(*word, "and" | "or" | "&" | "the") || word.is_empty();
+        let split =
+            |text: &'_ str| -> Vec<String> { text.split([' ', '-']).map(str::to_owned).collect() };
+        let run = |words: Vec<String>| -> Vec<u8> {
+            let words = words.iter().map(String::as_str).filter(|w| !joins(w));
+            words.map_while(|word| self.axis_called(word)).collect()
+        };
+        let mut last = split(before);
+        last.reverse();
+        let (mut left, right) = (run(last), run(split(behind)));
+        left.reverse();
+        let all = if left.is_empty() { right } else { left };
+        (all.len() > 1).then_some(Named::Axes(all))
+    }
+
+    /// The axis that a word or a symbol names.
+    fn axis_called(&self, word: &str) -> Option<u8> {
+        let Some(number) = word.strip_prefix('⟨').and_then(|w| w.strip_suffix('⟩')) else {
+            return axis(word);
+        };
+        axis(&self.symbols.get(number.parse::<usize>().ok()?)?.0.name)
     }
 }
 

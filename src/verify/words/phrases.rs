@@ -41,6 +41,8 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
             "angular momentum",
             "kinetic moment",
             "momentum",
+            "moment cinétique",
+            "moment cinetique",
         ],
     ),
     (Some(Quantity::LinearMomentum), &["linear momentum"]),
@@ -246,7 +248,12 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
         .unwrap_or_default()
         .trim_end()
         .trim_end_matches(" the");
-    if LAWS.iter().any(|law| lead.ends_with(law)) {
+    let behind = &text[end..];
+    let of_rate = behind.trim_end().trim_end_matches(" the");
+    // "Writing ⟨α⟩ for the angular acceleration, …" names what stands before.
+    let named = lead.ends_with("⟨ for") && behind.starts_with(',');
+    let law = |text: &str| LAWS.iter().any(|law| text.ends_with(law));
+    if named || law(lead) || law(of_rate) {
         return None;
     }
     let of_axes = clause.is_some_and(|words| {

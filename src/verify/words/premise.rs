@@ -1,13 +1,15 @@
 //! Premises that nobody writes as a line: in words, by the letters that are used, by the kind of motion.
 
 use crate::algebra::{Fraction, Proof, Variable};
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
+use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
@@ -205,13 +207,25 @@ impl Checker<'_> {
 }
 
 /// Whether a document writes the inertia as a function of time.
-pub(crate) fn inertia_changes(reading: &Reading) -> bool {
+pub(crate) fn inertia_changes(document: &Document, reading: &Reading) -> bool {
     let inertia = |letter: &Letter| {
         let whole = reading.quantities.get(letter).copied();
         let part = reading.components.get(letter).map(|(q, _)| *q);
         whole.or(part) == Some(Quantity::Inertia)
     };
-    reading.usage.functions_of_time.iter().any(inertia)
+    let rates =
+        || lines(document).filter_map(|line| Some((line.sides.first()?, line.sides.last()?)));
+    let changes = |(rate, value): (&Node, &Node)| {
+        let of_inertia = match &inner(rate).kind {
+            Kind::TimeDerivative { operand, .. } => match &inner(operand).kind {
+                Kind::Symbol(symbol) => inertia(&Letter::of(symbol)),
+                _ => false,
+            },
+            _ => false,
+        };
+        of_inertia && !symbols(value).is_empty()
+    };
+    reading.usage.functions_of_time.iter().any(inertia) || reading.plane && rates().any(changes)
 }
 
 /// The component of the product of inertia of two axes.

@@ -228,9 +228,12 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         ("zy", (1, 2)),
     ];
     let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
+    // "The x-z plane", "the x, z plane".
+    let pairs = words.windows(2).map(|pair| pair.concat());
+    let named: Vec<String> = pairs.chain(words.iter().map(|w| w.to_string())).collect();
     planes
         .iter()
-        .find(|(name, _)| words.contains(name))
+        .find(|(name, _)| named.iter().any(|word| word == name))
         .map(|&(_, (a, b))| Said::SymmetryPlane(a, b))
 }
 

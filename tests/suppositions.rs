@@ -1,0 +1,100 @@
+//! Lines that suppose something, and letters that words give a meaning, in small documents.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn what_the_words_say_of_a_rate_is_no_name_of_the_letter_behind() {
+    let text = r"The angular momentum is $\vec P = I\vec\omega$. The couple is the rate of change of $\vec P$ in space,
+
+$$ \vec K = \left(\frac{d\vec P}{dt}\right)_{\rm body} + \vec\omega\times\vec P $$
+";
+    assert_eq!(verdicts(text), "pp");
+    let text = r"With the kinetic moment $\vec\sigma$ and the couple $\vec M$, writing $\dot{\vec\omega}$ for the angular acceleration,
+
+$$ \vec\sigma = I\vec\omega $$
+
+$$ \vec M = I\dot{\vec\omega} + \vec\omega\times\vec\sigma $$
+";
+    assert_eq!(verdicts(text), "pp");
+}
+
+#[test]
+fn a_moment_that_nothing_determines_is_supposed_to_be_zero() {
+    let free = r"If $\mathbf M$ vanishes, the energy does not change:
+
+$$ \mathbf M = 0 $$
+
+$$ \dot T = 0 $$
+";
+    assert_eq!(verdicts(free), "ap");
+    let steady = r"On principal axes the body turns steadily, $\omega_x = p$ and $\omega_y = s$ and $\omega_z = 0$, with constant $p$ and $s$.
+
+$$ M_z = 0 $$
+";
+    assert!(!verdicts(steady).ends_with('a'));
+}
+
+#[test]
+fn a_load_that_is_given_derives_nothing() {
+    let text = r"On principal axes, the jets give a torque about one axis only,
+
+$$ M_1 = 0, \qquad M_2 = 0, \qquad M_3 = \mu $$
+
+so that
+
+$$ I_1\dot\omega_1 = (I_2 - I_3)\,\omega_2\omega_3 $$
+
+$$ I_3\dot\omega_3 = (I_1 - I_2)\,\omega_1\omega_2 - \mu $$
+";
+    assert_eq!(verdicts(text), "aaapr");
+}
+
+#[test]
+fn a_plane_of_symmetry_may_have_a_hyphen() {
+    let text = |plane: &str| {
+        verdicts(&format!(
+            "The {plane} plane is a plane of symmetry, so\n\n$$ I_{{xy}} = I_{{yz}} = 0 $$\n"
+        ))
+    };
+    assert_eq!(text("x-z"), "p");
+    assert_eq!(text("y-z"), "r");
+}
+
+#[test]
+fn a_flat_body_with_two_equal_moments_has_twice_their_size_about_the_third_axis() {
+    let text = r"The principal moments of inertia are $A$, $A$, $C$, and no torque acts.
+
+$$ C\dot\omega_3 = 0 $$
+
+so we write
+
+$$ \omega_3 = n $$
+
+## A plate
+
+$$ A\dot\omega_1 = (A - C)\,n\,\omega_2 $$
+
+For a thin plate
+
+$$ C = 2A $$
+
+$$ \dot\omega_1 = -n\,\omega_2 $$
+";
+    assert_eq!(verdicts(text), "papap");
+}
+
+#[test]
+fn moments_about_numbered_axes_are_named_in_words() {
+    let text = |behind: &str| {
+        verdicts(&format!(
+            "The body has the moment of inertia $K$ about axis 3 and $J_t$ about the principal axes 1 and 2. There is \
+             no torque.\n\n$$ J_t\\,\\dot\\omega_1 = {behind}\\,\\omega_2\\omega_3 $$\n"
+        ))
+    };
+    assert_eq!(text("(J_t - K)"), "p");
+    assert_eq!(text("(K - J_t)"), "r");
+}
