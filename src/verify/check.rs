@@ -5,6 +5,7 @@ use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
 use crate::verify::letters::triad::Triad;
@@ -32,6 +33,7 @@ use std::collections::{BTreeSet, HashMap};
 pub fn check(document: &Document) -> Report {
     let mut document = written_out(document);
     note_skew_marks(&mut document);
+    note_marks(&mut document);
     let document = &document;
     let reading = Reading::of(document);
     let (first, looked_ahead) = checked(document, reading.clone());
@@ -171,6 +173,7 @@ impl<'a> Checker<'a> {
                 .values()
                 .any(|&q| q == Quantity::RelativeMomentum),
             other_moments: OtherMoments::default(),
+            parallel_axes: [None; 2],
             attitude: reading.attitude.convention,
         };
         let mut checker = Self {
@@ -212,6 +215,7 @@ impl<'a> Checker<'a> {
         spell(document, &checker.reading, &mut checker.theory.atoms);
         checker.single_moments();
         checker.moments_in_words();
+        checker.note_parallel_axes();
         checker
     }
 

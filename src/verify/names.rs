@@ -113,7 +113,7 @@ fn index(shape: Shape, owner: &Owner, component: u8, numbered: bool) -> String {
         Shape::Symmetric => {
             let (row, column) =
                 [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)][usize::from(component) % 6];
-            format!("{}{}", axis(row), axis(column))
+            of(format!("{}{}", axis(row), axis(column)))
         }
         Shape::Matrix => format!("{}{}", axis(component / 3), axis(component)),
         Shape::Grid(_, 1) => of(component.to_string()),

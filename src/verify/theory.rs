@@ -12,6 +12,7 @@ pub(super) mod law;
 pub(super) mod ledger;
 pub(super) mod mentioned;
 pub(super) mod more_moments;
+pub(super) mod parallel_axes;
 pub(super) mod point;
 pub(super) mod solve;
 pub(super) mod variety;

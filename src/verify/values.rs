@@ -1,5 +1,6 @@
 //! From the tree of a formula to what it is worth: a grid of fractions in the document's variables.
 
+pub(super) mod about_point;
 pub(super) mod atoms;
 pub(super) mod call;
 pub(super) mod figures;

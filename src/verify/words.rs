@@ -5,6 +5,7 @@ pub(super) mod constants_in_words;
 pub(super) mod moments_in_words;
 pub(super) mod outlasting;
 pub(super) mod phrases;
+pub(super) mod points_in_words;
 pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod role;

@@ -9,6 +9,7 @@ use crate::verify::check::keep_end;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::rivals::has_differences;
+use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::moments_in_words::NamedMoment;
@@ -55,6 +56,8 @@ pub(crate) struct Reading {
     pub(crate) speaks_of_force: bool,
     pub(crate) speaks_of_roll: bool,
     speaks_of_wheels: bool,
+    /// The points that the inertia is taken about, where they are two.
+    pub(crate) points: Option<TwoPoints>,
     /// Letters that stand alone on the left of a line.
     pub(crate) left_sides: BTreeSet<Letter>,
 }
@@ -70,6 +73,7 @@ impl Reading {
             frames: Frames::of(document),
             ..Self::default()
         };
+        reading.points = TwoPoints::of(document, &reading.usage);
         reading.listen(document);
         reading.listed_moments(document);
         reading.sequences(has_differences(document));
@@ -82,6 +86,7 @@ impl Reading {
         reading.by_custom();
         reading.by_coefficients(document);
         reading.by_moment_law(document);
+        reading.by_points();
         reading.in_a_plane();
         reading.typed_w(document.format == Format::Text);
         reading

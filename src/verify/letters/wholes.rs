@@ -259,7 +259,7 @@ fn crossed<'a>(node: &'a Node, found: &mut Vec<&'a Symbol>) {
 }
 
 /// The terms of a sum, or the node itself.
-fn terms(node: &Node) -> Vec<&Node> {
+pub(crate) fn terms(node: &Node) -> Vec<&Node> {
     match &inner(node).kind {
         Kind::Sum(terms) => terms.iter().map(|term| inner(&term.node)).collect(),
         _ => vec![inner(node)],

@@ -230,6 +230,10 @@ impl Checker<'_> {
             (rows @ 1..=LARGEST, columns @ 1..=LARGEST) => Shape::Grid(rows as u8, columns as u8),
             _ => return None,
         };
+        // The six numbers of a tensor are no entries of a grid.
+        if self.theory.atoms.info(entity).shape == Shape::Symmetric {
+            return None;
+        }
         self.theory.atoms.info_mut(entity).constant = false;
         let mut residual = |component: u8, entry: &Fraction| {
             let variable = self.theory.atoms.part(entity, component, 0);

@@ -72,6 +72,10 @@ impl Checker<'_> {
         }
         for entry in read.residuals() {
             for variable in self.theory.normal(entry).variables() {
+                if self.is_passed_over(variable) {
+                    let name = names::latex(&self.theory.atoms, variable);
+                    return Some(format!("nothing before says what `{name}` is"));
+                }
                 for entity in self.entities_in(variable) {
                     if self.doubts.symbols.contains(&entity) {
                         let name = names::latex(&self.theory.atoms, variable);
@@ -85,6 +89,21 @@ impl Checker<'_> {
             }
         }
         None
+    }
+
+    /// Whether a variable is a component of the inertia about the mass centre that is left unsaid where others are told:
+    /// an author who writes I_xy = 0 of a cuboid means the other products too.
+    fn is_passed_over(&self, variable: u32) -> bool {
+        let Atom::Part {
+            entity, component, ..
+        } = *self.theory.atoms.atom(variable)
+        else {
+            return false;
+        };
+        let mut pairs = self.theory.setting.parallel_axes.iter().flatten();
+        pairs.any(|pair| pair.is_centre(entity))
+            && self.theory.mentions_entity(entity)
+            && !self.theory.mentions_part(entity, Some(component))
     }
 
     /// A number or matrix of the document alone that stands beside quantities of the theory in what differs, and that
@@ -231,6 +250,8 @@ impl Checker<'_> {
             .copied()
             .filter(mechanical)
             .collect();
+        let pairs = self.theory.setting.parallel_axes.iter().flatten();
+        tied.extend(pairs.flat_map(|pair| pair.entities(&self.theory.atoms)));
         loop {
             let before = tied.len();
             for group in &groups {

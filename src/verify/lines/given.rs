@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{inner, symbols, undotted};
+use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::passes_filter;
@@ -312,6 +312,13 @@ impl Checker<'_> {
                 .into_iter()
                 .any(|quantity| *owner == whole(quantity))
         };
+        let mut written = symbols(right).into_iter().map(Letter::of);
+        let rate = |letter: Letter| {
+            self.reading.quantities.get(&letter) == Some(&Quantity::AngularVelocity)
+        };
+        if written.any(rate) {
+            return false;
+        }
         let (named, made_of) = (self.entities([left]), self.entities([right]));
         let owner = |entity: &_| &self.theory.atoms.info(*entity).owner;
         let momentum =

@@ -103,6 +103,9 @@ impl Checker<'_> {
             }
         }
         keeps_its_value(&mut sides);
+        if let Some(points) = &self.reading.points {
+            points.unlabel_integrals(&mut sides);
+        }
         self.figures.relations = line.relations.iter().map(|(r, _)| *r).collect();
         if let Some(span) = sides.iter().find_map(error_in) {
             finding.verdict = Verdict::Unreadable;

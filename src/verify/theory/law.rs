@@ -5,6 +5,7 @@ use crate::mechanics::{self, Products};
 use crate::notation::ast::Function;
 use crate::verify::theory::attitude_law;
 use crate::verify::theory::more_moments::OtherMoments;
+use crate::verify::theory::parallel_axes::{self, ParallelAxes};
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
@@ -52,6 +53,8 @@ pub(crate) struct Setting {
     pub translation: Option<Entity>,
     /// Moments that act beside the one that is written as the moment.
     pub other_moments: OtherMoments,
+    /// Inertia about the mass centre and about another point: tensors, and moments about one axis.
+    pub parallel_axes: [Option<ParallelAxes>; 2],
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
 }
@@ -59,6 +62,11 @@ pub(crate) struct Setting {
 /// The inertia tensor in the variables of the document.
 pub(crate) fn inertia(atoms: &mut Atoms, products: Products) -> Matrix3<Fraction> {
     let entity = atoms.quantity(Quantity::Inertia);
+    tensor(atoms, entity, products)
+}
+
+/// A symmetric tensor by its six components.
+pub(crate) fn tensor(atoms: &mut Atoms, entity: Entity, products: Products) -> Matrix3<Fraction> {
     let mut entry = |component| atoms.value(entity, component, 0);
     let (moments, products_of) = (
         [entry(0), entry(1), entry(2)],
@@ -103,6 +111,9 @@ fn part(
             value = atoms.derivative(&value);
         }
         return Some((name, value));
+    }
+    if let Some(found) = parallel_axes::law(atoms, setting, entity, (component, order)) {
+        return Some(found);
     }
     let Owner::Quantity(quantity, variant) = atoms.info(entity).owner.clone() else {
         return None;

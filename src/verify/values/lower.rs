@@ -8,7 +8,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::axis;
 use crate::verify::reason;
 use crate::verify::theory::Theory;
-use crate::verify::theory::law::inertia;
+use crate::verify::theory::law::tensor;
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::figures::Figures;
 use crate::verify::values::quantity::Shape;
@@ -214,7 +214,7 @@ impl Lowering<'_> {
                     Shape::Scalar => Value::scalar(atoms.value(entity, 0, order)),
                     Shape::Vector => Value::column(atoms.vector(entity, order)),
                     Shape::Symmetric => {
-                        let tensor = inertia(atoms, self.theory.setting.products);
+                        let tensor = tensor(atoms, entity, self.theory.setting.products);
                         Value::from_fn(3, 3, |r, c| tensor[(r, c)].clone())
                     }
                     Shape::Matrix => {

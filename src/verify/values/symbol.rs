@@ -4,6 +4,7 @@ use crate::notation::ast::Symbol;
 use crate::verify::letters::attitude_reading::Part;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
+use crate::verify::values::about_point::about_a_point;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::{in_space, without_body_label, without_label};
@@ -64,6 +65,9 @@ pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         let mut vector = symbol.clone();
         vector.style.tilde = false;
         return meaning(&vector, reading, atoms);
+    }
+    if let Some(meaning) = about_a_point(symbol, reading, atoms) {
+        return meaning;
     }
     let mut sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
@@ -242,7 +246,13 @@ fn quantity_variant(quantity: Quantity, variant: &str) -> String {
     }
 }
 
-fn quantity_entity(quantity: Quantity, variant: &str, name: &str, atoms: &mut Atoms) -> Entity {
+/// The entity of a quantity, its variant told by a word.
+pub(crate) fn quantity_entity(
+    quantity: Quantity,
+    variant: &str,
+    name: &str,
+    atoms: &mut Atoms,
+) -> Entity {
     let origin = matches!(variant, "O" | "o" | "0") && quantity == Quantity::Velocity;
     let (quantity, variant) = match quantity {
         _ if origin => (Quantity::OriginVelocity, ""),

@@ -1,0 +1,100 @@
+//! Inertia about two points: the law of parallel axes, whatever the points and the offset are called.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+/// The verdicts of lines that stand as displays behind an opening.
+fn behind(opening: &str, lines: &[&str]) -> String {
+    let displays: String = lines
+        .iter()
+        .map(|line| format!("\n\n$$\n{line}\n$$"))
+        .collect();
+    verdicts(&format!("{opening}{displays}\n"))
+}
+
+#[test]
+fn components_are_shifted_by_coordinates_named_in_words() {
+    let opening =
+        "The centre of mass $S$ lies at $(p, q, s)$ in axes at the corner $A$; the mass is $M$.";
+    let lines = [
+        r"(J_{xx})_A = (J_{xx})_S + M(q^2 + s^2)",
+        r"(J_{yy})_A = (J_{yy})_S + M(p^2 + q^2)",
+        r"J_{zz}^{A} = J_{zz}^{S} + M(p^2 + q^2)",
+        r"J_{xy}^{A} = J_{xy}^{S} + M p q",
+        r"J_{yz}^{A} = J_{yz}^{S} - M q s",
+    ];
+    assert_eq!(behind(opening, &lines), "prppr");
+}
+
+#[test]
+fn the_convention_of_the_products_tells_their_sign() {
+    let lines = [
+        r"I_{xy}^O = I_{xy}^G + m\,x_G y_G",
+        r"I_{xy}^O = I_{xy}^G - m\,x_G y_G",
+    ];
+    let entries =
+        r"Here $I_{xy} = -\int xy\,dm$. Axes at $O$ are parallel to those at the mass centre $G$.";
+    let integrals =
+        r"Here $I_{xy} = \int xy\,dm$. Axes at $O$ are parallel to those at the mass centre $G$.";
+    assert_eq!(behind(integrals, &lines), "ppr");
+    assert_eq!(behind(entries, &lines), "prp");
+}
+
+#[test]
+fn the_matrix_form_takes_the_vector_of_the_line() {
+    let opening =
+        r"Let $\mathbf c$ be the position of the mass centre $G$ relative to $P$ and $m$ the mass.";
+    let lines = [
+        r"\mathbf J_P = \mathbf J_G + m\left[(\mathbf c\cdot\mathbf c)\,\mathbf 1 - \mathbf c\,\mathbf c^T\right]",
+        r"\mathbf J_G = \mathbf J_P - m\left[(\mathbf c\cdot\mathbf c)\,\mathbf 1 - \mathbf c\,\mathbf c^T\right]",
+        r"\mathbf J_P = \mathbf J_G - m\,[\mathbf c]_\times^2",
+        r"\mathbf J_P = \mathbf J_G + m\,[\mathbf c]_\times[\mathbf c]_\times^T",
+        r"\mathbf J_P = \mathbf J_G + m\,[\mathbf c]_\times^2",
+        r"\mathbf J_P = \mathbf J_G + m\left[(\mathbf c\cdot\mathbf c)\,\mathbf 1 + \mathbf c\,\mathbf c^T\right]",
+    ];
+    assert_eq!(behind(opening, &lines), "pppprr");
+}
+
+#[test]
+fn one_moment_about_an_axis_is_shifted_by_the_distance() {
+    let opening =
+        r"The mass centre $G$ is at the distance $e$ from the hinge $O$; let $I_G = m k^2$.";
+    let lines = [r"I_O = I_G + m e^2 = m(k^2 + e^2)", r"I_O = I_G - m e^2"];
+    assert_eq!(behind(opening, &lines), "apr");
+}
+
+#[test]
+fn momentum_and_energy_about_a_fixed_point_have_both_parts() {
+    let opening = r"The body of mass $m$ turns about the fixed point $O$. The vector from $O$ to the mass centre $G$ is $\mathbf d$.";
+    let lines = [
+        r"\mathbf I_O = \mathbf I_G + m\left(\mathbf d^T\mathbf d\,\mathbf 1 - \mathbf d\mathbf d^T\right)",
+        r"\mathbf L_G = \mathbf I_G\boldsymbol\omega",
+        r"\mathbf v_G = \boldsymbol\omega\times\mathbf d",
+        r"\mathbf L_O = \mathbf L_G + m\,\mathbf d\times\mathbf v_G",
+        r"\mathbf L_O = \mathbf L_G - m\,\mathbf d\times\mathbf v_G",
+        r"\mathbf L_O = \mathbf I_O\boldsymbol\omega",
+        r"T = \tfrac12 m v_G^2 + \tfrac12\boldsymbol\omega\cdot\mathbf I_G\boldsymbol\omega = \tfrac12\boldsymbol\omega\cdot\mathbf I_O\boldsymbol\omega",
+        r"T = \tfrac12 m v_G^2 + \tfrac12\boldsymbol\omega\cdot\mathbf I_O\boldsymbol\omega",
+    ];
+    assert_eq!(behind(opening, &lines), "pppprppr");
+}
+
+#[test]
+fn a_bar_marks_the_mass_centre_and_a_component_left_unsaid_stays_open() {
+    let opening = r"The centroid has the coordinates $(\bar x, \bar y, \bar z)$.";
+    let lines = [
+        r"I_{xx} = \bar I_{xx} + m(\bar y^2 + \bar z^2)",
+        r"I_{xy} = \bar I_{xy} + m\,\bar x\bar y",
+        r"I_{xx} = \bar I_{xx} + m(\bar x^2 + \bar z^2)",
+    ];
+    assert_eq!(behind(opening, &lines), "ppr");
+    let told = r"The mass centre $G$ has the coordinates $(u, v, w)$. Given are $I_{xx}^G = j$ and $I_{xy}^G = 0$.";
+    let lines = [
+        r"I_{xx}^O = I_{xx}^G + m(v^2 + w^2)",
+        r"I_{xy}^O = m u v",
+        r"I_{xz}^O = m u w",
+    ];
+    assert_eq!(behind(told, &lines), "aappu");
+}
