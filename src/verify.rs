@@ -5,11 +5,13 @@
 //! the zero polynomial, and refuted by a small exact world where it is not.
 //!
 //! `letters` and `words` say what a document means, `values` what a formula is worth, `theory` what holds, `lines` what
-//! becomes of each line, and `repair` what a false one should have been; `check` goes through them from top to bottom.
+//! becomes of each line, and `repair` what a false one should have been; `check` goes through them from top to bottom,
+//! and `meanings` chooses between the readings that a document leaves open.
 
 mod check;
 mod letters;
 mod lines;
+mod meanings;
 mod names;
 mod reason;
 mod repair;
@@ -19,7 +21,7 @@ mod values;
 mod verdict;
 mod words;
 
-pub use check::check;
+pub use meanings::check;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Convention, Counterexample, Diagnosis, Finding, FromProse, Passed, Report, Role, Summary,

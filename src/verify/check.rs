@@ -5,14 +5,11 @@ use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::skew_marks::note_skew_marks;
 use crate::verify::letters::triad::Triad;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
-use crate::verify::lines::index::{merged, written_out};
-use crate::verify::lines::trust::withhold;
+use crate::verify::lines::index::merged;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
 use crate::verify::spelling::spell;
@@ -28,49 +25,6 @@ use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition, role};
 use std::collections::{BTreeSet, HashMap};
-
-/// Checks every line of a document.
-pub fn check(document: &Document) -> Report {
-    let mut document = written_out(document);
-    note_skew_marks(&mut document);
-    note_marks(&mut document);
-    let document = &document;
-    let reading = Reading::of(document);
-    let (first, looked_ahead) = checked(document, reading.clone());
-    // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its
-    // first use says or what that use makes it: as most lines have it.
-    let by_use = looked_ahead && first.summary().refuted > 0;
-    let with = |change: &dyn Fn(&mut Reading)| {
-        let mut other = reading.clone();
-        change(&mut other);
-        other
-    };
-    let ways = reading.attitude.other_ways();
-    let attitudes = ways
-        .iter()
-        .map(|way| with(&|reading| reading.attitude = way.clone()));
-    let by_use = by_use.then(|| with(&|reading| reading.by_use = true));
-    let others = attitudes
-        .chain(by_use)
-        .map(|reading| checked(document, reading).0);
-    let mut best = others.fold(first, |best, other| {
-        let (now, then) = (best.summary(), other.summary());
-        let better = then.refuted < now.refuted && then.proved > now.proved;
-        if better { other } else { best }
-    });
-    withhold(&mut best);
-    best
-}
-
-fn checked(document: &Document, reading: Reading) -> (Report, bool) {
-    let mut checker = Checker::new(document, reading);
-    for (at, item) in document.items.iter().enumerate() {
-        checker.look_ahead(at);
-        checker.item(item);
-    }
-    let ahead = checker.looked_ahead;
-    (checker.report(), ahead)
-}
 
 /// Findings in the order of the document.
 fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
@@ -147,7 +101,7 @@ pub(super) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    fn new(document: &'a Document, reading: Reading) -> Self {
+    pub(super) fn new(document: &'a Document, reading: Reading) -> Self {
         let (products, convention) = convention(document, &reading);
         let own_rate = reading
             .quantities
@@ -216,10 +170,13 @@ impl<'a> Checker<'a> {
         checker.single_moments();
         checker.moments_in_words();
         checker.note_parallel_axes();
+        if let Some(angles) = checker.reading.euler_angles.clone() {
+            checker.take_euler_angles(&angles);
+        }
         checker
     }
 
-    fn report(self) -> Report {
+    pub(super) fn report(self) -> Report {
         let readings = self.readings_in_words();
         Report {
             path: self.document.source.name.clone(),
@@ -238,7 +195,7 @@ impl<'a> Checker<'a> {
         self.reading.describe().into_iter().chain(commas).collect()
     }
 
-    fn item(&mut self, item: &Item) {
+    pub(super) fn item(&mut self, item: &Item) {
         match item {
             Item::Heading { level, text, span } => self.heading(*level, text, *span),
             Item::Prose { text, span } => self.prose(text, *span),

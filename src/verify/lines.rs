@@ -8,6 +8,7 @@ pub(super) mod define;
 pub(super) mod digits;
 pub(super) mod doubt;
 pub(super) mod entities;
+pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod forward;
 pub(super) mod given;

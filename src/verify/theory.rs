@@ -111,6 +111,8 @@ pub(super) struct Theory {
     open: BTreeSet<Variable>,
     /// Whether some normal form was given up because it grew beyond the budget.
     pub exhausted: bool,
+    /// Terms that may still be written, where a reading of the document is only tried.
+    pub(super) terms_left: Option<usize>,
 }
 
 impl Theory {
@@ -133,6 +135,7 @@ impl Theory {
             ledger: Ledger::default(),
             open: BTreeSet::new(),
             exhausted: false,
+            terms_left: None,
         }
     }
 
@@ -236,6 +239,7 @@ impl Theory {
                             return None;
                         }
                         value = Arc::new(self.atoms.derivative(&value));
+                        self.spend(value.numerator().len());
                     }
                     return Some(Rule {
                         name: rule.name,
@@ -244,14 +248,11 @@ impl Theory {
                 }
             }
             Atom::Kernel { function, argument } => {
-                let reduced = self.normal(&argument);
-                if reduced != argument {
-                    let value = Arc::new(self.kernel_value(function, reduced));
-                    return Some(Rule {
-                        name: String::new(),
-                        value,
-                    });
-                }
+                let value = self.reduced_kernel(variable, function, &argument)?;
+                return Some(Rule {
+                    name: String::new(),
+                    value: Arc::new(value),
+                });
             }
             _ => {}
         }
@@ -293,7 +294,10 @@ impl Theory {
             return self.kernels_reduced(Fraction::from(polynomial.clone()));
         }
         match compose(polynomial, &images, MOST_TERMS) {
-            Ok(value) => self.kernels_reduced(value),
+            Ok(value) => {
+                self.spend(value.numerator().len() + value.denominator().len());
+                self.kernels_reduced(value)
+            }
             Err(TooLarge) => {
                 self.exhausted = true;
                 Fraction::from(polynomial.clone())
@@ -301,11 +305,15 @@ impl Theory {
         }
     }
 
+    fn spend(&mut self, terms: usize) {
+        self.terms_left = self.terms_left.map(|left| left.saturating_sub(terms));
+    }
+
     fn normal_variable(&mut self, variable: Variable) -> Fraction {
         if let Some(known) = self.normals.get(&variable) {
             return known.clone();
         }
-        if self.open.len() > DEEPEST {
+        if self.open.len() > DEEPEST || self.terms_left == Some(0) {
             self.exhausted = true;
             return variable_fraction(variable);
         }
@@ -362,15 +370,6 @@ impl Theory {
             }
             Function::Sqrt => Some(argument),
             _ => None,
-        }
-    }
-
-    /// A kernel, or its value at an angle where that is known.
-    fn kernel_value(&mut self, function: Function, argument: Fraction) -> Fraction {
-        match (function, self.known_angle(&argument)) {
-            (Function::Sin, Some((sine, _))) => sine,
-            (Function::Cos, Some((_, cosine))) => cosine,
-            _ => self.kernel(function, argument),
         }
     }
 

@@ -11,6 +11,7 @@ use crate::verify::letters::frame::Frames;
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols};
+use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
@@ -47,6 +48,8 @@ pub(crate) struct Reading {
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.
     pub by_use: bool,
+    /// The angles that the body is turned by, where words name them.
+    pub euler_angles: Option<EulerAngles>,
     /// Moments that the words give a letter.
     pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.

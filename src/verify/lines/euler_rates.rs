@@ -236,7 +236,12 @@ impl Checker<'_> {
     }
 
     /// The turn about an axis by plus or minus an angle.
-    fn elementary(&mut self, axis: usize, angle: Variable, sign: i64) -> Option<Matrix3<Fraction>> {
+    pub(crate) fn elementary(
+        &mut self,
+        axis: usize,
+        angle: Variable,
+        sign: i64,
+    ) -> Option<Matrix3<Fraction>> {
         let mut lowering = self.lowering(Frame::Moving);
         let sin = lowering.kernel(Function::Sin, variable_fraction(angle))?;
         let cos = lowering.kernel(Function::Cos, variable_fraction(angle))?;

@@ -102,7 +102,8 @@ impl Checker<'_> {
         if self.picked && !self.displayed && role == Role::Assume && !alone_left {
             return role;
         }
-        if alone_left && (rest.iter().any(number) || self.is_free_value(left))
+        let by_turning = self.gives_rate_of_angle(left, rest);
+        if alone_left && (rest.iter().any(number) || !by_turning && self.is_free_value(left))
             || self.new_symbol(left).is_some()
         {
             return role;

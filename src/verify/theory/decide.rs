@@ -150,6 +150,10 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
     theory.follow_rates(&equation.left.entries);
     theory.follow_rates(&equation.right.entries);
     for seed in 1..=TRIES * 8 {
+        // Beyond the budget every further world would only cost time.
+        if theory.exhausted {
+            return None;
+        }
         let tensor = inertia(&mut theory.atoms, theory.setting.products);
         let mut world: World<Rational> = World::new(theory, seed);
         let entries: Option<Vec<Rational>> = tensor.iter().map(|e| world.fraction(e)).collect();

@@ -13,6 +13,37 @@ use crate::verify::values::figures::is_pi;
 use num_traits::{One, Zero};
 
 impl Theory {
+    /// A kernel with every rule put into its argument; `None` where that leaves it as it is.
+    pub(crate) fn reduced_kernel(
+        &mut self,
+        variable: Variable,
+        function: Function,
+        argument: &Fraction,
+    ) -> Option<Fraction> {
+        let own = variable_fraction(variable);
+        if let Some(known) = self.normals.get(&variable) {
+            return Some(known.clone()).filter(|known| *known != own);
+        }
+        let reduced = self.normal(argument);
+        if reduced == *argument {
+            return None;
+        }
+        let value = self.kernel_value(function, reduced);
+        if !self.exhausted {
+            self.normals.insert(variable, value.clone());
+        }
+        Some(value)
+    }
+
+    /// A kernel, or its value at an angle where that is known.
+    fn kernel_value(&mut self, function: Function, argument: Fraction) -> Fraction {
+        match (function, self.known_angle(&argument)) {
+            (Function::Sin, Some((sine, _))) => sine,
+            (Function::Cos, Some((_, cosine))) => cosine,
+            _ => self.kernel(function, argument),
+        }
+    }
+
     /// A function of an argument that has a simpler form: the same function of that.
     pub(crate) fn congruence(&mut self, variable: Variable) -> Option<usize> {
         let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {

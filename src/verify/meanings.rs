@@ -1,0 +1,86 @@
+//! Checks a document in each of the readings that it leaves open, and keeps the one that most of its lines bear out.
+
+use crate::notation::document::Document;
+use crate::verify::check::Checker;
+use crate::verify::letters::point_labels::note_marks;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::skew_marks::note_skew_marks;
+use crate::verify::lines::index::written_out;
+use crate::verify::lines::trust::withhold;
+use crate::verify::verdict::Report;
+use crate::verify::words::euler_words::sequences;
+
+/// Checks every line of a document.
+pub fn check(document: &Document) -> Report {
+    let mut document = written_out(document);
+    note_skew_marks(&mut document);
+    note_marks(&mut document);
+    let document = &document;
+    let reading = Reading::of(document);
+    let first = checked(document, reading.clone());
+    let (reading, (first, looked_ahead)) = with_angles(document, reading, first);
+    // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its
+    // first use says or what that use makes it: as most lines have it.
+    let by_use = looked_ahead && first.summary().refuted > 0;
+    let with = |change: &dyn Fn(&mut Reading)| {
+        let mut other = reading.clone();
+        change(&mut other);
+        other
+    };
+    let ways = reading.attitude.other_ways();
+    let attitudes = ways
+        .iter()
+        .map(|way| with(&|reading| reading.attitude = way.clone()));
+    let by_use = by_use.then(|| with(&|reading| reading.by_use = true));
+    let others = attitudes
+        .chain(by_use)
+        .map(|reading| checked(document, reading).0);
+    let mut best = others.fold(first, |best, other| {
+        let (now, then) = (best.summary(), other.summary());
+        let better = then.refuted < now.refuted && then.proved > now.proved;
+        if better { other } else { best }
+    });
+    withhold(&mut best);
+    best
+}
+
+fn checked(document: &Document, reading: Reading) -> (Report, bool) {
+    let mut checker = Checker::new(document, reading);
+    for (at, item) in document.items.iter().enumerate() {
+        checker.look_ahead(at);
+        checker.item(item);
+        // A reading that is only tried and grows beyond its budget goes no further.
+        if checker.theory.terms_left == Some(0) {
+            break;
+        }
+    }
+    let ahead = checker.looked_ahead;
+    (checker.report(), ahead)
+}
+
+/// The reading with the angles that the words name, if it proves more lines than it refutes.
+fn with_angles(
+    document: &Document,
+    reading: Reading,
+    first: (Report, bool),
+) -> (Reading, (Report, bool)) {
+    let sequences = sequences(document);
+    let angles = (!sequences.is_empty())
+        .then(|| Checker::new(document, reading.clone()).euler_angles(&sequences));
+    let Some(angles) = angles.flatten() else {
+        return (reading, first);
+    };
+    let mut turned = reading.clone();
+    turned.euler_angles = Some(angles);
+    let second = checked(document, turned.clone());
+    let (now, then) = (first.0.summary(), second.0.summary());
+    let whole = second.0.findings.len() == first.0.findings.len();
+    let better = whole
+        && then.proved > now.proved
+        && then.refuted.saturating_sub(now.refuted) * 2 <= then.proved - now.proved;
+    if better {
+        (turned, second)
+    } else {
+        (reading, first)
+    }
+}

@@ -1,0 +1,48 @@
+//! Angles that words name: what the angular velocity is in their rates.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+use outcome::verdicts;
+
+#[test]
+fn a_sequence_in_words_decides_the_body_rates() {
+    let document = "The attitude is given by heading $\\psi$, pitch $\\theta$ and bank $\\phi$, turned in the order 3-2-1. \
+        The components of $\\boldsymbol\\omega$ on body axes then become\n\
+        $$\\omega_x = \\dot\\phi - \\dot\\psi\\sin\\theta$$\n\
+        $$\\omega_y = \\dot\\theta\\cos\\phi + \\dot\\psi\\cos\\theta\\sin\\phi$$\n\
+        $$\\omega_z = \\dot\\theta\\sin\\phi + \\dot\\psi\\cos\\theta\\cos\\phi$$\n\
+        and solved the other way\n\
+        $$\\dot\\theta = \\omega_y\\cos\\phi - \\omega_z\\sin\\phi$$\n\
+        $$\\dot\\psi = (\\omega_y\\sin\\phi + \\omega_z\\cos\\phi)\\cos\\theta$$\n";
+    assert_eq!(verdicts(document), "pprpr");
+}
+
+#[test]
+fn axes_that_leave_the_spin_out_turn_slower_than_the_body() {
+    let document = "The axes $x,y,z$ follow the precession $\\phi$ and the nutation $\\theta$ but not the spin $\\psi$ \
+        of the top; $I_1 = I_2$. Thus\n\
+        $$\\boldsymbol\\omega = \\dot\\theta\\,\\hat e_1 + \\dot\\phi\\sin\\theta\\,\\hat e_2 + (\\dot\\psi + \\dot\\phi\\cos\\theta)\\,\\hat e_3$$\n\
+        Hence the energy is\n\
+        $$T = \\tfrac12 I_1(\\dot\\theta^2 + \\dot\\phi^2\\sin^2\\theta) + \\tfrac12 I_3(\\dot\\psi + \\dot\\phi\\cos\\theta)^2$$\n\
+        and not\n\
+        $$T = \\tfrac12 I_1(\\dot\\theta^2 + \\dot\\phi^2) + \\tfrac12 I_3(\\dot\\psi + \\dot\\phi\\cos\\theta)^2$$\n";
+    assert_eq!(verdicts(document), "appr");
+}
+
+#[test]
+fn a_turn_about_fixed_axes_gives_components_in_space() {
+    let document = "With the Euler angles $\\phi$, $\\theta$, $\\psi$ in the sequence z-x-z the angular velocity has on axes \
+        fixed in space the components\n\
+        $$\\omega_x = \\dot\\theta\\cos\\phi + \\dot\\psi\\sin\\theta\\sin\\phi$$\n\
+        $$\\omega_y = \\dot\\theta\\sin\\phi - \\dot\\psi\\sin\\theta\\cos\\phi$$\n\
+        $$\\omega_z = \\dot\\phi + \\dot\\psi\\cos\\theta$$\n\
+        so that\n\
+        $$\\omega_x^2 + \\omega_y^2 = \\dot\\theta^2 + \\dot\\psi^2\\sin^2\\theta$$\n";
+    assert_eq!(verdicts(document), "pppp");
+}
+
+#[test]
+fn angles_that_no_words_name_stay_as_the_lines_have_them() {
+    let document = "Given\n$$\\omega_x = \\dot\\theta\\sin\\phi$$\n";
+    assert!(!verdicts(document).contains('r'));
+}
