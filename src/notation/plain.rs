@@ -8,7 +8,7 @@ use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
 use crate::notation::{items, refused};
 use crate::source::Span;
-use look::{is_formula, is_mathematical, labelled, marker, runs};
+use look::{entry, is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
 pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool) -> Vec<Item> {
@@ -151,6 +151,12 @@ impl<'a> Reader<'a> {
     /// A sentence: the runs of mathematical words in it are formulas.
     fn sentence(&mut self, text: &str, at: usize) {
         let mut from = 0;
+        if let Some((symbol, words)) = entry(text) {
+            self.items.push(Item::Break);
+            self.inline(&text[..symbol], at);
+            self.prose(": ", at + symbol);
+            return self.sentence(&text[words..], at + words);
+        }
         for (start, end) in runs(text) {
             self.prose(&text[from..start], at + from);
             self.inline(&text[start..end], at + start);

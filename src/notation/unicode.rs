@@ -364,6 +364,12 @@ fn split_components(stem: &str) -> Option<(&str, &str)> {
     let tail = &stem[head.len()..];
     let axes = tail.bytes().all(|b| matches!(b, b'x' | b'y' | b'z'))
         || tail.bytes().all(|b| matches!(b, b'1'..=b'3'));
+    // The tensor, and what it gives, about a point: `IG`, `HO`.
+    let point = matches!(head, "I" | "J" | "L" | "H" | "M") && matches!(tail, "G" | "O" | "C")
+        || matches!(head, "I" | "J") && matches!(tail, "b" | "c" | "B");
+    if point {
+        return Some((head, tail));
+    }
     let long = if matches!(head, "I" | "J") { 2 } else { 1 };
     (axes && tail.len() <= long).then_some((head, tail))
 }

@@ -3,6 +3,7 @@
 pub(super) mod attitude_layouts;
 pub(super) mod attitude_matrix;
 pub(super) mod attitude_reading;
+pub(super) mod body;
 pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;

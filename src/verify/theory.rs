@@ -16,6 +16,7 @@ pub(super) mod parallel_axes;
 pub(super) mod point;
 pub(super) mod solve;
 pub(super) mod variety;
+pub(super) mod wheels;
 pub(super) mod world;
 
 use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};

@@ -3,6 +3,7 @@
 pub(super) mod attitude_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;
+pub(super) mod legend;
 pub(super) mod moments_in_words;
 pub(super) mod outlasting;
 pub(super) mod phrases;

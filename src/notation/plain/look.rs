@@ -148,6 +148,23 @@ pub(super) fn is_formula(text: &str) -> bool {
     related && is_mathematical(body.map_or(text, |(_, rest)| rest))
 }
 
+/// The symbol of an entry in a list of symbols, `w    angular velocity`: its bytes, and those up to the words.
+pub(super) fn entry(text: &str) -> Option<(usize, usize)> {
+    let symbol = text.split_whitespace().next()?;
+    let rest = &text[symbol.len()..];
+    let gap = rest.len() - rest.trim_start().len();
+    let set_off = rest.starts_with("  ") || rest.starts_with('\t');
+    let name = symbol.len() <= 6
+        && symbol.starts_with(char::is_alphabetic)
+        && symbol.chars().all(|c| c.is_alphanumeric() || c == '_')
+        && look(symbol) != Look::Words;
+    let words = rest.trim_start();
+    let spoken = words.split_whitespace().next().is_some_and(|word| {
+        word.len() > 2 && word.chars().all(char::is_alphabetic) && look(word) == Look::Words
+    });
+    (set_off && name && spoken).then_some((symbol.len(), symbol.len() + gap))
+}
+
 /// A run of mathematical words under construction.
 struct Run {
     start: usize,
@@ -195,8 +212,24 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
     out.extend(run);
     out.into_iter()
         .filter(|run| run.strong && run.end > run.start)
-        .map(|run| (run.start, run.end))
+        .map(|run| {
+            (
+                run.start,
+                run.start + closed(&text[run.start..run.end]).len(),
+            )
+        })
         .collect()
+}
+
+/// A text without a bracket that words go on from: `N = 0 (T` of "N = 0 (T may act)".
+fn closed(text: &str) -> &str {
+    match text
+        .rfind('(')
+        .filter(|&at| at > 0 && !text[at..].contains(')'))
+    {
+        Some(open) => text[..open].trim_end(),
+        None => text,
+    }
 }
 
 /// Whether a bracket of a text is not closed in it.

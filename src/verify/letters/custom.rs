@@ -12,7 +12,11 @@ impl Reading {
     pub(crate) fn by_custom(&mut self) {
         let letters: Vec<Letter> = self.usage.letters().map(|(l, _)| l.clone()).collect();
         for letter in letters {
-            if self.quantities.contains_key(&letter) {
+            let free = matches!(
+                letter.name.as_str(),
+                "T" | "E" | "N" | "F" | "Gamma" | "Theta"
+            );
+            if self.quantities.contains_key(&letter) || free && self.apart.contains(&letter) {
                 continue;
             }
             if let Some(quantity) = self.custom(&letter) {
@@ -161,7 +165,7 @@ impl Reading {
         match letter.name.as_str() {
             "omega" => Some(Quantity::AngularVelocity),
             "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
-            "Omega" if directed => Some(Quantity::FrameRate),
+            "Omega" if directed && !self.has_wheel_speeds(letter) => Some(Quantity::FrameRate),
             "Omega" if self.flat && !self.has("omega") => Some(Quantity::AngularVelocity),
             "alpha" if directed => Some(Quantity::AngularAcceleration),
             // Lagrange's function.

@@ -10,9 +10,10 @@ use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::two_points::TwoPoints;
-use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols};
+use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
 use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
     apposition, letters_named, reaches, said_after, said_before, speaks_of_wheels,
@@ -38,6 +39,8 @@ pub(crate) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
+    /// Letters that a list of symbols says to be something else than any quantity known here.
+    pub(crate) apart: BTreeSet<Letter>,
     /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
     pub plane: bool,
     /// Letters whose value has a weight in it.
@@ -58,7 +61,7 @@ pub(crate) struct Reading {
     pub(crate) speaks_of_no_torque: bool,
     pub(crate) speaks_of_force: bool,
     pub(crate) speaks_of_roll: bool,
-    speaks_of_wheels: bool,
+    pub(crate) speaks_of_wheels: bool,
     /// The points that the inertia is taken about, where they are two.
     pub(crate) points: Option<TwoPoints>,
     /// Letters that stand alone on the left of a line.
@@ -86,6 +89,7 @@ impl Reading {
         reading.by_words();
         reading.part_rivals(document);
         reading.by_attitude(document);
+        reading.wheel_speeds();
         reading.by_custom();
         reading.by_coefficients(document);
         reading.by_moment_law(document);
@@ -132,21 +136,6 @@ impl Reading {
             && !self.left_sides.contains(letter)
     }
 
-    /// Whether the moments I_11, I_22, I_33 or A, B, C are written, and nowhere a product or the word for one.
-    pub(crate) fn writes_only_diagonal(&self) -> bool {
-        let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;
-        let letters = self.quantities.iter().filter(inertia);
-        let indices = letters.filter_map(|(letter, _)| self.usage.subscripts.get(letter));
-        let entries = indices.flatten().filter_map(|s| axes(s));
-        let mut diagonal = entries.map(|(r, c)| r == c).collect::<Vec<_>>();
-        let named = self
-            .components
-            .values()
-            .filter(|(q, _)| *q == Quantity::Inertia);
-        diagonal.extend(named.map(|(_, component)| *component < 3));
-        !diagonal.is_empty() && diagonal.into_iter().all(|d| d) && !self.speaks_of_products
-    }
-
     /// The letters of the attitude, those apart that stand for something else.
     fn by_attitude(&mut self, document: &Document) {
         let taken = |letter: &Letter| {
@@ -181,8 +170,9 @@ impl Reading {
         let mut before = String::new();
         let mut last: Vec<Letter> = vec![];
         let mut listed: Vec<Letter> = vec![];
-        // Whether no paragraph ended since the last formula.
-        let mut near = false;
+        // Whether no paragraph ended since the last formula, and whether one did right behind it.
+        let (mut near, mut ended) = (false, false);
+        let mut opens_paragraph = false;
         for item in &document.items {
             match item {
                 Item::Prose { text, .. } => {
@@ -201,10 +191,16 @@ impl Reading {
                         text.contains("products of inertia") || text.contains("product of inertia");
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     let after = said_after(&text).filter(|_| !opens);
-                    if let Some(quantity) = after.or_else(|| apposition(&text, near)) {
+                    let after = after.or_else(|| apposition(&text, near));
+                    if let Some(quantity) = after.or_else(|| in_a_legend(&text, near, ended)) {
                         last.drain(..)
                             .for_each(|letter| self.vote(letter, quantity, 5));
                     }
+                    if listed_apart(&text, near) || (near || ended) && names_wheel_speeds(&text) {
+                        self.apart.extend(last.drain(..));
+                    }
+                    ended = false;
+                    opens_paragraph &= text.trim().is_empty();
                     before.push_str(&text);
                     if let Some(end) = before.rfind(['.', '!', '?']) {
                         before.drain(..=end);
@@ -212,6 +208,10 @@ impl Reading {
                 }
                 Item::Formula(formula) => {
                     keep_end(&mut before, NEAR);
+                    // What opens a paragraph, or an entry of a list, is not named by the one before.
+                    if std::mem::take(&mut opens_paragraph) && !formula.display {
+                        before.clear();
+                    }
                     let named = formula
                         .rows
                         .iter()
@@ -238,6 +238,7 @@ impl Reading {
                     // Behind a line, "the" opens the main clause: "With ⟨B = 2A⟩ the momentum is".
                     let names = |row: &Row| matches!(row, Row::Expression(_));
                     near = !formula.display && formula.rows.iter().all(names);
+                    ended = false;
                     if formula.display {
                         before.clear();
                     } else {
@@ -245,7 +246,10 @@ impl Reading {
                     }
                 }
                 Item::Heading { .. } => before.clear(),
-                Item::Break => near = false,
+                Item::Break => {
+                    opens_paragraph = true;
+                    ended |= std::mem::take(&mut near);
+                }
                 Item::Comment { .. } => {}
             }
         }

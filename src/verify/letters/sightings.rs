@@ -1,7 +1,8 @@
 //! What the formulas of a document show of the letters in them.
 
 use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
-use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, worn};
+use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, worn};
+use crate::verify::letters::wholes::{is_cross, lone, terms};
 use crate::verify::values::written_out::{along_plain_units, plain_list};
 
 impl Usage {
@@ -10,6 +11,11 @@ impl Usage {
             self.node(side);
         }
         self.lists.extend(line.sides.iter().filter_map(plain_list));
+        if let [left, list] = line.sides.as_slice()
+            && let (Kind::Symbol(whole), Some(names)) = (&inner(left).kind, plain_list(list))
+        {
+            self.listed.push((Letter::of(whole), names));
+        }
         self.plain_units |= line.sides.iter().any(|side| along_plain_units(inner(side)));
         let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
         if !line.sides.iter().any(square) {
@@ -29,10 +35,41 @@ impl Usage {
                 }
             }
         }
+        self.beside_a_cross(line);
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
             self.named_component(&pair[1], &pair[0]);
             self.named_length(&pair[0], &pair[1]);
+        }
+    }
+
+    /// What is added to a cross product, or is equal to one, is a vector: the N of `dH/dt + w x H = N`.
+    fn beside_a_cross(&mut self, line: &Line) {
+        let of_numbers = |node: &Node| {
+            let factors = node.children();
+            factors.iter().any(|factor| symbols(factor).is_empty())
+        };
+        let mut all = line.sides.iter().flat_map(terms);
+        if all.any(|term| is_cross(term) && !of_numbers(term)) {
+            let lone = line.sides.iter().flat_map(terms).filter_map(lone);
+            let bare = lone.filter(|symbol| symbol.subscripts.is_empty() && !symbol.style.vector);
+            for symbol in bare {
+                let entry = self.letters.entry(Letter::of(symbol)).or_default();
+                entry.vector += 1;
+                entry.crossed_bare += 1;
+            }
+        }
+    }
+
+    /// The angles of a list move where the list does: those of `η = [φ, θ, ψ]^T`, under the dot of `ω = T \dot η`.
+    pub(super) fn angles_of_a_list(&mut self) {
+        for (whole, names) in std::mem::take(&mut self.listed) {
+            let angles = names.iter().all(|name| name.len() > 1);
+            if angles && self.get(&whole).moving {
+                for name in &names {
+                    self.letters.entry(Letter::plain(name)).or_default().moving = true;
+                }
+            }
         }
     }
 

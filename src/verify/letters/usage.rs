@@ -79,6 +79,8 @@ pub(crate) struct Usage {
     pub lengths: BTreeSet<Letter>,
     /// Lists of three plain letters: `[p, q, r]^T`.
     pub(crate) lists: BTreeSet<[String; 3]>,
+    /// Letters that a line says to be such a list.
+    pub(crate) listed: Vec<(Letter, [String; 3])>,
     /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.
     pub plain_units: bool,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
@@ -128,6 +130,7 @@ impl Usage {
                 }
             }
         }
+        usage.angles_of_a_list();
         usage
     }
 

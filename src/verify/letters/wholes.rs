@@ -267,7 +267,7 @@ pub(crate) fn terms(node: &Node) -> Vec<&Node> {
 }
 
 /// Whether a term is a product with a ×, and not with a dot as well.
-fn is_cross(node: &Node) -> bool {
+pub(super) fn is_cross(node: &Node) -> bool {
     let Kind::Product(factors) = &node.kind else {
         return false;
     };
@@ -276,7 +276,7 @@ fn is_cross(node: &Node) -> bool {
 }
 
 /// The symbol that a term is, but for its sign and dots.
-fn lone(node: &Node) -> Option<&Symbol> {
+pub(super) fn lone(node: &Node) -> Option<&Symbol> {
     match &inner(node).kind {
         Kind::Symbol(symbol) => Some(symbol),
         Kind::Negate(inside) => lone(inside),

@@ -112,6 +112,8 @@ impl Checker<'_> {
         let mut loose = None;
         let mut mechanical = false;
         let tied = self.tied();
+        let left = read.equations.iter().flat_map(|e| &e.left.entries);
+        let named: BTreeSet<u32> = left.filter_map(Fraction::as_variable).collect();
         for entry in read.residuals() {
             mechanical |= self.has_moment(entry);
             for variable in self.theory.normal(entry).variables() {
@@ -127,8 +129,8 @@ impl Checker<'_> {
                             mechanical = true;
                             loose = Some(names::latex(&self.theory.atoms, variable));
                         }
-                        // Nor does the acceleration of a point that is still there: no line says what it is.
-                        Owner::Quantity(Quantity::Acceleration, _) => {
+                        // Nor does the acceleration of a point of which this line is the first to say what it is.
+                        Owner::Quantity(Quantity::Acceleration, _) if named.contains(&variable) => {
                             mechanical = true;
                             loose = Some(names::latex(&self.theory.atoms, variable));
                         }

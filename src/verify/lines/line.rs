@@ -129,7 +129,8 @@ impl Checker<'_> {
                 .push("names a moment of the motion".to_owned());
             return;
         }
-        let settled = self.says_by_use(&sides, finding)
+        let settled = self.brings_wheels(&sides, finding)
+            || self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)
             || role != Role::Assume && self.works_out(&sides, role, finding);

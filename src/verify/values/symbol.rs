@@ -318,8 +318,11 @@ fn of_symbol(
         || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
         || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
         || used.component > 1 && sorted.single.is_some();
+    // A letter that some line sets against a square of numbers is a matrix before that line too.
+    let square = used.tensor > 0 && symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
     let tensor = symbol.style.tensor
         || sorted.double.is_some()
+        || square && !symbol.style.vector
         || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
     let shape = if tensor {
         Shape::Matrix

@@ -83,6 +83,18 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
         &["body rates", "angular velocity"],
     ),
     (Some(Quantity::Moment), &["torque", "moment", "couple"]),
+    // What drives the wheels acts on the body the other way round.
+    (
+        None,
+        &[
+            "motor torque",
+            "wheel torque",
+            "torque of the motor",
+            "torque on the wheel",
+            "torque on the rotor",
+            "torques of the motors",
+        ],
+    ),
     (Some(Quantity::Force), &["force"]),
     (Some(Quantity::Power), &["power"]),
     (Some(Quantity::Mass), &["mass"]),
@@ -320,16 +332,42 @@ pub(crate) fn said_after(text: &str) -> Option<Quantity> {
     ]
     .iter()
     .find_map(|lead| text.strip_prefix(lead))?;
+    named_first(rest, 30)
+}
+
+/// The quantity that a text names first, so many bytes from its beginning at most.
+pub(crate) fn named_first(rest: &str, within: usize) -> Option<Quantity> {
     let near = |(phrase, quantity): &(String, Option<Quantity>)| {
         let at = rest
             .match_indices(phrase.as_str())
             .find(|&(at, _)| is_word(rest, at, phrase))?
             .0;
-        (at < 30).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
+        (at < within).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
     };
-    PHRASES
-        .iter()
-        .filter_map(near)
-        .min_by_key(|&(at, len, _)| (at, len))?
-        .2
+    let found = PHRASES.iter().filter_map(near);
+    let (at, _, quantity) = found.min_by_key(|&(at, len, _)| (at, len))?;
+    match quantity {
+        Some(Quantity::Momentum) if is_in_wheels(&rest[at..]) => Some(Quantity::RelativeMomentum),
+        quantity => quantity,
+    }
+}
+
+/// "Angular momentum stored in the wheels".
+fn is_in_wheels(text: &str) -> bool {
+    let clause = text.split([',', ';', '.']).next().unwrap_or_default();
+    let carried = [" in the ", " of the ", " of a ", " of one ", " in a "];
+    let part = |at: usize| {
+        let rest = &clause[at..];
+        WHEELS.iter().any(|w| {
+            rest.split_whitespace()
+                .take(5)
+                .any(|word| word.starts_with(w))
+        })
+    };
+    let whole = ["total", "whole", "with ", "and "];
+    !whole.iter().any(|word| clause.contains(word))
+        && carried
+            .iter()
+            .filter_map(|words| clause.find(words))
+            .any(part)
 }

@@ -1,0 +1,39 @@
+//! What kind of body the letters of a document speak of: one on principal axes, one with wheels in it.
+
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::usage::{Letter, axes};
+use crate::verify::values::quantity::Quantity;
+
+impl Reading {
+    /// Whether the moments I_11, I_22, I_33 or A, B, C are written, and nowhere a product or the word for one.
+    pub(crate) fn writes_only_diagonal(&self) -> bool {
+        let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;
+        let letters = self.quantities.iter().filter(inertia);
+        let indices = letters.filter_map(|(letter, _)| self.usage.subscripts.get(letter));
+        let entries = indices.flatten().filter_map(|s| axes(s));
+        let mut diagonal = entries.map(|(r, c)| r == c).collect::<Vec<_>>();
+        let named = self
+            .components
+            .values()
+            .filter(|(q, _)| *q == Quantity::Inertia);
+        diagonal.extend(named.map(|(_, component)| *component < 3));
+        !diagonal.is_empty() && diagonal.into_iter().all(|d| d) && !self.speaks_of_products
+    }
+
+    /// Beside an ω, an Ω with components that the words call the speeds of wheels is a list of them.
+    pub(crate) fn wheel_speeds(&mut self) {
+        let letter = Letter::plain("Omega");
+        if self.has_wheel_speeds(&letter) && self.usage.get(&letter).component > 0 {
+            self.usage.letters.entry(letter).or_default().vector += 1;
+        }
+    }
+
+    /// Whether a letter is that of the speeds of wheels.
+    pub(crate) fn has_wheel_speeds(&self, letter: &Letter) -> bool {
+        letter.name == "Omega"
+            && self.speaks_of_wheels
+            && self.has("omega")
+            && self.apart.contains(letter)
+            && !self.quantities.contains_key(letter)
+    }
+}

@@ -1,0 +1,45 @@
+//! Lists and tables of symbols: "ω: angular velocity", "| H | angular momentum |".
+
+use crate::verify::values::quantity::Quantity;
+use crate::verify::words::phrases::named_first;
+
+/// How far into its words an entry names the quantity.
+const WITHIN: usize = 16;
+
+/// The quantity in the words of an entry, right behind the symbol or (in the next cell) behind the end of its own.
+pub(crate) fn in_a_legend(text: &str, near: bool, ended: bool) -> Option<Quantity> {
+    let (entry, set_off) = entry(text);
+    (set_off && near || ended)
+        .then(|| named_first(entry, WITHIN))
+        .flatten()
+}
+
+/// Whether an entry right behind the symbol names none of the quantities.
+pub(crate) fn listed_apart(text: &str, near: bool) -> bool {
+    let (entry, set_off) = entry(text);
+    set_off && near && entry.len() > WITHIN && named_first(entry, WITHIN).is_none()
+}
+
+/// Whether the words behind a symbol call it the speeds of wheels.
+pub(crate) fn names_wheel_speeds(text: &str) -> bool {
+    let clause = text.split(['.', ';', ',']).next().unwrap_or_default();
+    let start: Vec<&str> = clause.split_whitespace().take(8).collect();
+    let spoken = |names: &[&str]| {
+        start
+            .iter()
+            .any(|word| names.iter().any(|n| word.starts_with(n)))
+    };
+    spoken(&["speed", "rate"]) && spoken(&["wheel", "rotor", "propeller", "flywheel"])
+}
+
+/// The words of an entry, and whether a sign sets them off from the symbol.
+fn entry(text: &str) -> (&str, bool) {
+    let words = text.trim_start();
+    let entry = words.trim_start_matches([':', '–', '—', '-', '=', '|']);
+    let set_off = entry.len() < words.len() || text.starts_with("  ");
+    let entry = entry.trim_start();
+    let bare = ["the ", "its "]
+        .iter()
+        .find_map(|article| entry.strip_prefix(article));
+    (bare.unwrap_or(entry), set_off)
+}

@@ -1,0 +1,88 @@
+//! Wheels in a body, told by a list of symbols, by words or by the line that brings them in.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+use polhode::notation::{document::Format, read};
+use polhode::verify::check;
+
+#[test]
+fn a_momentum_beside_that_of_the_body_is_in_the_rotor() {
+    let text = |sign: &str| {
+        format!(
+            "A rotor inside turns at the constant rate $s$ about $x$, and no torque acts. On principal axes\n\n\
+             $$ \\mathbf L = (I_x\\omega_x + cs)\\,\\mathbf i + I_y\\omega_y\\,\\mathbf j + I_z\\omega_z\\,\\mathbf k $$\n\n\
+             $$ I_y\\dot\\omega_y = (I_z - I_x)\\,\\omega_z\\omega_x {sign} cs\\,\\omega_z $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "ap");
+    assert_eq!(verdicts(&text("+")), "ar");
+}
+
+#[test]
+fn what_is_not_of_wheels_alone_is_no_momentum_of_theirs() {
+    let text = "A rotor inside turns at the rate $s$.\n\n\
+                $$ \\mathbf L = I_x\\omega_x\\,\\mathbf i + (I_y\\omega_x + cs)\\,\\mathbf j + I_z\\omega_z\\,\\mathbf k $$\n";
+    assert_ne!(verdicts(text), "a");
+}
+
+#[test]
+fn a_table_of_symbols_names_wheel_speeds() {
+    let text = r"| symbol | meaning |
+|---|---|
+| $\omega$ | angular velocity, components $\omega_i$ |
+| $J$ | inertia matrix, the three wheels locked |
+| $\Omega$ | speeds of the wheels |
+
+$$ \mathbf H = J\omega + c\,\Omega $$
+
+There are no external torques. A dot is the rate on body axes, so
+
+$$ J\dot\omega + c\,\dot\Omega + \omega\times(J\omega + c\,\Omega) = 0 $$
+
+$$ J_1\dot\omega_1 = (J_2 - J_3)\,\omega_2\omega_3 - c\,(\omega_2\Omega_3 - \omega_3\Omega_2) - c\,\dot\Omega_1 $$
+";
+    assert_eq!(verdicts(text), "app");
+}
+
+#[test]
+fn a_list_of_symbols_in_plain_text_names_them() {
+    let text = "Symbols\n\n  w    angular velocity of the body\n  J    inertia matrix\n  k    momentum stored in the rotors\n  \
+                N    external torque\n  T    torque of the motors\n\n    H = J w + k\n\n    dH/dt + w x H = N\n\n    \
+                dH/dt = w x H + N\n\n    J dw/dt + dk/dt + w x (J w + k) = N\n";
+    let (document, _) = read("a list", text, Format::Text);
+    let report = check(&document);
+    let found: Vec<&str> = report.findings.iter().map(|f| f.verdict.name()).collect();
+    assert_eq!(found, ["proved", "proved", "refuted", "proved"]);
+    assert!(report.readings.iter().any(|r| r == "N: moment"));
+    assert!(report.readings.iter().all(|r| !r.starts_with("T:")));
+}
+
+#[test]
+fn numbers_beyond_three_count_rotors() {
+    let text = r"With $\Omega_i$ the speed of rotor $i$,
+
+$$ \Omega_r = \Omega_1 + \Omega_2 + \Omega_3 + \Omega_4 $$
+
+They run at constant speed, $\dot\Omega_r = 0$. Then
+
+$$ \dot\Omega_1 + \dot\Omega_2 + \dot\Omega_3 + \dot\Omega_4 = 0 $$
+";
+    assert_eq!(verdicts(text), "aap");
+}
+
+#[test]
+fn angles_of_a_list_move_with_it() {
+    let text = r"Let $\eta = [\phi \; \theta \; \psi]^T$ and let $\boldsymbol\omega = T\,\dot\eta$.
+
+$$ T = \begin{bmatrix} 1 & 0 & 2 \\ 0 & 3 & 1 \\ 0 & -1 & 1 \end{bmatrix} $$
+
+$$ \omega_x = 17\,\omega_y $$
+
+$$ \omega_x = \dot\phi + 2\dot\psi $$
+";
+    let found = verdicts(text);
+    assert!(!found[3..4].contains('p'), "{found}");
+}
