@@ -31,7 +31,7 @@ pub fn compose(
 ) -> Result<Fraction, TooLarge> {
     let mut below = Denominators::of(polynomial, images);
     let mut powers: HashMap<Variable, Vec<Polynomial>> = HashMap::new();
-    let mut sum = Polynomial::default();
+    let mut sum = Summands::default();
     for (monomial, coefficient) in polynomial.terms() {
         let mut product = Polynomial::constant(coefficient.clone());
         let mut used = vec![0; below.distinct.len()];
@@ -57,11 +57,9 @@ pub fn compose(
                 .product_within(&below.distinct[class][missing], most)
                 .ok_or(TooLarge)?;
         }
-        sum += product;
-        if sum.len() > most {
-            return Err(TooLarge);
-        }
+        sum.add(product, most)?;
     }
+    let sum = sum.total();
     let mut denominator = Polynomial::one();
     for (class, &power) in below.highest.iter().enumerate() {
         raise(&mut below.distinct[class], power as usize, most)?;
@@ -70,6 +68,30 @@ pub fn compose(
             .ok_or(TooLarge)?;
     }
     Ok(Fraction::from(sum) / Fraction::from(denominator))
+}
+
+/// A sum in parts, each at least twice as long as the next, so that a term is moved a few times only.
+#[derive(Default)]
+struct Summands(Vec<Polynomial>);
+
+impl Summands {
+    fn add(&mut self, polynomial: Polynomial, most: usize) -> Result<(), TooLarge> {
+        let mut last = polynomial;
+        while let Some(part) = self.0.pop_if(|part| part.len() < 2 * last.len()) {
+            last += part;
+        }
+        if last.len() > most {
+            return Err(TooLarge);
+        }
+        self.0.push(last);
+        Ok(())
+    }
+
+    fn total(self) -> Polynomial {
+        let mut parts = self.0.into_iter().rev();
+        let first = parts.next().unwrap_or_default();
+        parts.fold(first, |sum, part| sum + part)
+    }
 }
 
 /// The different denominators of the images, with their powers, and the highest power that is needed.

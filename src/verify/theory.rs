@@ -180,6 +180,18 @@ impl Theory {
         result
     }
 
+    /// Works with normal forms that come to so many terms, all together, and to no more.
+    pub(super) fn within<R>(&mut self, terms: usize, work: impl FnOnce(&mut Self) -> R) -> R {
+        let before = self.terms_left;
+        let given = before.map_or(terms, |left| left.min(terms));
+        self.terms_left = Some(given);
+        let result = work(self);
+        let spent = given - self.terms_left.unwrap_or(0);
+        self.terms_left = before.map(|left| left - spent);
+        self.exhausted = false;
+        result
+    }
+
     /// Keeps the premises for which `keep` holds.
     pub(super) fn retain(&mut self, keep: impl FnMut(&Premise) -> bool) {
         let before = self.premises.len();
@@ -300,6 +312,7 @@ impl Theory {
                 self.kernels_reduced(value)
             }
             Err(TooLarge) => {
+                self.spend(MOST_TERMS);
                 self.exhausted = true;
                 Fraction::from(polynomial.clone())
             }

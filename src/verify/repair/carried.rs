@@ -6,7 +6,7 @@
 use crate::algebra::{Fraction, Variable};
 use crate::verify::check::Checker;
 use crate::verify::theory::decide::{Equation, passes_filter, reached};
-use crate::verify::theory::{Premise, Taken};
+use crate::verify::theory::{Premise, Taken, Theory};
 use crate::verify::verdict::Finding;
 use std::collections::BTreeSet;
 
@@ -25,15 +25,17 @@ pub(crate) struct Slip {
 
 /// Earlier slips that are looked at.
 const LOOKED_BACK: usize = 8;
+/// Terms of the normal forms that the search may come to.
+const MOST_TERMS: usize = 20_000;
 
 impl Checker<'_> {
     /// Notes a false line, and says which earlier one it carries forward.
     pub(crate) fn carry(&mut self, equations: &[Equation], finding: &mut Finding) {
         let slips: Vec<Slip> = self.slips.iter().rev().take(LOOKED_BACK).cloned().collect();
-        let follows = |checker: &mut Self, slip: &Slip| checker.follows(slip, equations);
-        if let Some(slip) = slips.iter().find(|slip| follows(self, slip)) {
-            finding.follows_from = Some(slip.place.0);
-        }
+        let source = self.theory.within(MOST_TERMS, |theory| {
+            slips.iter().find(|slip| follows(theory, slip, equations))
+        });
+        finding.follows_from = source.map(|slip| slip.place.0);
         let preferred = equations.first().map_or(vec![], |e| {
             e.left
                 .entries
@@ -51,32 +53,35 @@ impl Checker<'_> {
             preferred,
         });
     }
+}
 
-    fn follows(&mut self, slip: &Slip, equations: &[Equation]) -> bool {
-        let laws = reached(&mut self.theory, &slip.residuals);
-        let sets = std::iter::once(BTreeSet::new())
-            .chain(laws.into_iter().map(|law| BTreeSet::from([law])));
-        let sets: Vec<BTreeSet<String>> = sets.collect();
-        sets.into_iter().any(|left_out| {
-            self.theory.without(left_out, |theory| {
-                let holds = |theory: &mut _| {
-                    equations
-                        .iter()
-                        .all(|e| passes_filter(theory, &e.residual) == Some(true))
-                };
-                if holds(theory) {
-                    return false;
-                }
-                let taken = theory.assume(Premise {
-                    name: slip.name.clone(),
-                    residuals: slip.residuals.clone(),
-                    preferred: slip.preferred.clone(),
-                    definition: false,
-                });
-                let follows = taken == Taken::Solved && holds(theory);
-                theory.retain(|premise| premise.name != slip.name);
-                follows
-            })
-        })
-    }
+fn follows(theory: &mut Theory, slip: &Slip, equations: &[Equation]) -> bool {
+    let laws = reached(theory, &slip.residuals);
+    let one = laws.into_iter().map(|law| BTreeSet::from([law]));
+    std::iter::once(BTreeSet::new())
+        .chain(one)
+        .any(|left_out| follows_without(theory, left_out, slip, equations))
+}
+
+/// Whether the slip makes the equations true, and the laws without it and less some do not.
+fn follows_without(
+    theory: &mut Theory,
+    left_out: BTreeSet<String>,
+    slip: &Slip,
+    equations: &[Equation],
+) -> bool {
+    theory.without(left_out, |theory| {
+        let holds = |theory: &mut Theory| {
+            equations
+                .iter()
+                .all(|e| passes_filter(theory, &e.residual) == Some(true))
+        };
+        let supposed = Premise {
+            name: slip.name.clone(),
+            residuals: slip.residuals.clone(),
+            preferred: slip.preferred.clone(),
+            definition: false,
+        };
+        !holds(theory) && theory.solve(&supposed) == Taken::Solved && holds(theory)
+    })
 }
