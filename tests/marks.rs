@@ -125,3 +125,30 @@ Here $T = \frac12\,\boldsymbol\omega\cdot\mathbf{L}$.
 ";
     assert_eq!(verdicts(text), "aprp");
 }
+
+#[test]
+fn a_line_may_name_the_parts_of_a_quaternion() {
+    let text = r"The unit quaternion $q = (c, \mathbf v)$, with $\mathbf v = (a, b, d)^T$, turns body components into space ones, and
+$\boldsymbol\omega$ is the angular velocity on body axes.
+
+$$ \dot q = \tfrac12\, q\otimes(0, \boldsymbol\omega) $$
+
+$$ \dot{\mathbf v} = \tfrac12\left(c\,\boldsymbol\omega - \mathbf v\times\boldsymbol\omega\right) $$
+
+$$ \dot a = \tfrac12\left(c\,\omega_x + b\,\omega_z - d\,\omega_y\right) $$
+";
+    assert!(verdicts(text).ends_with("prp"), "{}", verdicts(text));
+}
+
+#[test]
+fn a_letter_for_the_four_numbers_is_the_quaternion() {
+    let text = r"The quaternion $\Lambda = (\lambda_0, \lambda_1, \lambda_2, \lambda_3)$ takes body components into space ones:
+
+$$ \dot\Lambda = \tfrac12\,\Lambda\circ\vec\omega $$
+
+$$ \dot{\widetilde\Lambda} = -\tfrac12\,\vec\omega\circ\widetilde\Lambda $$
+
+$$ \dot{\widetilde\Lambda} = -\tfrac12\,\widetilde\Lambda\circ\vec\omega $$
+";
+    assert!(verdicts(text).ends_with("ppr"), "{}", verdicts(text));
+}

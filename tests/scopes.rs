@@ -67,3 +67,37 @@ $$ L_x = I_y\,\omega_x - I_{xy}\,\omega_y - 2 I_{xz}\,\omega_z $$
 ";
     assert_eq!(verdicts(text), "ar");
 }
+
+#[test]
+fn what_is_more_than_a_name_is_not_taken_on_trust() {
+    let line = |words: &str, line: &str| verdicts(&format!("{words}\n\n$$ {line} $$\n"));
+    assert_eq!(
+        line("The ellipsoid has the semi-axes", "a_i = \\sqrt{2 I_i}"),
+        "u"
+    );
+    assert_eq!(
+        line("With $n' = 2n$ and all else as it was,", "p' = 3\\,p"),
+        "au"
+    );
+    let shift = |term: &str| {
+        verdicts(&format!(
+            "About the fixed point $Q$, with the mass $m$ and the velocity $\\mathbf v_C$ of the mass centre $C$, the momentum \
+             is\n\n$$ \\mathbf L_Q = \\mathbf L_C + {term} $$\n"
+        ))
+    };
+    assert_eq!(shift("\\mathbf r_{QC}\\times m\\mathbf v_C"), "a");
+    assert_eq!(shift("\\mathbf r_{CQ}\\times m\\mathbf v_C"), "u");
+    assert_eq!(shift("m\\mathbf v_C\\times\\mathbf r_{QC}"), "u");
+    assert_eq!(shift("m\\mathbf v_C\\times\\mathbf r_{CQ}"), "a");
+}
+
+#[test]
+fn an_angular_velocity_between_two_frames_of_several_is_left_open() {
+    let text = r"For the frames $A$, $B$ and $N$,
+
+$$ {}^N\vec\omega^B = {}^N\vec\omega^A + {}^A\vec\omega^B $$
+
+$$ {}^B\vec\omega^A = -{}^A\vec\omega^B $$
+";
+    assert!(!verdicts(text).contains('r'), "{}", verdicts(text));
+}

@@ -2,6 +2,7 @@
 
 pub(super) mod attitude_layouts;
 pub(super) mod attitude_matrix;
+pub(super) mod attitude_parts;
 pub(super) mod attitude_reading;
 pub(super) mod body;
 pub(super) mod convention;

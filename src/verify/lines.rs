@@ -15,6 +15,7 @@ pub(super) mod given;
 pub(super) mod index;
 pub(super) mod inequality;
 pub(super) mod line;
+pub(super) mod named_only;
 pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod small;

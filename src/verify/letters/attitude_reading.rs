@@ -60,6 +60,7 @@ impl AttitudeReading {
             .collect();
         if speaks("quaternion") || speaks("euler parameter") {
             reading.find_quaternion(&all, &sentences, taken);
+            reading.name_parts(document, taken);
             lines(document)
                 .for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
             reading.scalar_last |=
@@ -83,7 +84,9 @@ impl AttitudeReading {
             return None;
         }
         match self.parts.get(&spelling).copied()? {
-            Part::Whole if starred || symbol.style.bar => Some(Part::Conjugate),
+            Part::Whole if starred || symbol.style.bar || symbol.style.tilde => {
+                Some(Part::Conjugate)
+            }
             _ if starred => None,
             part => Some(part),
         }
@@ -308,7 +311,7 @@ impl AttitudeReading {
     }
 }
 
-fn spelling(symbol: &Symbol) -> Spelling {
+pub(super) fn spelling(symbol: &Symbol) -> Spelling {
     (
         Letter::of(symbol),
         symbol.subscripts.clone(),

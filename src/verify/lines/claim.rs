@@ -199,9 +199,12 @@ impl Checker<'_> {
             let strange = match &info.owner {
                 Owner::Symbol(_) => true,
                 Owner::Quantity(quantity, variant) => {
+                    // What ω is between two frames of several, no law here says.
+                    let between = variant.matches('^').count() > 1;
                     !variant.is_empty()
                         && variant != MAGNITUDE
-                        && !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity)
+                        && (between
+                            || !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity))
                 }
             };
             // The arrow from one point to another says itself what it is.

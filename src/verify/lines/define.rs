@@ -58,6 +58,9 @@ impl Checker<'_> {
                 return true;
             }
         }
+        if role == Role::Claim && self.is_more_than_a_name(left, right, finding) {
+            return true;
+        }
         let value = match self.lowering(Frame::Moving).value(right) {
             Ok(value) => value,
             Err(trouble) => {

@@ -50,13 +50,15 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.variant.push_str(text);
         }
     }
+    // Of the two frames of `{}^A\omega^B` each counts.
+    let between = symbol.superscripts.len() > 1;
     let told = !reading
         .usage
         .always_wears(&Letter::of(symbol), &symbol.superscripts);
     for text in symbol
         .superscripts
         .iter()
-        .filter(|s| told && !POINTS.contains(&s.trim()))
+        .filter(|s| told && (between || !POINTS.contains(&s.trim())))
     {
         sorted.variant.push('^');
         sorted.variant.push_str(text.trim());

@@ -64,7 +64,7 @@ fn has_left_its_condition(text: &str) -> bool {
 
 /// Whether a text before a comma ends with a condition: "with ⟨B = 2A⟩", "with ⟨B = 2A⟩ and all else the same".
 pub(crate) fn ends_with_condition(text: &str) -> bool {
-    let text = text.trim_end();
+    let text = format!(" {}", text.trim_end());
     let last = [" with ", " With ", " for ", " For "]
         .iter()
         .filter_map(|word| text.rfind(word))

@@ -1,0 +1,121 @@
+//! Claims whose left side is new and which are no mere definitions: what the words or the theory have it be is more than
+//! its name, and such a line is not taken on trust.
+
+use crate::notation::ast::{Factor, Kind, Node, Operator, Symbol, Term};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::Finding;
+
+impl Checker<'_> {
+    /// Leaves a line open that would be a definition but for what it speaks of.
+    pub(crate) fn is_more_than_a_name(
+        &mut self,
+        left: &Node,
+        right: &Node,
+        finding: &mut Finding,
+    ) -> bool {
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let words = self.sentence.to_lowercase();
+        let of_a_surface = ["semi-ax", "semiax"]
+            .iter()
+            .any(|word| words.contains(word));
+        let reason = if of_a_surface {
+            "whether the surface has these axes is not decided"
+        } else if self.displayed && is_multiple_of_unprimed(symbol, right) {
+            "how the new value follows from the old one is not decided"
+        } else if self.turns_the_arm_round(symbol, right) {
+            "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
+        } else {
+            return false;
+        };
+        finding.reason = Some(reason.to_owned());
+        true
+    }
+
+    /// Whether a momentum about another point has `m v × r`, or an arm that runs the other way, beside the one about the
+    /// mass centre.
+    fn turns_the_arm_round(&self, symbol: &Symbol, right: &Node) -> bool {
+        let letter = Letter::of(symbol);
+        let Kind::Sum(terms) = &inner(right).kind else {
+            return false;
+        };
+        let own = |term: &Term| matches!(&inner(&term.node).kind, Kind::Symbol(s) if Letter::of(s) == letter);
+        if self.reading.quantities.get(&letter) != Some(&Quantity::Momentum)
+            || !terms.iter().any(own)
+        {
+            return false;
+        }
+        let points: String = symbol
+            .subscripts
+            .iter()
+            .chain(&symbol.superscripts)
+            .cloned()
+            .collect();
+        terms.iter().any(|term| {
+            self.arm(&term.node, &points)
+                .is_some_and(|forward| forward == term.negative)
+        })
+    }
+
+    /// Whether a term is `r × m v` with the arm from the point, or that turned round once; `None` for anything else.
+    fn arm(&self, node: &Node, point: &str) -> Option<bool> {
+        let Kind::Product(factors) = &inner(node).kind else {
+            return None;
+        };
+        let mut operands = factors.chunk_by(|_, next| next.operator != Operator::Cross);
+        let (first, second) = (operands.next()?, operands.next()?);
+        let arm = |operand: &[Factor]| self.one_of(operand, &[Quantity::Position]);
+        let moving = [
+            Quantity::Velocity,
+            Quantity::CentreVelocity,
+            Quantity::LinearMomentum,
+        ];
+        let (arm, before) = match (arm(first), arm(second)) {
+            (Some(arm), None) if self.one_of(second, &moving).is_some() => (arm, true),
+            (None, Some(arm)) if self.one_of(first, &moving).is_some() => (arm, false),
+            _ => return None,
+        };
+        let written: String = arm
+            .subscripts
+            .iter()
+            .chain(&arm.superscripts)
+            .cloned()
+            .collect();
+        Some(before == starts_at(&written, point)?)
+    }
+
+    /// The symbol of an operand that is one of some quantities.
+    fn one_of(&self, operand: &[Factor], quantities: &[Quantity]) -> Option<Symbol> {
+        let mut found = operand.iter().flat_map(|factor| symbols(&factor.node));
+        let named = |s: &&Symbol| {
+            let quantity = self.reading.quantities.get(&Letter::of(s));
+            quantity.is_some_and(|q| quantities.contains(q))
+        };
+        found.find(named).cloned()
+    }
+}
+
+/// Whether an arrow starts at a point: `PC` does at P, `C/P` too, and `CP` does not; `None` where its index does not say.
+fn starts_at(arrow: &str, point: &str) -> Option<bool> {
+    let (from, to) = match arrow.split_once('/') {
+        Some((to, from)) => (from, to),
+        None => arrow.split_at_checked(1)?,
+    };
+    match (from == point, to == point) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// `X' = 2 X`.
+fn is_multiple_of_unprimed(symbol: &Symbol, right: &Node) -> bool {
+    let all = symbols(right);
+    let plain =
+        |s: &&Symbol| s.name == symbol.name && s.primes == 0 && s.subscripts == symbol.subscripts;
+    let product = matches!(inner(right).kind, Kind::Product(_) | Kind::Quotient(..));
+    symbol.primes > 0 && product && matches!(all.as_slice(), [only] if plain(only))
+}
