@@ -68,6 +68,8 @@ pub(super) struct Checker<'a> {
     /// Whether the line at hand stands apart from the text.
     pub(super) displayed: bool,
     pub(super) findings: Vec<Finding>,
+    /// How many findings each line of the source has.
+    pub(super) on_line: HashMap<(usize, Option<usize>), usize>,
     /// Lines of rates of angles that were judged together.
     pub(super) rate_lines: Vec<RateLine>,
     /// What lines that were left open leave in doubt.
@@ -145,6 +147,7 @@ impl<'a> Checker<'a> {
             displayed: false,
             any_vector: speaks_of_any_vector(document),
             findings: vec![],
+            on_line: HashMap::new(),
             rate_lines: vec![],
             slips: vec![],
             doubts: Doubts::default(),
@@ -250,11 +253,13 @@ impl<'a> Checker<'a> {
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
-        self.constants_in_words(text);
         self.sentence.push_str(text);
-        let whole = self.sentence.clone();
-        for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
-            self.take(said, span);
+        if text.contains(char::is_alphanumeric) {
+            self.constants_in_words(text);
+            let whole = self.sentence.clone();
+            for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
+                self.take(said, span);
+            }
         }
         let ends = |text: &str| {
             text.rfind([". ", "? ", "! ", ".\n"].map(|s| s.chars().next().unwrap_or('.')))
@@ -267,6 +272,7 @@ impl<'a> Checker<'a> {
         {
             self.sentence.drain(..=end);
         }
+        keep_end(&mut self.sentence, LONGEST_SENTENCE);
     }
 
     /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
@@ -284,15 +290,24 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn formula(&mut self, formula: &Formula) {
-        self.reading.attitude.turn_to(formula.span.start);
-        self.displayed = formula.display;
+    /// Notes what the words before a formula say of it, and gives its role.
+    fn listen(&mut self, display: bool) -> Role {
         let words = Words::of(&self.sentence);
         self.asserted = words.derive();
         self.constrained = words.constrain();
         self.firm = self.mark.is_some() || words.assume();
         self.picked = words.pick();
-        let role = self.mark.unwrap_or_else(|| self.role(formula.display));
+        self.mark.unwrap_or_else(|| self.role(display))
+    }
+
+    fn formula(&mut self, formula: &Formula) {
+        self.reading.attitude.turn_to(formula.span.start);
+        self.displayed = formula.display;
+        let says = |row: &Row| !matches!(row, Row::Expression(_));
+        let role = match formula.rows.iter().any(says) {
+            true => self.listen(formula.display),
+            false => Role::Claim,
+        };
         for row in &formula.rows {
             match row {
                 Row::Line(line) if self.done.contains(&line.span.start) => {}

@@ -44,7 +44,7 @@ impl Checker<'_> {
         }
         self.reading.scalars.clear();
         self.last_side = line.sides.last().cloned();
-        self.findings.push(finding);
+        self.note(finding);
     }
 
     pub(crate) fn blank(&self, line: &Line, role: Role) -> Finding {
@@ -85,7 +85,7 @@ impl Checker<'_> {
         finding.verdict = Verdict::Unreadable;
         finding.reason = Some(message.to_owned());
         finding.remarks.extend(help.map(str::to_owned));
-        self.findings.push(finding);
+        self.note(finding);
     }
 
     pub(crate) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
@@ -295,12 +295,15 @@ impl Checker<'_> {
         Ok(vec![first, second])
     }
 
+    fn note(&mut self, finding: Finding) {
+        let place = (finding.source_line, finding.cell);
+        *self.on_line.entry(place).or_default() += 1;
+        self.findings.push(finding);
+    }
+
     pub(crate) fn line_name(&self, finding: &Finding) -> String {
-        let again = self
-            .findings
-            .iter()
-            .filter(|f| f.source_line == finding.source_line && f.cell == finding.cell)
-            .count();
+        let place = (finding.source_line, finding.cell);
+        let again = self.on_line.get(&place).copied().unwrap_or(0);
         match (finding.cell, again) {
             (Some(cell), 0) => format!("cell {cell}, line {}", finding.source_line),
             (Some(cell), n) => format!("cell {cell}, line {} ({})", finding.source_line, n + 1),
