@@ -45,5 +45,47 @@ $$ \operatorname{tr} I_K = \operatorname{tr} I_G + 2 m\,\mathbf c\cdot\mathbf c 
 
 $$ \operatorname{tr} I_K = \operatorname{tr} I_G + m\,\mathbf c\cdot\mathbf c $$
 ";
-    assert_eq!(verdicts(text), "appr");
+    assert_eq!(verdicts(text), "pppr");
+}
+
+#[test]
+fn what_has_a_value_at_the_beginning_goes_on_from_it() {
+    let text = |solution: &str| {
+        format!(
+            "The body has the moment of inertia $J$ about axis 3 and $K$ about the principal axes 1 and 2. The \
+             motor gives a torque about one axis only,\n\n$$ M_1 = 0, \\quad M_2 = 0, \\quad M_3 = M $$\n\nwith constant \
+             $M$. With $\\omega_3 = s$ at $t = 0$,\n\n$$ \\omega_3 = {solution} $$\n"
+        )
+    };
+    let right = verdicts(&text(r"s + \frac{M}{J}\,t"));
+    assert!(right.ends_with('a'), "{right}");
+    let wrong = verdicts(&text(r"2s + \frac{M}{J}\,t"));
+    assert!(!wrong.ends_with(['a', 'p']), "{wrong}");
+}
+
+#[test]
+fn what_is_kept_has_the_value_of_the_beginning() {
+    let text = |kept: &str| {
+        format!(
+            "A rod turns about a fixed axis at the rate $\\Omega$; a ring of mass $m$ slides along it, $x(t)$ away.\n\n\
+             $$ J = K + m x^2 $$\n\n$$ L = J\\,\\Omega $$\n\nSuppose that no torque acts, so that $\\dot L = 0$. With \
+             $x(0) = 0$ and $\\Omega(0) = \\Omega_0$ at the beginning\n\n$$ J\\,\\Omega = {kept} $$\n"
+        )
+    };
+    let right = verdicts(&text(r"K\,\Omega_0"));
+    assert!(right.ends_with('a'), "{right}");
+    let wrong = verdicts(&text(r"2 K\,\Omega_0"));
+    assert!(!wrong.ends_with(['a', 'p']), "{wrong}");
+}
+
+#[test]
+fn a_sum_over_the_masses_is_the_moment_of_inertia() {
+    let text = |sum: &str| verdicts(&format!("$$ I_{{xx}} = \\sum m\\,({sum}) $$\n"));
+    assert_eq!(text("y^2 + z^2"), "p");
+    assert_ne!(text("x^2 + z^2"), "p");
+    let products = r"The products are $I_{xy} = \sum_i m_i x_i y_i$.
+
+$$ I_{xy} = 2\cdot 3 = 6 $$
+";
+    assert_eq!(verdicts(products), "pp");
 }

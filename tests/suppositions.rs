@@ -98,3 +98,39 @@ fn moments_about_numbered_axes_are_named_in_words() {
     assert_eq!(text("(J_t - K)"), "p");
     assert_eq!(text("(K - J_t)"), "r");
 }
+
+#[test]
+fn the_momentum_of_a_wheel_may_have_the_letter_of_the_whole_with_a_label() {
+    let text = r"The momentum of the wheel relative to the body is $h_s$; its axis is the third principal axis. The total angular momentum is
+
+$$ \mathbf h = I_1\omega_1\,\mathbf e_1 + I_2\omega_2\,\mathbf e_2 + (I_3\omega_3 + h_s)\,\mathbf e_3 $$
+
+and the torque
+
+$$ \mathbf T = \dot{\mathbf h} + \boldsymbol\omega\times\mathbf h $$
+
+$$ T_1 = I_1\dot\omega_1 + (I_3 - I_2)\,\omega_2\omega_3 + \omega_2 h_s $$
+
+$$ T_3 = I_3\dot\omega_3 + (I_2 - I_1)\,\omega_1\omega_2 + \dot h_s $$
+";
+    assert_eq!(verdicts(text), "appp");
+    let lost = text.replace(r" + \dot h_s", "");
+    assert!(!verdicts(&lost).ends_with(['a', 'p']));
+}
+
+#[test]
+fn a_lone_vertical_beside_numbered_axes_is_a_direction_of_its_own() {
+    let text = r"The upward vertical is $\mathbf k$, and the torque has no component along $\mathbf e_3$. The moments at $O$ are $A$, $A$ and $C$. Let
+
+$$ \mathbf k = \sin\theta\,\mathbf e_2 + \cos\theta\,\mathbf e_3 $$
+
+$$ \mathbf e_1\cdot\mathbf k = 0 $$
+
+$$ L_z = \mathbf L\cdot\mathbf k = L_2\sin\theta + L_3\cos\theta $$
+
+The axes need not turn with the spin, so
+
+$$ A\,\dot\omega_1 = M_1 + \sin\theta $$
+";
+    assert_eq!(verdicts(text), "aapu");
+}

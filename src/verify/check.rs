@@ -124,10 +124,7 @@ impl<'a> Checker<'a> {
             drifts: reading.speaks_of(Quantity::CentreVelocity),
             newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
             rigid: !inertia_changes(document, &reading),
-            gyrostat: reading
-                .quantities
-                .values()
-                .any(|&q| q == Quantity::RelativeMomentum),
+            gyrostat: reading.wheels_apart || reading.speaks_of(Quantity::RelativeMomentum),
             other_moments: OtherMoments::default(),
             parallel_axes: [None; 2],
             attitude: reading.attitude.convention,

@@ -12,6 +12,7 @@ pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod forward;
 pub(super) mod given;
+pub(super) mod goes_on;
 pub(super) mod index;
 pub(super) mod inequality;
 pub(super) mod line;

@@ -128,7 +128,30 @@ impl Parser<'_, '_> {
         if scripted || !self.factor_starts() {
             return self.symbol("Sigma".into(), start);
         }
+        let before = self.at;
         let mut node = self.factor();
+        self.skip_spaces();
+        // `\sum m (y^2 + z^2)` goes over the particles of a body.
+        let mass = |symbol: &Symbol| symbol.name == "m" && !symbol.style.vector;
+        let over_mass = match &node.kind {
+            Kind::Symbol(symbol) => mass(symbol) && self.factor_starts(),
+            Kind::Call(head, _) => matches!(&head.kind, Kind::Symbol(symbol) if mass(symbol)),
+            _ => false,
+        };
+        if over_mass {
+            self.at = before;
+            let body = Box::new(self.product());
+            let index = Box::new(Symbol::default());
+            let limits = None;
+            return self.node(
+                Kind::IndexedSum {
+                    index,
+                    limits,
+                    body,
+                },
+                start,
+            );
+        }
         mark_letter(&mut node, |symbol| symbol.resultant = true);
         node.span = self.since(start);
         node

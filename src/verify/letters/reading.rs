@@ -16,7 +16,7 @@ use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
-    apposition, letters_named, reaches, said_after, said_before, speaks_of_wheels,
+    apposition, letters_named, lists_moments, reaches, said_after, said_before, speaks_of_wheels,
 };
 use crate::verify::words::prose::{Said, said};
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,6 +43,10 @@ pub(crate) struct Reading {
     pub(crate) apart: BTreeSet<Letter>,
     /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
     pub plane: bool,
+    /// Lines that say what something is at the beginning, and how it goes on another line says.
+    pub(crate) beginnings: BTreeSet<u32>,
+    /// Symbols with what they are at the beginning.
+    pub(crate) starts: Vec<(Symbol, Node)>,
     /// Letters whose value has a weight in it.
     pub(crate) totals: BTreeSet<Letter>,
     /// Whether ω and the inertia are only ever numbers.
@@ -64,6 +68,8 @@ pub(crate) struct Reading {
     pub(crate) speaks_of_wheels: bool,
     /// The points that the inertia is taken about, where they are two.
     pub(crate) points: Option<TwoPoints>,
+    /// Whether the momentum of the wheels has the letter of the whole with a label.
+    pub(crate) wheels_apart: bool,
     /// Letters that stand alone on the left of a line.
     pub(crate) left_sides: BTreeSet<Letter>,
 }
@@ -86,6 +92,7 @@ impl Reading {
         reading.by_moments(document);
         reading.flat = reading.is_flat();
         reading.note_totals(document);
+        reading.note_beginnings(document);
         reading.by_words();
         reading.part_rivals(document);
         reading.by_attitude(document);
@@ -228,6 +235,11 @@ impl Reading {
                             );
                         }
                     }
+                    if !display && lists_moments(&before) {
+                        let moment = |l: &&Letter| matches!(l.name.as_str(), "A" | "B" | "C");
+                        let moments = named.iter().filter(moment);
+                        moments.for_each(|l| self.vote(l.clone(), Quantity::Inertia, 1));
+                    }
                     let lines = formula
                         .rows
                         .iter()
@@ -287,8 +299,20 @@ impl Reading {
         });
         self.bare = apart.map(|letter| (letter, Quantity::Mass)).collect();
         for (letter, quantity) in chosen {
+            let wheels = quantity == Quantity::RelativeMomentum;
+            let whole = wheels && self.is_whole_beside_a_part(&letter);
+            self.wheels_apart |= whole;
+            let quantity = if whole { Quantity::Momentum } else { quantity };
             self.quantities.entry(letter).or_insert(quantity);
         }
+    }
+
+    /// Whether words call a vector the angular momentum, and its letter with a label that of the wheels: h beside h_w.
+    fn is_whole_beside_a_part(&self, letter: &Letter) -> bool {
+        let labels = self.usage.subscripts.get(letter);
+        let labelled = labels.is_some_and(|all| all.iter().any(|s| axis(s).is_none()));
+        let called = self.votes_for(letter, Quantity::Momentum) > 0;
+        labelled && called && self.usage.get(letter).vector > 0
     }
 
     /// Whether a letter may be the body's mass: an m, or an M without an m beside it.

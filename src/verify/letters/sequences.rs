@@ -15,7 +15,13 @@ impl Reading {
             self.take_components(forces, Quantity::Force);
         }
         let moments = ["A", "B", "C"].map(Letter::plain);
+        // "The moments are A and C": of inertia.
+        let called = |l: &Letter| self.votes_for(l, Quantity::Moment) > 0;
         let voted = differences
+            || called(&moments[0])
+                && [0, 2]
+                    .iter()
+                    .all(|&i| self.left_sides.contains(&moments[i]))
             || moments
                 .iter()
                 .any(|l| self.votes_for(l, Quantity::Inertia) > 0);

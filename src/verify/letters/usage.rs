@@ -81,6 +81,8 @@ pub(crate) struct Usage {
     pub(crate) lists: BTreeSet<[String; 3]>,
     /// Letters that a line says to be such a list.
     pub(crate) listed: Vec<(Letter, [String; 3])>,
+    /// Whether a vector k stands beside numbered unit vectors, and no i and j do.
+    pub k_alone: bool,
     /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.
     pub plain_units: bool,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
@@ -131,6 +133,11 @@ impl Usage {
             }
         }
         usage.angles_of_a_list();
+        let vector = |name: &str| usage.get(&Letter::plain(name)).vector > 0;
+        let mut bases = ["e", "b", "u", "a"].iter().map(|name| Letter::plain(name));
+        let numbered = |letter: Letter| ["1", "2", "3"].iter().all(|i| usage.has_index(&letter, i));
+        let alone = vector("k") && !vector("i") && !vector("j") && bases.any(numbered);
+        usage.k_alone = alone;
         usage
     }
 

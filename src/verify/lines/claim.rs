@@ -48,7 +48,9 @@ impl Checker<'_> {
             if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);
             }
-            if self.settled_by_numbers(sides, &read, open, finding)
+            if self.hands_over_a_load(sides, finding)
+                || self.goes_on(sides, &read, finding)
+                || self.settled_by_numbers(sides, &read, open, finding)
                 || self.holds_still(sides, finding)
             {
                 return;

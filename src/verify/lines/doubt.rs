@@ -60,6 +60,11 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether lines were left open.
+    pub(crate) fn has_doubts(&self) -> bool {
+        !self.doubts.symbols.is_empty() || self.doubts.setting.is_some()
+    }
+
     /// Whether a line that was left open speaks of an entity.
     pub(crate) fn is_in_doubt(&self, entity: Entity) -> bool {
         self.doubts.symbols.contains(&entity)
@@ -67,6 +72,9 @@ impl Checker<'_> {
 
     /// Why a difference need not be a mistake of this line; `None` where it must be one.
     pub(crate) fn doubt(&mut self, read: &Read) -> Option<String> {
+        if self.follows_no_spin(read) {
+            return Some("the axes may turn without the spin of the body".to_owned());
+        }
         if let Some(name) = self.untied(read) {
             return Some(format!("nothing before ties `{name}` to the motion"));
         }
@@ -104,6 +112,15 @@ impl Checker<'_> {
         pairs.any(|pair| pair.is_centre(entity))
             && self.theory.mentions_entity(entity)
             && !self.theory.mentions_part(entity, Some(component))
+    }
+
+    /// Whether a difference has an angle in it, in a document that writes the vertical on the axes used and gives these
+    /// no angular velocity: they may follow the axis of a top and not its spin.
+    fn follows_no_spin(&self, read: &Read) -> bool {
+        let angle = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Kernel { .. });
+        let named = self.reading.speaks_of(Quantity::FrameRate);
+        let mut variables = read.residuals().flat_map(Fraction::variables);
+        self.reading.usage.k_alone && !named && variables.any(angle)
     }
 
     /// A number or matrix of the document alone that stands beside quantities of the theory in what differs, and that

@@ -139,7 +139,13 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };
-        if self.displayed || self.asserted || !rest.iter().all(number) {
+        // In a list of data it is one of them: "⟨m = 2⟩, the final length ⟨s = 3⟩".
+        let data = self.findings.last().is_some_and(|before| {
+            let handed = matches!(before.role, Role::Given | Role::Define);
+            let (line, _, _) = self.place(left.span.start);
+            handed && before.source_line + 1 >= line && !rest.iter().all(is_zero)
+        });
+        if data || self.displayed || self.asserted || !rest.iter().all(number) {
             return false;
         }
         let Meaning::Whole(entity) = self.meaning_of(symbol) else {
@@ -191,14 +197,19 @@ impl Checker<'_> {
         let wheels = |owner: &Option<&Owner>| {
             matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
         };
-        let alone = matches!(undotted(first).kind, Kind::Symbol(_));
-        read.residuals().all(|entry| {
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        // Of an equation of motion, what is left is no news of the wheels.
+        let alone = matches!(&undotted(first).kind, Kind::Symbol(symbol) if self.meaning_of(symbol).entity() != Some(moment));
+        let mut met = false;
+        let told = read.residuals().all(|entry| {
             let variables = self.theory.normal(entry).variables();
             let atoms = &self.theory.atoms;
             let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
+            met |= owners.iter().any(wheels);
             let told = alone || owners.is_empty() || owners.iter().any(own);
             told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
-        })
+        });
+        told && met
     }
 
     /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.

@@ -92,6 +92,12 @@ impl Checker<'_> {
         if self.no_equation(line, role, finding) {
             return;
         }
+        if self.reading.beginnings.contains(&line.span.start) {
+            finding.verdict = Verdict::Accepted;
+            finding.role = Role::Given;
+            self.now_known(&line.sides);
+            return;
+        }
         let mut sides: Vec<Node> = line.sides.clone();
         if line.continues {
             match self.last_side.clone() {

@@ -10,6 +10,7 @@ use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Verdict};
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -94,6 +95,26 @@ impl Checker<'_> {
             self.loads.extend(new);
         }
         load
+    }
+
+    /// `N = l × W = …`: what acts, and what that comes to.
+    pub(crate) fn hands_over_a_load(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        // After lines that were left open, what the moment is may follow from them.
+        if sides.len() < 3 || self.asserted || self.has_doubts() {
+            return false;
+        }
+        let Ok(read) = self.read(&sides[..2], Frame::Moving) else {
+            return false;
+        };
+        if !self.is_load(&sides[..2], &read) {
+            return false;
+        }
+        self.given(&sides[..2], finding);
+        if finding.verdict == Verdict::Accepted {
+            finding.verdict = Verdict::Undecided;
+            self.claim(&sides[1..], finding);
+        }
+        true
     }
 
     fn moment_at(&self, equation: &Equation, place: usize) -> bool {

@@ -1,7 +1,7 @@
 //! Integrals over the mass of the body: the moments and products of inertia behind their definitions.
 
 use crate::algebra::{Fraction, Polynomial, Rational};
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Factor, Kind, Node, Symbol};
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::variable_fraction;
@@ -51,6 +51,28 @@ impl Lowering<'_> {
         Ok(Value::from_fn(value.rows, columns, |r, c| {
             entries[r * columns + c].clone()
         }))
+    }
+
+    /// Σ m f over the particles of the body is ∫ f dm.
+    pub(crate) fn over_particles(&mut self, node: &Node, index: &Symbol, body: &Node) -> Lowered {
+        let mut body = body.clone();
+        body.change_symbols(&mut |symbol| symbol.subscripts.retain(|s| *s != index.name));
+        let mass = |factor: &Factor| matches!(&factor.node.kind, Kind::Symbol(s) if s.name == "m" && s.subscripts.is_empty());
+        if let Kind::Product(factors) = &mut body.kind
+            && let Some(at) = factors.iter().position(mass)
+            && factors.len() > 1
+        {
+            let variable = factors.remove(at).node;
+            return self.integral(node, &body, &variable);
+        }
+        if let Kind::Call(head, arguments) = &body.kind
+            && let (Kind::Symbol(symbol), [argument]) = (&head.kind, arguments.as_slice())
+            && symbol.name == "m"
+        {
+            return self.integral(node, argument, head);
+        }
+        let message = "a sum over an index is not expanded";
+        Err(trouble(TroubleKind::Unsupported, node.span, message))
     }
 
     /// The variable of a plain letter.

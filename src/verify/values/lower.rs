@@ -182,6 +182,11 @@ impl Lowering<'_> {
                 node.span,
                 reason::INTEGRAL,
             )),
+            Kind::IndexedSum {
+                index,
+                limits: None,
+                body,
+            } => self.over_particles(node, index, body),
             Kind::IndexedSum { .. } => Err(trouble(
                 TroubleKind::Unsupported,
                 node.span,

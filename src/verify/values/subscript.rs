@@ -33,7 +33,9 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         && reading.usage.has_lettered_entries(&letter);
     for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
-        if named_apart && matches!(text, "1" | "2" | "3") {
+        // Beside axes 1, 2, 3, z is the vertical.
+        let vertical = reading.usage.k_alone && text == "z";
+        if vertical || named_apart && matches!(text, "1" | "2" | "3") {
             sorted.variant.push_str(text);
         } else if let Some(index) = axis(text) {
             sorted.single = Some(index);

@@ -157,8 +157,11 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
         "i" | "j" | "k" => !beside,
         _ => symbol.style.hat,
     };
+    // Beside e₁, e₂, e₃ a lone k is a direction of its own.
+    let alone = symbol.name == "k" && symbol.style.vector && reading.usage.k_alone;
     if marked
         && is_letter
+        && !alone
         && sorted.variant.is_empty()
         && sorted.single.is_none()
         && let Some(component) = axis_of_name

@@ -33,6 +33,9 @@ const BEFORE: &[&str] = &[
     "constant angular speed",
     "constant spin",
     "constant rates",
+    "with constant",
+    "with the constant",
+    "for constant",
 ];
 
 /// Words of a supposition: what it calls constant may change elsewhere.
@@ -111,7 +114,8 @@ impl Checker<'_> {
         let own = |&v: &u32| match self.theory.atoms.owner(v) {
             Some(Owner::Symbol(_)) => true,
             Some(Owner::Quantity(quantity, _)) => {
-                supposed && matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate)
+                let rate = matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate);
+                supposed && rate || *quantity == Quantity::Moment
             }
             None => false,
         };

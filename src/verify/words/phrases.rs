@@ -283,6 +283,11 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
 /// Whether words that name something reach over the formulas behind them to the next: "the energy about ⟨ is" does to
 /// a display; over a formula right behind the words, only its list goes on: "the moments ⟨, ⟨ and ".
 pub(crate) fn reaches(text: &str, display: bool) -> bool {
+    // "No torque along ⟨e⟩": a direction.
+    let along = ["along", "along the axis", "perpendicular to", "parallel to"];
+    if !display && along.iter().any(|words| text.trim_end().ends_with(words)) {
+        return false;
+    }
     let separators = ["", "and", "or", "&", "/"];
     let mut pieces = text.split('⟨');
     let named = pieces
@@ -296,6 +301,13 @@ pub(crate) fn reaches(text: &str, display: bool) -> bool {
             .split_whitespace()
             .all(|word| separators.contains(&word.trim_end_matches(',')))
     })
+}
+
+/// Whether a sentence in small letters is about to list moments of inertia: "the principal moments at ⟨ are ".
+pub(crate) fn lists_moments(sentence: &str) -> bool {
+    ["moments of inertia", "principal moments"]
+        .iter()
+        .any(|words| sentence.contains(words))
 }
 
 /// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".

@@ -92,6 +92,8 @@ pub(super) const CLAIM: &[&str] = &[
     "term by term",
     "component by component",
     "for which",
+    "equating",
+    "equate",
     "has the size",
     "keeps the value",
 ];

@@ -1,0 +1,128 @@
+//! Lines that say how something goes on in time from its value at the beginning: `\omega_3 = s + \tau t / I`, and what
+//! keeps the value that it had: `J\Omega = J_0\Omega_0`.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
+use crate::verify::lines::line::Read;
+use crate::verify::names;
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::lower::substituted;
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
+use std::collections::HashMap;
+
+impl Checker<'_> {
+    /// Takes in a line whose sides change at the same rate and are equal at the beginning.
+    pub(crate) fn goes_on(&mut self, sides: &[Node], read: &Read, finding: &mut Finding) -> bool {
+        let [equation] = read.equations.as_slice() else {
+            return false;
+        };
+        let entries = equation.residual.entries.clone();
+        let same = entries.iter().all(|entry| {
+            let rest = self.theory.normal(entry);
+            let rate = self.theory.atoms.derivative(&rest);
+            self.theory.normal(&rate).is_zero()
+        });
+        if !same {
+            return false;
+        }
+        let starts = match self.value_at_the_beginning(sides) {
+            Some(starts) => starts,
+            None => entries.iter().all(|entry| {
+                let start = self.at_zero(entry);
+                start.is_some_and(|start| self.theory.normal(&start).is_zero())
+            }),
+        };
+        if starts {
+            self.accept(sides, Role::Given, finding);
+            if finding.verdict == Verdict::Accepted {
+                let how = "both sides change at the same rate, and are equal at the beginning";
+                finding.remarks.push(how.to_owned());
+            }
+        }
+        starts && finding.verdict == Verdict::Accepted
+    }
+
+    /// Whether the right side has the value at t = 0 that an earlier line gives the left; `None` where there is none.
+    fn value_at_the_beginning(&mut self, sides: &[Node]) -> Option<bool> {
+        let [left, right] = sides else { return None };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return None;
+        };
+        let starts = self.reading.starts.iter();
+        let (_, start) = starts.clone().find(|(named, _)| named == symbol)?.clone();
+        let value = self.lowering(Frame::Moving).value(right).ok()?;
+        let start = self.lowering(Frame::Moving).value(&start).ok()?;
+        let value = value.map(|entry| self.without_time(entry));
+        let rest = value.plus(&start, true).ok()?;
+        Some(
+            rest.entries
+                .iter()
+                .all(|entry| self.theory.normal(entry).is_zero()),
+        )
+    }
+
+    fn is_time(&self, variable: Variable) -> bool {
+        let owner = self.theory.atoms.owner(variable);
+        owner == Some(&Owner::Quantity(Quantity::Time, String::new()))
+    }
+
+    /// A value at t = 0.
+    fn without_time(&mut self, value: &Fraction) -> Fraction {
+        let mut images: HashMap<Variable, Fraction> = HashMap::new();
+        for variable in value.variables() {
+            let image = match self.theory.atoms.atom(variable).clone() {
+                _ if self.is_time(variable) => Fraction::zero(),
+                Atom::Kernel { function, argument } => {
+                    let argument = self.without_time(&argument);
+                    let kernel = self.lowering(Frame::Moving).kernel(function, argument);
+                    kernel.unwrap_or_else(|| variable_fraction(variable))
+                }
+                _ => variable_fraction(variable),
+            };
+            images.insert(variable, image);
+        }
+        substituted(value, &|v| {
+            images
+                .get(&v)
+                .cloned()
+                .unwrap_or_else(|| variable_fraction(v))
+        })
+    }
+
+    /// A value with what moves in it as it was at the beginning, where lines say that: `s(0) = 0`.
+    fn at_zero(&mut self, value: &Fraction) -> Option<Fraction> {
+        let value = self.theory.normal(value);
+        let mut images: HashMap<Variable, Fraction> = HashMap::new();
+        let mut moved = false;
+        for variable in value.variables() {
+            let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                return None;
+            };
+            if order == 0 && self.theory.atoms.info(entity).constant {
+                continue;
+            }
+            let latex = names::latex(&self.theory.atoms, variable);
+            let owner = Owner::Symbol(format!("{latex} at 0"));
+            let named = format!("{latex}(0)");
+            let start = self
+                .theory
+                .atoms
+                .entity(&owner, Shape::Scalar, true, &named);
+            self.theory.mentions_entity(start).then_some(())?;
+            images.insert(variable, self.theory.atoms.value(start, 0, 0));
+            moved = true;
+        }
+        let image = |v| {
+            images
+                .get(&v)
+                .cloned()
+                .unwrap_or_else(|| variable_fraction(v))
+        };
+        moved.then(|| substituted(&value, &image))
+    }
+}
