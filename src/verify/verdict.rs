@@ -37,7 +37,7 @@ pub enum Verdict {
     Accepted,
     /// There is a possible body and motion for which it is false, or it has no meaning as typed.
     Refuted,
-    /// Neither was shown.
+    /// Neither was shown; or it is false as it is read, and too little of the document is understood to trust that.
     Undecided,
     /// It could not be read.
     Unreadable,
