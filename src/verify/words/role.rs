@@ -25,10 +25,12 @@ pub(crate) fn role(sentence: &str) -> Role {
         ],
     );
     for phrase in NO_ROLE {
-        text = text.replace(
-            &format!(" {phrase} "),
-            &format!(" {} ", "_".repeat(phrase.len())),
-        );
+        if last_of(&text, &[phrase]).is_some() {
+            text = text.replace(
+                &format!(" {phrase} "),
+                &format!(" {} ", "_".repeat(phrase.len())),
+            );
+        }
     }
     if has_left_its_condition(&text) {
         return Role::Claim;
@@ -171,11 +173,16 @@ fn main_clauses(sentence: &str) -> String {
     text
 }
 
-fn last_of(text: &str, words: &[&str]) -> Option<usize> {
-    words
-        .iter()
-        .filter_map(|word| text.rfind(&format!(" {word} ")))
-        .max()
+/// Where the last of some phrases begins, with the space before it.
+fn last_of(text: &str, phrases: &[&str]) -> Option<usize> {
+    let spaces = text.bytes().enumerate().rev().filter(|(_, b)| *b == b' ');
+    let stands = |rest: &str, phrase: &str| {
+        rest.strip_prefix(phrase)
+            .is_some_and(|behind| behind.starts_with(' '))
+    };
+    spaces
+        .map(|(at, _)| at)
+        .find(|&at| phrases.iter().any(|p| stands(&text[at + 1..], p)))
 }
 
 #[cfg(test)]
