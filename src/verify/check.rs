@@ -250,9 +250,12 @@ impl<'a> Checker<'a> {
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
-        self.sentence.push_str(text);
-        if text.contains(char::is_alphanumeric) {
+        let speaks = text.contains(char::is_alphanumeric);
+        if speaks {
             self.constants_in_words(text);
+        }
+        self.sentence.push_str(text);
+        if speaks {
             let whole = self.sentence.clone();
             for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
                 self.take(said, span);
