@@ -1,4 +1,4 @@
-//! Parts that spin, squares with a number for a name, and moments on turned axes.
+//! Cases and how long an assumption holds, parts that spin, names with a number, and moments on turned axes.
 
 #[path = "outcome/verdicts.rs"]
 mod outcome;
@@ -63,4 +63,46 @@ $$ \mathbf u = -k\,\boldsymbol\omega $$
 with $k > 0$.
 ";
     assert_eq!(verdicts(text), "aa");
+}
+
+#[test]
+fn a_paragraph_with_a_title_opens_another_case() {
+    let text = r"The moment is $\mathbf M$, on principal axes.
+
+**Spin about the first axis.** Let $\omega_y = \omega_z = 0$. Then
+
+$$ M_z = I_z\dot\omega_z $$
+
+**Spin about the third axis.** Let $\omega_x = \omega_y = 0$ and $\omega_z = n$, a constant. Then
+
+$$ L_z = I_z\,n $$
+
+$$ L_z = 0 $$
+";
+    assert_eq!(verdicts(text), "apaapr");
+}
+
+#[test]
+fn what_is_assumed_twice_in_one_case_must_agree() {
+    let text = r"Let $\omega_x = 2$. Let further $\omega_x = 3$.";
+    assert_eq!(verdicts(text), "ar");
+}
+
+#[test]
+fn a_bracket_may_speak_of_another_case() {
+    let text = r"The edges are $a = 0.4$ and $b = 0.2$. For a square plate ($a = b$) it would be $2a = 2b$. But $a = 3b$.";
+    assert_eq!(verdicts(text), "aauur");
+}
+
+#[test]
+fn a_hat_makes_the_matrix_of_a_cross_product() {
+    let text = r"The hat turns a vector into a matrix, $\hat a\,b = a\times b$. With the inertia matrix $J$, the angular velocity $\omega$ and the torque $\tau$
+
+$$ J\dot\omega = \tau - \hat\omega J\omega $$
+
+$$ J\dot\omega = \tau + \widehat{J\omega}\,\omega $$
+
+$$ J\dot\omega = \tau + \hat\omega J\omega $$
+";
+    assert_eq!(verdicts(text), "pppr");
 }

@@ -7,6 +7,7 @@ use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::triad::Triad;
+use crate::verify::lines::cases::Cases;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
@@ -22,7 +23,7 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use crate::verify::words::premise::inertia_changes;
-use crate::verify::words::prose::{Said, said, speaks_of_any_vector, symmetry_plane};
+use crate::verify::words::prose::{said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition, role};
 use std::collections::{BTreeSet, HashMap};
 
@@ -93,7 +94,9 @@ pub(super) struct Checker<'a> {
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
     pub(super) level: u8,
-    axes_before: Axes,
+    /// The case that is looked at.
+    pub(super) cases: Cases,
+    pub(super) axes_before: Axes,
     /// How the components of the angular velocity were named last.
     pub(super) triad: Option<Triad>,
     pub(super) convention: Convention,
@@ -158,6 +161,7 @@ impl<'a> Checker<'a> {
             mark: None,
             scopes: vec![],
             level: 0,
+            cases: Cases::default(),
             axes_before: axes,
             triad: None,
             convention,
@@ -211,29 +215,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// A heading ends the assumptions made under headings of its level and below.
-    fn heading(&mut self, level: u8, text: &str, span: Span) {
-        let ended: BTreeSet<String> = self
-            .scopes
-            .iter()
-            .filter(|(name, l)| *l >= level && !self.outlasts(name, span))
-            .map(|(name, _)| name.clone())
-            .collect();
-        self.scopes.retain(|(name, _)| !ended.contains(name));
-        if !ended.is_empty() {
-            self.theory.retain(|premise| !ended.contains(&premise.name));
-        }
-        self.level = level;
-        self.sentence.clear();
-        self.last_side = None;
-        for said in said(text)
-            .into_iter()
-            .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
-        {
-            self.take(said, span);
-        }
-    }
-
     fn comment(&mut self, text: &str) {
         self.mark = match text.trim() {
             "assume" => Some(Role::Assume),
@@ -247,6 +228,7 @@ impl<'a> Checker<'a> {
     fn prose(&mut self, text: &str, span: Span) {
         // After a display, a new paragraph that opens with a capital opens a sentence too.
         let opens = text.trim_start().starts_with(char::is_uppercase);
+        self.note_case(text, span, self.broken);
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
@@ -271,6 +253,7 @@ impl<'a> Checker<'a> {
                 .is_none_or(char::is_whitespace)
         {
             self.sentence.drain(..=end);
+            self.cases.hypothesis = false;
         }
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
     }
@@ -351,13 +334,6 @@ impl<'a> Checker<'a> {
             cell,
             what: "expression",
         });
-    }
-
-    /// Keeps a premise of the document to the end of its section; definitions stay.
-    pub(super) fn keep(&mut self, name: &str, definition: bool) {
-        let level = if definition { 0 } else { self.level };
-        self.scopes.push((name.to_owned(), level));
-        self.axes_before = self.theory.setting.axes;
     }
 
     /// Line, column and cell of an offset.

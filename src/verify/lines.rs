@@ -1,6 +1,7 @@
 //! What becomes of a line: a claim, a definition, something given, or a reason to leave it open.
 
 pub(super) mod accept;
+pub(super) mod cases;
 pub(super) mod claim;
 pub(super) mod data;
 pub(super) mod decimals;

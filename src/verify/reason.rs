@@ -3,6 +3,7 @@
 pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here determines it";
 pub(super) const RELATION: &str = "this relation is not decided";
 pub(super) const INTEGRAL: &str = "an integral is not evaluated";
+pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const NO_VALUES: &str = "no values could be put in";
 pub(super) const BUDGET: &str =
@@ -10,5 +11,13 @@ pub(super) const BUDGET: &str =
 
 /// Whether a line that stays open for a reason leaves the lines after it as they are.
 pub(super) fn leaves_no_doubt(reason: &str) -> bool {
-    [TAKEN_AS_GIVEN, RELATION, INTEGRAL, NO_PROOF, BUDGET].contains(&reason)
+    [
+        TAKEN_AS_GIVEN,
+        RELATION,
+        INTEGRAL,
+        OTHER_CASE,
+        NO_PROOF,
+        BUDGET,
+    ]
+    .contains(&reason)
 }

@@ -5,7 +5,7 @@ mod differential;
 use super::Parser;
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::notation::token::{Lexeme, Token};
-use differential::{Differential, above, order, total, total_mark, trim};
+use differential::{Differential, above, order, script, total, total_mark, trim};
 pub(super) use differential::{mark, turning};
 
 impl<'t, 'a> Parser<'t, 'a> {
@@ -38,9 +38,13 @@ impl<'t, 'a> Parser<'t, 'a> {
         while !rest.is_empty() {
             let (length, _) = mark(rest)?;
             rest = trim(&rest[length..]);
-            let end = (1..=rest.len()).find(|&i| {
+            let mut end = (1..=rest.len()).find(|&i| {
                 i == rest.len() || rest[i].kind == Lexeme::Superscript || mark(&rest[i..]).is_some()
             })?;
+            // What is no number above the variable belongs to it: the step of `\partial x^{n}`.
+            if end < rest.len() && order(&rest[end..]).is_none() {
+                end = rest.len() - script(&rest[end + 1..]).1.len();
+            }
             // What is differentiated in is short, and it is read a second time where this fails.
             if end > 24 {
                 return None;

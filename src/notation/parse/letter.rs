@@ -236,6 +236,15 @@ fn marked(mut node: Node, mark: Mark, tokens: &[Token<'_>]) -> Node {
             style,
             ..Symbol::default()
         });
+    } else if matches!(mark, Mark::Hat | Mark::Tilde)
+        && matches!(node.kind, Kind::Product(_) | Kind::Sum(_))
+    {
+        // Over a product or a sum it makes the matrix of a cross product.
+        let span = node.span;
+        node = Node {
+            kind: Kind::Skew(Box::new(node)),
+            span,
+        };
     }
     node
 }

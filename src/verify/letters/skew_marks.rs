@@ -20,6 +20,10 @@ struct Marks {
     /// Matrices R of `dR/dt = [\omega] R`, whose vector stands on the axes that R leads to: lines with them are left as
     /// they are written.
     turning: Vec<Symbol>,
+    /// Whether a hat makes a vector its matrix, as in `\hat a\,b = a \times b`.
+    hat_map: bool,
+    /// Letters that stand without the hat too, and so are no unit vectors.
+    unhatted: BTreeSet<Letter>,
 }
 
 /// Reads the marks of a document and puts what they mean in their place.
@@ -35,6 +39,17 @@ pub(crate) fn note_skew_marks(document: &mut Document) {
     if said.iter().any(|s| rate_in_space(&s.text) == Some(true)) {
         marks.turning.clear();
     }
+    let matrix = ["matrix", "skew", "cross product"];
+    let named =
+        |text: &str| text.contains(" hat ") && matrix.iter().any(|word| text.contains(word));
+    marks.hat_map |= said.iter().any(|s| named(&format!(" {}", s.text)));
+    if marks.hat_map {
+        let usage = Usage::of(document);
+        let plain = usage
+            .letters()
+            .filter(|(_, used)| used.bare > used.hats || used.vector > used.hatted);
+        marks.unhatted = plain.map(|(letter, _)| letter.clone()).collect();
+    }
     if !marks.vectors.is_empty() {
         let usage = Usage::of(document);
         let vectors = usage
@@ -43,7 +58,7 @@ pub(crate) fn note_skew_marks(document: &mut Document) {
         marks
             .vectors
             .extend(vectors.map(|(letter, _)| letter.clone()));
-    } else if marks.functions.is_empty() && !marks.crossed {
+    } else if marks.functions.is_empty() && !marks.crossed && !marks.hat_map {
         return;
     }
     for item in &mut document.items {
@@ -85,6 +100,8 @@ impl Marks {
                 self.crossed |=
                     acts_as_cross(left, right, &|node| under_x(node).and_then(lone)).is_some();
                 self.turning.extend(turned_from_the_left(left, right));
+                self.hat_map |= hat_acts(left, right)
+                    || lone(left).is_some_and(|s| s.style.hat) && is_skew_matrix(right);
                 if let Kind::Transpose(inside) = &left.kind
                     && let Kind::Negate(same) = &right.kind
                     && let (Some(vector), Some(again)) = (bracketed(inside), bracketed(same))
@@ -111,6 +128,15 @@ impl Marks {
         }
         if let Some(inside) = under_x(node).filter(|_| self.crossed) {
             node.kind = Kind::Skew(Box::new(inside.clone()));
+        }
+        if let Kind::Symbol(symbol) = &mut node.kind
+            && self.hat_map
+            && symbol.style.hat
+            && self.unhatted.contains(&Letter::of(symbol))
+        {
+            symbol.style.hat = false;
+            node.kind = Kind::Skew(Box::new(node.clone()));
+            return;
         }
         let framed = matches!(node.kind, Kind::InFrame(..));
         if let Some(vector) = bracketed(node)
@@ -199,6 +225,31 @@ fn acts_as_cross<'n>(
     let symbol = vector_of(&first.node)?;
     let same = matches!(&inner(&vector.node).kind, Kind::Symbol(s) if s == symbol);
     (same && other.operator == Operator::Cross).then_some(symbol)
+}
+
+/// Whether a line shows what a hat does: `\hat a\,b = a \times b`, or `\dot R = R\,\hat\omega`.
+fn hat_acts(left: &Node, right: &Node) -> bool {
+    let hatted = |node: &Node| lone(inner(node)).filter(|s| s.style.hat).cloned();
+    let two = |node: &Node| match &node.kind {
+        Kind::Product(factors) => <[Factor; 2]>::try_from(factors.clone()).ok(),
+        _ => None,
+    };
+    let Some([matrix, vector]) = two(left) else {
+        return false;
+    };
+    if let Kind::TimeDerivative { operand, .. } = &inner(right).kind {
+        let own =
+            |node: &Node| lone(node).is_some_and(|s| !s.style.hat) && lone(node) == lone(operand);
+        let beside = vector.operator == Operator::Juxtaposed;
+        return beside && own(&matrix.node) && hatted(&vector.node).is_some();
+    }
+    let Some(mut bare) = hatted(&matrix.node) else {
+        return false;
+    };
+    bare.style.hat = false;
+    two(right).is_some_and(|[first, second]| {
+        second.operator == Operator::Cross && lone(inner(&first.node)) == Some(&bare)
+    })
 }
 
 /// The R of `dR/dt = [a] R`.

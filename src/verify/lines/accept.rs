@@ -78,6 +78,7 @@ impl Checker<'_> {
             Taken::Solved | Taken::Kept => {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);
+                self.note_assumption(&name, role);
             }
         }
         self.now_known(sides);

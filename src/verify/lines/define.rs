@@ -92,6 +92,9 @@ impl Checker<'_> {
             return false;
         }
         self.keep(&name, definition);
+        if !definition {
+            self.note_assumption(&name, role);
+        }
         self.known.insert(entity);
         finding.verdict = Verdict::Accepted;
         if role == Role::Claim {

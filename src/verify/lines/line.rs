@@ -37,6 +37,7 @@ impl Checker<'_> {
     pub(crate) fn line(&mut self, line: &Line, role: Role) {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
+        self.leave_hypothesis(&line.sides, &mut finding);
         self.note_doubt(line, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained {
@@ -135,6 +136,7 @@ impl Checker<'_> {
                 .push("names a moment of the motion".to_owned());
             return;
         }
+        self.turn_to_case(&sides, role);
         let settled = self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)

@@ -265,7 +265,7 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     // "Writing ⟨α⟩ for the angular acceleration, …" names what stands before.
     let named = lead.ends_with("⟨ for") && behind.starts_with(',');
     let law = |text: &str| LAWS.iter().any(|law| text.ends_with(law));
-    if named || law(lead) || law(of_rate) {
+    if named || lead.ends_with(" no") || law(lead) || law(of_rate) {
         return None;
     }
     let of_axes = clause.is_some_and(|words| {

@@ -232,7 +232,9 @@ fn prescript<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [
 }
 
 /// The argument of a script and what follows it.
-fn script<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
+pub(super) fn script<'t, 'a>(
+    tokens: &'t [Token<'a>],
+) -> (Option<&'t [Token<'a>]>, &'t [Token<'a>]) {
     match tokens.first().map(|t| t.kind) {
         Some(Lexeme::Open) => {
             let close = crate::notation::parse::closing(tokens, 0);

@@ -1,0 +1,150 @@
+//! How long an assumption holds: to the end of its section, or to the next case.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
+use crate::verify::reason;
+use crate::verify::theory::Name;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::prose::{Said, said};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The cases of a section, told apart by paragraphs with a title of their own or by words.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Cases {
+    /// The number of the case that is looked at.
+    now: u32,
+    /// In which case each assumption was made.
+    kept: BTreeMap<Name, u32>,
+    /// Whether the sentence speaks of a case that is not the one at hand.
+    pub hypothesis: bool,
+}
+
+/// Words that turn to another case.
+const TURNS: &[&str] = &[
+    "instead",
+    "alternatively",
+    "conversely",
+    "on the other hand",
+    "in the other case",
+];
+
+impl Checker<'_> {
+    /// A heading ends the assumptions made under headings of its level and below.
+    pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {
+        let ended: BTreeSet<String> = self
+            .scopes
+            .iter()
+            .filter(|(name, l)| *l >= level && !self.outlasts(name, span))
+            .map(|(name, _)| name.clone())
+            .collect();
+        self.scopes.retain(|(name, _)| !ended.contains(name));
+        if !ended.is_empty() {
+            self.theory.retain(|premise| !ended.contains(&premise.name));
+        }
+        self.level = level;
+        self.cases = Cases::default();
+        self.sentence.clear();
+        self.last_side = None;
+        for said in said(text)
+            .into_iter()
+            .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
+        {
+            self.take(said, span);
+        }
+    }
+
+    /// Keeps a premise of the document to the end of its section; definitions stay.
+    pub(crate) fn keep(&mut self, name: &str, definition: bool) {
+        let level = if definition { 0 } else { self.level };
+        self.scopes.push((name.to_owned(), level));
+        self.axes_before = self.theory.setting.axes;
+    }
+
+    /// Notes in which case an assumption was made, or what a sentence gives in passing.
+    pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
+        if role == Role::Assume || role == Role::Given && !self.displayed {
+            self.cases.kept.insert(name.to_owned(), self.cases.now);
+        }
+    }
+
+    /// Notes that a paragraph opens with a title in bold or italic letters, or that words turn to another case.
+    pub(crate) fn note_case(&mut self, text: &str, span: Span, opens_paragraph: bool) {
+        let before = Span {
+            start: span.start.saturating_sub(12),
+            end: span.start,
+        };
+        let before = self.document.source.slice(before);
+        let titles = ["\\textbf{", "\\emph{", "\\textit{"];
+        let title = before.ends_with(['*', '_']) || titles.iter().any(|t| before.ends_with(t));
+        let lower = text.trim_start().to_lowercase();
+        let counted = ["case ", "(a) ", "(b) ", "(c) ", "(d) "];
+        let counted = counted.iter().any(|start| lower.starts_with(start));
+        let turned = TURNS.iter().any(|words| lower.contains(words));
+        if opens_paragraph && (title || counted) || turned {
+            self.cases.now += 1;
+        }
+    }
+
+    /// Ends the assumptions of earlier cases, where a line assumes something else of the same symbols.
+    pub(crate) fn turn_to_case(&mut self, sides: &[Node], role: Role) {
+        let Some(first) = sides.first() else { return };
+        let lone = matches!(inner(first).kind, Kind::Symbol(_));
+        let says = !self.displayed && !self.asserted && lone && role != Role::Define;
+        if role != Role::Assume && !says || self.cases.kept.values().all(|&c| c == self.cases.now) {
+            return;
+        }
+        let mut lowering = self.lowering(Frame::Moving);
+        let written = sides[..sides.len() - 1].iter();
+        let values: Vec<_> = written
+            .filter_map(|side| lowering.value(side).ok())
+            .collect();
+        let entries = values.iter().flat_map(|value| &value.entries);
+        let variables: BTreeSet<u32> = entries.flat_map(Fraction::variables).collect();
+        let earlier = |name: &Name| {
+            let made = self.cases.kept.get(name);
+            made.is_some_and(|&case| case < self.cases.now)
+        };
+        let same = |residual: &Fraction| residual.variables().iter().any(|v| variables.contains(v));
+        let mut premises = self.theory.premises().iter();
+        let meets = premises.any(|p| earlier(&p.name) && p.residuals.iter().any(same));
+        if !meets || role != Role::Assume && !self.contradicts(sides) {
+            return;
+        }
+        let kept = self.cases.kept.iter();
+        let before = kept.filter(|&(_, &case)| case < self.cases.now);
+        let ended: BTreeSet<Name> = before.map(|(name, _)| name.clone()).collect();
+        self.cases.kept.retain(|name, _| !ended.contains(name));
+        self.scopes.retain(|(name, _)| !ended.contains(name));
+        self.theory.retain(|premise| !ended.contains(&premise.name));
+    }
+
+    /// Whether a line is not true of what is known.
+    fn contradicts(&mut self, sides: &[Node]) -> bool {
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        let rests: Vec<Fraction> = read.residuals().cloned().collect();
+        rests
+            .iter()
+            .any(|rest| !num_traits::Zero::is_zero(&self.theory.normal(rest)))
+    }
+
+    /// Leaves a line open that a bracket sets against the numbers given, and those of its sentence that fail with it:
+    /// "for a square plate ($a = b$) we have $I_x = I_y$".
+    pub(crate) fn leave_hypothesis(&mut self, sides: &[Node], finding: &mut Finding) {
+        if finding.verdict != Verdict::Refuted || self.displayed {
+            return;
+        }
+        let aside = self.sentence.trim_end().ends_with('(');
+        self.cases.hypothesis |= aside && self.is_in_numbers(sides);
+        if self.cases.hypothesis {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason::OTHER_CASE.to_owned());
+            finding.counterexample = None;
+        }
+    }
+}
