@@ -8,12 +8,23 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::line::Read;
 use crate::verify::names;
+use crate::verify::theory::Theory;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::substituted;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 use std::collections::HashMap;
+
+/// Terms that the rate of a difference may come to.
+const MOST_TERMS: usize = 2_000;
+
+/// Whether a difference does not change in time.
+fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {
+    let rest = theory.normal(difference);
+    let rate = theory.atoms.derivative(&rest);
+    theory.normal(&rate).is_zero()
+}
 
 impl Checker<'_> {
     /// Takes in a line whose sides change at the same rate and are equal at the beginning.
@@ -22,10 +33,9 @@ impl Checker<'_> {
             return false;
         };
         let entries = equation.residual.entries.clone();
-        let same = entries.iter().all(|entry| {
-            let rest = self.theory.normal(entry);
-            let rate = self.theory.atoms.derivative(&rest);
-            self.theory.normal(&rate).is_zero()
+        let same = self.theory.within(MOST_TERMS, |theory| {
+            let mut entries = entries.iter();
+            entries.all(|entry| keeps(theory, entry)) && !theory.exhausted
         });
         if !same {
             return false;
