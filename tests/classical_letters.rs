@@ -75,3 +75,25 @@ $$ \mathbf r_1\times(\mathbf F_1 + \mathbf F_2) = \mathbf r_1\times\mathbf F_1 +
 ";
     assert_eq!(verdicts(arms), "p");
 }
+
+#[test]
+fn letters_that_the_words_call_the_components_of_the_angular_velocity() {
+    let body = r"
+$$ A\,\dot u = (B - C)\,v w $$
+
+$$ B\,\dot v = (C - A)\,w u $$
+
+$$ C\,\dot w = (B - A)\,u v $$
+
+$$ 2T = A u^2 + B v^2 + C w^2 $$
+";
+    for words in [
+        "$u$, $v$ and $w$ are the components of the angular velocity along them.",
+        "The components of the angular velocity along them are $u, v, w$.",
+    ] {
+        let text = format!(
+            "No moment acts on the body. $A$, $B$ and $C$ are its principal moments of inertia. {words} $T$ is the kinetic energy.\n{body}"
+        );
+        assert_eq!(verdicts(&text), "pprp", "{words}");
+    }
+}

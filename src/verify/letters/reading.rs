@@ -88,6 +88,7 @@ impl Reading {
         reading.points = TwoPoints::of(document, &reading.usage);
         reading.listen(document);
         reading.listed_moments(document);
+        reading.named_rates(document);
         reading.sequences(has_differences(document));
         reading.by_moments(document);
         reading.flat = reading.is_flat();

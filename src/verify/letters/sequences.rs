@@ -53,7 +53,8 @@ impl Reading {
             let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
             let all_move = [0, 2].iter().all(|&i| moving(&velocities[i]))
                 && self.usage.get(&velocities[1]).bare > 0;
-            if all_move || self.usage.lists(names) {
+            let named = velocities.iter().any(|l| self.components.contains_key(l));
+            if !named && (all_move || self.usage.lists(names)) {
                 self.take_components(velocities, Quantity::CentreVelocity);
             }
         }
@@ -81,7 +82,7 @@ impl Reading {
         }
     }
 
-    fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
+    pub(super) fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
         for (component, letter) in letters.into_iter().enumerate() {
             self.components.insert(letter, (quantity, component as u8));
         }
