@@ -49,7 +49,7 @@ impl Checker<'_> {
         }
         let zero = is_zero(last);
         let number = zero || symbols(last).is_empty();
-        if number && !self.asserted && self.is_any_moment(first, zero) {
+        if number && !self.asserted && !self.firm && self.is_any_moment(first, zero) {
             return true;
         }
         if (zero && self.asserted && self.displayed) || !self.is_free_input(first) {
