@@ -262,3 +262,30 @@ $$ \dot\omega_z = 0 $$
 ";
     assert_eq!(verdicts(text), "arp");
 }
+
+#[test]
+fn a_claim_about_a_case_is_no_assumption() {
+    let opening = "On the principal axes with the moments of inertia $C_1, C_2, C_3$ the energy is $T = \\tfrac12(C_1\\omega_1^2 + C_2\\omega_2^2 + C_3\\omega_3^2)$.";
+    let text = format!(
+        "{opening} For $\\omega_3 = 0$\nthis must fall back to\n\n$$ T = C_1\\omega_1^2 + C_2\\omega_2^2 $$\n"
+    );
+    assert_eq!(verdicts(&text), "par");
+}
+
+#[test]
+fn numbered_moments_beside_lettered_ones_may_be_about_other_axes() {
+    let text = r"A plate has $J_x = \int y^2\,dm$, $J_y = \int x^2\,dm$, $J_{xy} = \int xy\,dm$ and the principal moments $J_1$, $J_2$.
+
+$$ (J_1 - J_2)^2 = (J_x - J_y)^2 + 4J_{xy}^2 $$
+";
+    assert!(!verdicts(text).contains('r'));
+}
+
+#[test]
+fn the_determinant_of_a_letter_that_is_no_matrix_stays_open() {
+    let text = r"The body rates are $\omega_1, \omega_2, \omega_3$ and $F$ is the Jacobian.
+
+$$ \det F = 2\,\omega_1\omega_2\omega_3 $$
+";
+    assert_eq!(verdicts(text), "u");
+}

@@ -110,7 +110,7 @@ impl Checker<'_> {
     ) {
         let unknown = self.unknown_in(sides, Some(read));
         let loose = match decision {
-            Decision::False(_) => self.doubt(read),
+            Decision::False(_) => self.doubt(read).or_else(|| self.on_numbered_axes(sides)),
             _ => None,
         };
         let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);
@@ -160,6 +160,10 @@ impl Checker<'_> {
     pub(crate) fn troubled(&mut self, sides: &[Node], trouble: Trouble, finding: &mut Finding) {
         finding.place = trouble.span;
         let sure = trouble.kind == TroubleKind::IllTyped
+            && !self
+                .entities(sides)
+                .into_iter()
+                .any(|e| self.is_in_doubt(e))
             && self.unknown(sides).is_none()
             && self.all_marked(sides);
         finding.verdict = match trouble.kind {

@@ -1,9 +1,9 @@
 //! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
 
 use crate::algebra::{Fraction, Monomial, Rational};
-use crate::notation::ast::{Function, Kind, Line};
+use crate::notation::ast::{Function, Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::reason::leaves_no_doubt;
@@ -48,6 +48,10 @@ impl Checker<'_> {
                 match &self.theory.atoms.info(entity).owner {
                     Owner::Quantity(quantity, variant) if variant.is_empty() => {
                         sets_up |= lone && SETTING.contains(quantity);
+                        // No law here says what a force is: the letter may well mean something else.
+                        if lone && *quantity == Quantity::Force {
+                            self.doubts.symbols.insert(entity);
+                        }
                     }
                     _ => {
                         self.doubts.symbols.insert(entity);
@@ -97,6 +101,24 @@ impl Checker<'_> {
             }
         }
         None
+    }
+
+    /// Numbered moments of inertia in a line, where the letter has moments about x and y as well:
+    /// nothing says whether the two sets of axes are one.
+    pub(crate) fn on_numbered_axes(&self, sides: &[Node]) -> Option<String> {
+        let usage = &self.reading.usage;
+        let of_both = |symbol: &&Symbol| {
+            let letter = Letter::of(symbol);
+            let numbered = matches!(symbol.subscripts.as_slice(), [s] if matches!(s.as_str(), "1" | "2" | "3"));
+            let lettered = ["x", "y"].iter().all(|axis| usage.has_index(&letter, axis));
+            let inertia = self.reading.quantities.get(&letter) == Some(&Quantity::Inertia);
+            numbered && lettered && inertia
+        };
+        let found = sides.iter().flat_map(symbols).find(of_both)?;
+        Some(format!(
+            "nothing before says whether `{}` is about the axes x, y, z",
+            found.name
+        ))
     }
 
     /// Whether a variable is a component of the inertia about the mass centre that is left unsaid where others are told:

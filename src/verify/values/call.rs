@@ -15,6 +15,11 @@ impl Lowering<'_> {
         let value = self.value(argument)?;
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
         match function {
+            // What has a determinant or a trace is a matrix, and this letter was not read as one.
+            Function::Det | Function::Trace if value.is_scalar() => {
+                let message = "nothing before says of what matrix this is";
+                return Err(trouble(TroubleKind::Unsupported, node.span, message));
+            }
             Function::Det => return value.determinant().map(Value::scalar).map_err(ill),
             Function::Trace => return value.trace().map_err(ill),
             Function::Skew => return value.skew().map_err(ill),

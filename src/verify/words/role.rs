@@ -207,6 +207,9 @@ mod tests {
             ("Choose the time origin such that", Role::Assume),
             ("With zero torque the equations of motion are", Role::Claim),
             ("Its derivative is given by", Role::Claim),
+            ("Combinations with two moments left out", Role::Claim),
+            ("For ⟨c = 0⟩ the second line must fall back to", Role::Claim),
+            ("For ⟨s > 0⟩ we may also write", Role::Claim),
             ("Solved for the acceleration,", Role::Claim),
         ];
         for (sentence, expected) in cases {
