@@ -18,10 +18,15 @@ use std::collections::HashMap;
 
 /// Terms that the rate of a difference may come to.
 const MOST_TERMS: usize = 2_000;
+/// Terms of a difference whose rate is taken.
+const LONGEST: usize = 60;
 
 /// Whether a difference does not change in time.
 fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {
     let rest = theory.normal(difference);
+    if rest.numerator().len() > LONGEST {
+        return false;
+    }
     let rate = theory.atoms.derivative(&rest);
     theory.normal(&rate).is_zero()
 }
