@@ -20,6 +20,7 @@ pub(super) mod roles_by_law;
 pub(super) mod sequences;
 pub(super) mod sightings;
 pub(super) mod skew_marks;
+pub(super) mod space_axes;
 pub(super) mod triad;
 pub(super) mod two_points;
 pub(super) mod usage;

@@ -21,4 +21,5 @@ pub(super) mod named_only;
 pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod small;
+pub(super) mod space_line;
 pub(super) mod trust;

@@ -2,8 +2,9 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::Function;
-use crate::verify::values::atoms::{Atom, Atoms, Owner};
+use crate::verify::values::atoms::{Atom, Atoms, EntityInfo, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::spatial::ON_SPACE_AXES;
 use num_traits::One;
 
 /// Every variable in LaTeX, by its number.
@@ -25,7 +26,7 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
             }
             let info = atoms.info(*entity);
             let index = index(info.shape, &info.owner, *component, atoms.numbered);
-            let letter = dotted(&info.latex, *order);
+            let letter = dotted(&on_axes(atoms, info), *order);
             if index.is_empty() {
                 letter
             } else {
@@ -49,6 +50,20 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
             format!("(\\dot{{{letter}}})_{{XYZ,{index}}}")
         }
         Atom::Opaque { latex } => latex.clone(),
+    }
+}
+
+/// The letter of an entity, with the label of the axes that it stands on where the document writes one.
+fn on_axes(atoms: &Atoms, info: &EntityInfo) -> String {
+    match (&atoms.body_label, &info.owner) {
+        (Some(_), _) if info.in_body.is_some() => info.latex.replace("^s", ""),
+        (Some(_), Owner::Quantity(Quantity::Attitude | Quantity::Quaternion, _)) => {
+            info.latex.clone()
+        }
+        (Some(label), _) if matches!(info.shape, Shape::Vector | Shape::Symmetric) => {
+            format!("{}_{{{label}}}", info.latex)
+        }
+        _ => info.latex.clone(),
     }
 }
 
@@ -101,8 +116,12 @@ fn index(shape: Shape, owner: &Owner, component: u8, numbered: bool) -> String {
     };
     let axis = |i: u8| family[usize::from(i) % 3];
     let of = |text: String| match owner {
-        Owner::Quantity(_, variant) if !variant.is_empty() => format!("{variant},{text}"),
-        _ => text,
+        Owner::Quantity(_, variant) => match variant.strip_suffix(ON_SPACE_AXES).unwrap_or(variant)
+        {
+            "" => text,
+            variant => format!("{variant},{text}"),
+        },
+        Owner::Symbol(_) => text,
     };
     match shape {
         Shape::Scalar => match owner {

@@ -9,6 +9,7 @@ use crate::verify::check::keep_end;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::rivals::has_differences;
+use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
 use crate::verify::lines::euler_angles::EulerAngles;
@@ -36,6 +37,8 @@ pub(crate) struct Reading {
     pub frames: Frames,
     /// The attitude matrix and the quaternion.
     pub attitude: AttitudeReading,
+    /// The label of the body's axes, where plain letters stand on space axes.
+    pub space_axes: Option<SpaceAxes>,
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
@@ -104,6 +107,9 @@ impl Reading {
         reading.by_points();
         reading.in_a_plane();
         reading.typed_w(document.format == Format::Text);
+        let matrix = reading.attitude.matrix.as_ref();
+        reading.space_axes =
+            matrix.and_then(|matrix| SpaceAxes::of(document, Some(matrix), &reading.quantities));
         reading
     }
 

@@ -3,6 +3,7 @@
 
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::space_axes::turns_a_tensor;
 use crate::verify::letters::usage::{Letter, Usage, inner, symbols};
 use crate::verify::words::attitude_words::{rate_in_space, sentences};
 use num_traits::Zero;
@@ -34,9 +35,10 @@ pub(crate) fn note_skew_marks(document: &mut Document) {
             marks.look(line);
         }
     }
-    // Where the words put ω on those axes, the lines can be read.
+    // Where the words or the inertia put ω on those axes, the lines can be read.
     let said = sentences(document);
-    if said.iter().any(|s| rate_in_space(&s.text) == Some(true)) {
+    let in_space = said.iter().any(|s| rate_in_space(&s.text) == Some(true));
+    if in_space || turns_a_tensor(document) {
         marks.turning.clear();
     }
     let matrix = ["matrix", "skew", "cross product"];

@@ -33,8 +33,8 @@ impl Read {
 }
 
 impl Checker<'_> {
-    /// Decides a line and keeps what it says.
-    pub(crate) fn line(&mut self, line: &Line, role: Role) {
+    /// Decides a line on the axes that are set, and keeps what it says.
+    pub(crate) fn line_as_set(&mut self, line: &Line, role: Role) {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
         self.leave_hypothesis(&line.sides, &mut finding);
@@ -262,7 +262,7 @@ impl Checker<'_> {
         lowering.in_space = in_space;
         let values: Vec<Value> = sides
             .iter()
-            .map(|side| lowering.value(side))
+            .map(|side| lowering.side(side))
             .collect::<Result<_, _>>()?;
         let ambiguous = lowering.met_unlabelled;
         let values = lowering.sides_aligned(values);

@@ -73,7 +73,7 @@ fn written(atoms: &mut Atoms) -> Matrix3<Fraction> {
 }
 
 /// The matrix from components in the body to components in space.
-fn body_to_space(atoms: &mut Atoms, setting: Setting) -> Matrix3<Fraction> {
+pub(crate) fn body_to_space(atoms: &mut Atoms, setting: Setting) -> Matrix3<Fraction> {
     let matrix = written(atoms);
     if setting.attitude.matrix_to_body {
         matrix.transpose()
@@ -97,10 +97,10 @@ fn to_space(atoms: &mut Atoms, setting: Setting) -> Vector4<Fraction> {
     }
 }
 
-/// The angular velocity that turns the axes.
+/// The angular velocity that turns what the attitude is of: the axes used, or the body seen from space.
 fn turning(atoms: &mut Atoms, setting: Setting) -> Vector3<Fraction> {
     let quantity = match setting.axes {
-        Axes::Body => Quantity::AngularVelocity,
+        Axes::Body | Axes::Space => Quantity::AngularVelocity,
         Axes::Turning => Quantity::FrameRate,
     };
     vector(atoms, quantity, 0)

@@ -19,6 +19,8 @@ pub(crate) enum Axes {
     Body,
     /// They turn with an angular velocity Ω of their own.
     Turning,
+    /// They do not turn: Ω = 0.
+    Space,
 }
 
 /// Which side of the moment equation is taken as known.
@@ -180,6 +182,7 @@ fn determined(
             "body-axes",
             vector(atoms, AngularVelocity, 0)[component].clone(),
         )),
+        FrameRate if setting.axes == Axes::Space => Some(("space-axes", Fraction::zero())),
         Momentum => {
             let (inertia, omega) = (
                 inertia(atoms, setting.products),

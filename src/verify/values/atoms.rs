@@ -85,6 +85,8 @@ pub(crate) struct Atoms {
     spelled: HashMap<(Entity, u8), String>,
     /// Whether the document numbers its axes.
     pub numbered: bool,
+    /// The label of what stands on the body's axes, where the plain letters are those on space axes.
+    pub body_label: Option<String>,
 }
 
 impl Atoms {

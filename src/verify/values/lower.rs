@@ -1,11 +1,11 @@
 //! From a tree to its value: a grid of fractions in the document's variables.
 
 use crate::algebra::{Fraction, Polynomial, Rational};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{FrameLabel, Kind, Node};
 use crate::source::Span;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::axis;
+use crate::verify::letters::usage::{axes, axis};
 use crate::verify::reason;
 use crate::verify::theory::Theory;
 use crate::verify::theory::law::tensor;
@@ -102,6 +102,9 @@ impl Lowering<'_> {
             // `[r × v]_x` is a component.
             Kind::InFrame(a, label) => {
                 let value = self.value(a)?;
+                if (value.rows, value.columns) == (3, 3) {
+                    return self.entry(&value, label);
+                }
                 Ok(match axis(&label.text) {
                     Some(index) if value.is_vector() => {
                         Value::scalar(value.entries[usize::from(index)].clone())
@@ -191,6 +194,22 @@ impl Lowering<'_> {
                 TroubleKind::Unsupported,
                 node.span,
                 "a sum over an index is not expanded",
+            )),
+        }
+    }
+
+    /// `[I\,]_{xy}`, or the whole matrix where the label is that of a frame.
+    fn entry(&self, matrix: &Value, label: &FrameLabel) -> Lowered {
+        if let Some((row, column)) = axes(&label.text) {
+            let entry = matrix.at(row.into(), column.into());
+            return Ok(Value::scalar(entry.clone()));
+        }
+        match self.reading.frames.of_label(label) {
+            Some(_) => Ok(matrix.clone()),
+            None => Err(trouble(
+                TroubleKind::Unsupported,
+                label.span,
+                format!("the entry `{}` of a matrix is not known", label.text),
             )),
         }
     }

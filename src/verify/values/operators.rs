@@ -109,6 +109,11 @@ impl Lowering<'_> {
         {
             return Ok(inverse);
         }
+        if power == -1
+            && let Some(inverse) = self.turned_inverse(base)
+        {
+            return Ok(inverse);
+        }
         let base = if power < 0 {
             value.inverse().map_err(ill)?
         } else {

@@ -3,10 +3,12 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::theory::attitude_law::body_to_space;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
-use crate::verify::values::lower::Lowering;
-use crate::verify::values::quantity::Shape;
+use crate::verify::values::lower::{Lowered, Lowering};
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{Meaning, meaning};
+use crate::verify::values::value::Value;
 
 /// Words and abbreviations for axes of fixed orientation, wherever they stand.
 const WORDS: &[&str] = &[
@@ -56,6 +58,9 @@ pub(crate) fn without_body_label(symbol: &Symbol, reading: &Reading) -> Option<S
     (bare != *symbol).then_some(bare)
 }
 
+/// Tells what stands on space axes from the same on the axes used.
+pub(crate) const ON_SPACE_AXES: &str = " on space axes";
+
 /// What stands on space axes for what stands on the axes used.
 pub(crate) fn in_space(meaning: Meaning, atoms: &mut Atoms) -> Meaning {
     match meaning {
@@ -82,9 +87,9 @@ fn spatial(entity: Entity, atoms: &mut Atoms) -> Option<Entity> {
     };
     let owner = match info.owner {
         Owner::Quantity(quantity, variant) => {
-            Owner::Quantity(quantity, format!("{variant} on space axes"))
+            Owner::Quantity(quantity, format!("{variant}{ON_SPACE_AXES}"))
         }
-        Owner::Symbol(name) => Owner::Symbol(format!("{name} on space axes")),
+        Owner::Symbol(name) => Owner::Symbol(format!("{name}{ON_SPACE_AXES}")),
     };
     let turned = atoms.entity(&owner, shape, false, &format!("{}^s", info.latex));
     atoms.info_mut(turned).in_body = Some(entity);
@@ -92,6 +97,43 @@ fn spatial(entity: Entity, atoms: &mut Atoms) -> Option<Entity> {
 }
 
 impl Lowering<'_> {
+    /// The value of a side. A number that is the same on all axes is read as if it stood on the body's.
+    pub(crate) fn side(&mut self, side: &Node) -> Lowered {
+        let value = self.value(side)?;
+        let axes = self.reading.space_axes.as_ref();
+        let invariant = axes.is_some_and(|a| a.beside_body && a.is_invariant(side));
+        let turned =
+            |s: &Symbol| Some(&Quantity::Attitude) == self.reading.quantities.get(&Letter::of(s));
+        if !(invariant && value.is_scalar()) || symbols(side).into_iter().any(turned) {
+            return Ok(value);
+        }
+        let mut reading = self.reading.clone();
+        reading.space_axes = None;
+        let mut lowering = Lowering {
+            theory: &mut *self.theory,
+            reading: &reading,
+            ..*self
+        };
+        lowering.value(side)
+    }
+
+    /// The inverse of a tensor on space axes, R I⁻¹ Rᵀ.
+    pub(crate) fn turned_inverse(&mut self, base: &Node) -> Option<Value> {
+        let Kind::Symbol(symbol) = &inner(base).kind else {
+            return None;
+        };
+        let Meaning::Whole(entity) = meaning(symbol, self.reading, &mut self.theory.atoms) else {
+            return None;
+        };
+        let in_body = self.theory.atoms.info(entity).in_body?;
+        let inverse = self.meaning_value(Meaning::Whole(in_body), 0).inverse();
+        let setting = self.theory.setting;
+        let turn = body_to_space(&mut self.theory.atoms, setting);
+        let turn = Value::from_fn(3, 3, |r, c| turn[(r, c)].clone());
+        let turned = turn.times(&inverse.ok()?).ok()?;
+        turned.times(&turn.transposed()).ok()
+    }
+
     /// Whether a differentiated operand is a column of numbers of its own, so that every frame sees the same rate: on
     /// space axes, or the vector part of a quaternion.
     pub(crate) fn is_column_of_numbers(&mut self, operand: &Node) -> bool {

@@ -47,6 +47,20 @@ pub(crate) const MAGNITUDE: &str = "magnitude";
 
 /// Decides what a symbol stands for.
 pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    let Some(axes) = reading.space_axes.as_ref().filter(|a| a.beside_body) else {
+        return as_written(symbol, reading, atoms);
+    };
+    if let Some(bare) = axes.without_label(symbol) {
+        return as_written(&bare, reading, atoms);
+    }
+    match reading.quantities.get(&Letter::of(symbol)) {
+        Some(Quantity::Attitude) => as_written(symbol, reading, atoms),
+        _ => in_space(as_written(symbol, reading, atoms), atoms),
+    }
+}
+
+/// The same, where every symbol stands on the axes used unless a mark of its own says otherwise.
+fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
     if let Some(part) = reading.attitude.part(symbol) {
         let entity = atoms.quantity(Quantity::Quaternion);
         return match part {
@@ -55,16 +69,16 @@ pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
         };
     }
     if let Some(bare) = without_label(symbol, reading) {
-        let meaning = meaning(&bare, reading, atoms);
+        let meaning = as_written(&bare, reading, atoms);
         return in_space(meaning, atoms);
     }
     if let Some(bare) = without_body_label(symbol, reading) {
-        return meaning(&bare, reading, atoms);
+        return as_written(&bare, reading, atoms);
     }
     if reading.marks_skew(symbol) {
         let mut vector = symbol.clone();
         vector.style.tilde = false;
-        return meaning(&vector, reading, atoms);
+        return as_written(&vector, reading, atoms);
     }
     if let Some(meaning) = about_a_point(symbol, reading, atoms) {
         return meaning;

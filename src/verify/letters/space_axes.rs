@@ -1,0 +1,161 @@
+//! Documents whose plain letters stand on axes of fixed orientation, and where a label puts the others on the body's:
+//! `I = R I_b R^T`.
+
+use crate::notation::ast::{Kind, Node, Operator, Symbol};
+use crate::notation::document::Document;
+use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
+use crate::verify::repair::lines;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::words::attitude_words::{rate_in_space, sentences};
+use std::collections::BTreeMap;
+
+/// Labels of the body's axes, beside the one that the document writes on its tensor.
+const BODY: &[&str] = &["b", "B", "body", "bod", "Body"];
+
+/// What a document says by writing its inertia as one that turns with the body.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SpaceAxes {
+    /// The letter of the inertia.
+    inertia: Option<Letter>,
+    /// The label of the same tensor on the body's axes.
+    pub label: String,
+    /// Whether the line that is being read speaks of the body's axes, so that plain letters are turned.
+    pub beside_body: bool,
+}
+
+impl SpaceAxes {
+    /// Looks for a line that says what the inertia is on space axes, by the matrix that is the document's attitude.
+    pub(crate) fn of(
+        document: &Document,
+        matrix: Option<&Letter>,
+        quantities: &BTreeMap<Letter, Quantity>,
+    ) -> Option<Self> {
+        let (plain, labelled) = turned_tensor(document, matrix)?;
+        let letter = Letter::of(plain);
+        if quantities.get(&letter) != Some(&Quantity::Inertia) {
+            return None;
+        }
+        let found = Self {
+            label: labelled.subscripts.concat().trim().to_owned(),
+            inertia: Some(letter),
+            beside_body: false,
+        };
+        // Where ω wears no label, words may put it on the body's axes all the same.
+        let mut all = lines(document)
+            .flat_map(|line| &line.sides)
+            .flat_map(symbols);
+        let labelled_rate = all.any(|s| s.name == "omega" && found.without_label(s).is_some());
+        let on_body =
+            |clause: &str| clause.contains("⟨omega⟩") && rate_in_space(clause) == Some(false);
+        let said = sentences(document);
+        let mut clauses = said.iter().flat_map(|s| s.text.split([',', ';']));
+        let denied = clauses.any(on_body);
+        (labelled_rate || !denied).then_some(found)
+    }
+
+    /// A symbol without the label that puts it on the body's axes; `None` where it has none.
+    pub(crate) fn without_label(&self, symbol: &Symbol) -> Option<Symbol> {
+        let inertia = self.inertia.as_ref() == Some(&Letter::of(symbol));
+        // The ω_0 beside an I_0 is that at the beginning.
+        let lettered = self.label.chars().all(char::is_alphabetic);
+        let labels = |text: &str| {
+            let text = text.trim();
+            BODY.contains(&text) || text == self.label && (inertia || lettered)
+        };
+        let mut bare = symbol.clone();
+        bare.subscripts.retain(|text| !labels(text));
+        (bare != *symbol).then_some(bare)
+    }
+
+    /// Whether a formula is a number made of whole vectors and tensors without the label by sums and products: it is
+    /// the same on all axes.
+    pub(crate) fn is_invariant(&self, side: &Node) -> bool {
+        let whole = |symbol: &Symbol| {
+            symbol.subscripts.is_empty() && symbol.superscripts.is_empty() && !symbol.style.hat
+        };
+        let kind = match &side.kind {
+            Kind::Symbol(symbol) => return whole(symbol),
+            Kind::Number(_)
+            | Kind::Negate(_)
+            | Kind::Sum(_)
+            | Kind::Product(_)
+            | Kind::Quotient(..)
+            | Kind::Transpose(_)
+            | Kind::Skew(_)
+            | Kind::Group(..)
+            | Kind::Norm(_) => true,
+            Kind::Power(_, exponent) => matches!(exponent.kind, Kind::Number(_)),
+            _ => false,
+        };
+        kind && side
+            .children()
+            .into_iter()
+            .all(|child| self.is_invariant(child))
+    }
+
+    /// Whether a symbol of a formula is labelled so.
+    pub(crate) fn labels_any(&self, sides: &[Node]) -> bool {
+        let mut all = sides.iter().flat_map(symbols);
+        all.any(|symbol| self.without_label(symbol).is_some())
+    }
+}
+
+/// Whether a line of a document writes a tensor as one that is turned: `I = R I_b R^T`.
+pub(crate) fn turns_a_tensor(document: &Document) -> bool {
+    turned_tensor(document, None).is_some()
+}
+
+/// The tensor without and with the label.
+fn turned_tensor<'d>(
+    document: &'d Document,
+    matrix: Option<&Letter>,
+) -> Option<(&'d Symbol, &'d Symbol)> {
+    lines(document).find_map(|line| {
+        let mut pairs = line.sides.windows(2);
+        pairs.find_map(|pair| {
+            let either = [(&pair[0], &pair[1]), (&pair[1], &pair[0])];
+            either.into_iter().find_map(|(left, right)| {
+                let plain = tensor(left)?;
+                let (by, labelled) = turned(right)?;
+                let same = Letter::of(plain) == Letter::of(labelled);
+                let known = matrix.is_none_or(|matrix| *matrix == Letter::of(by));
+                let told = is_label(labelled) && plain.subscripts.is_empty();
+                (same && known && told && plain.primes == labelled.primes)
+                    .then_some((plain, labelled))
+            })
+        })
+    })
+}
+
+/// Whether a symbol has one subscript, and no index of a component.
+fn is_label(symbol: &Symbol) -> bool {
+    matches!(symbol.subscripts.as_slice(), [one] if axis(one).is_none() && axes(one).is_none())
+}
+
+/// A symbol, its inverse, or its value at a time: `I`, `I^{-1}`, `I(t)`.
+fn tensor(node: &Node) -> Option<&Symbol> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        Kind::Power(base, _) => tensor(base),
+        Kind::Call(head, arguments) if arguments.len() == 1 => tensor(head),
+        _ => None,
+    }
+}
+
+/// The R and the A of `R A R^T` or `R^T A R`.
+fn turned(node: &Node) -> Option<(&Symbol, &Symbol)> {
+    let Kind::Product(factors) = &inner(node).kind else {
+        return None;
+    };
+    let [first, middle, last] = factors.as_slice() else {
+        return None;
+    };
+    let beside = [middle, last].map(|f| f.operator == Operator::Juxtaposed);
+    let by = match (&first.node.kind, &last.node.kind) {
+        (_, Kind::Transpose(inside)) if tensor(inside)? == tensor(&first.node)? => inside,
+        (Kind::Transpose(inside), _) if tensor(inside)? == tensor(&last.node)? => inside,
+        _ => return None,
+    };
+    let found = (tensor(by)?, tensor(&middle.node)?);
+    (beside == [true; 2]).then_some(found)
+}

@@ -1,0 +1,71 @@
+//! Documents whose plain letters stand on axes of fixed orientation, and where a label puts the others on the body's.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const OPENING: &str = "The rotation matrix $R$ takes body coordinates to world coordinates, and the inertia tensor is\n\n\
+                       $$I = R\\,I_b\\,R^T .$$\n\n";
+
+/// The verdicts of lines behind one that says what the inertia is on space axes.
+fn behind_the_opening(lines: &[&str]) -> String {
+    let shown: Vec<String> = lines.iter().map(|l| format!("$$\n{l}\n$$\n")).collect();
+    let all = verdicts(&format!("{OPENING}Here we find\n\n{}", shown.join("\n")));
+    all.strip_prefix('p')
+        .expect("the opening is proved")
+        .to_owned()
+}
+
+#[test]
+fn on_fixed_axes_the_inertia_changes_with_the_attitude() {
+    let lines = [
+        r"\dot R = [\omega]_\times R",
+        r"\dot I = [\omega]_\times I - I[\omega]_\times",
+        r"\dot I = \dot R I_b R^T + R I_b \dot R^T",
+        r"\operatorname{tr}\dot I = 0",
+        r"\omega\cdot\dot I\omega = 0",
+        r"L = I\omega",
+        r"M = \dot L = \dot I\omega + I\dot\omega",
+        r"M = I\dot\omega + \omega\times I\omega",
+        r"\dot I = I[\omega]_\times - [\omega]_\times I",
+        r"M = I\dot\omega - \omega\times I\omega",
+    ];
+    assert_eq!(behind_the_opening(&lines), "pppppppprr");
+}
+
+#[test]
+fn labels_put_vectors_on_the_axes_of_the_body() {
+    let lines = [
+        r"\omega = R\,\omega_b",
+        r"L = R\,I_b\,\omega_b",
+        r"\dot\omega = R\,\dot\omega_b",
+        r"\dot L = R\left(\dot L_b + \omega_b\times L_b\right)",
+        r"M_b = R^T M",
+        r"M_b = I_b\dot\omega_b + \omega_b\times I_b\omega_b",
+        r"T = \tfrac12\,\omega^T I\,\omega = \tfrac12\,\omega_b^T I_b\,\omega_b",
+        r"I^{-1} = R\,I_b^{-1} R^T",
+        r"\dot L = R\,\dot L_b",
+        r"\omega_b = R\,\omega",
+    ];
+    assert_eq!(behind_the_opening(&lines), "pppppppprr");
+}
+
+#[test]
+fn a_moment_that_vanishes_vanishes_on_all_axes() {
+    let text = format!(
+        "{OPENING}No torque acts, $M = 0$. It follows that\n\n$$\\dot L = 0$$\n\nand on the axes of the body that\n\n\
+         $$I_b\\dot\\omega_b + \\omega_b\\times I_b\\omega_b = 0 .$$\n\nThis is not the same as\n\n$$\\dot L_b = 0 .$$\n"
+    );
+    let found = verdicts(&text);
+    assert!(found.starts_with("pa"), "{found}");
+    assert!(found[2..].starts_with("pp"), "{found}");
+    assert!(!found[4..].contains(['p', 'a']), "{found}");
+}
+
+#[test]
+fn words_that_put_the_angular_velocity_on_the_body_stand() {
+    let text = "The rotation matrix $R$ takes body coordinates to world coordinates. $\\omega$ has body components.\n\n\
+                $$I = R\\,I_b\\,R^T$$\n\n$$\\dot R = R[\\omega]_\\times$$\n";
+    assert!(verdicts(text).ends_with('p'));
+}
