@@ -20,6 +20,7 @@ pub(super) mod line;
 pub(super) mod named_only;
 pub(super) mod news;
 pub(super) mod numbers;
+pub(super) mod points;
 pub(super) mod small;
 pub(super) mod space_line;
 pub(super) mod trust;

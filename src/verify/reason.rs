@@ -1,6 +1,8 @@
 //! Why lines stay open, in words that more than one step has to know.
 
 pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here determines it";
+pub(super) const RESTS_ON_GIVEN: &str =
+    "a line that was taken as given, and may be false, gives this value";
 pub(super) const RELATION: &str = "this relation is not decided";
 pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";
@@ -13,6 +15,7 @@ pub(super) const BUDGET: &str =
 pub(super) fn leaves_no_doubt(reason: &str) -> bool {
     [
         TAKEN_AS_GIVEN,
+        RESTS_ON_GIVEN,
         RELATION,
         INTEGRAL,
         OTHER_CASE,

@@ -1,12 +1,13 @@
 //! Data: values in numbers that a document hands over, and lines that need them.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::decimals::holds_decimals;
 use crate::verify::lines::numbers::Numerical;
+use crate::verify::reason::{RESTS_ON_GIVEN, TAKEN_AS_GIVEN};
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::theory::{MOMENTARY, Name, Rule, Taken, Theory};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
@@ -113,6 +114,32 @@ impl Checker<'_> {
             }
         }
         false
+    }
+
+    /// Leaves a value in numbers open that rests on a line which was taken as given without a check.
+    pub(crate) fn withhold_value(&self, line: &Line, finding: &mut Finding) {
+        let vanishes = line
+            .sides
+            .last()
+            .is_some_and(|side| matches!(&side.kind, Kind::Number(n) if n.value.is_zero()));
+        let numbers = !vanishes
+            && line.sides.len() > 1
+            && symbols(&line.sides[line.sides.len() - 1]).is_empty();
+        if !numbers || !matches!(finding.verdict, Verdict::Proved(_)) {
+            return;
+        }
+        let unchecked = |f: &&Finding| {
+            f.verdict == Verdict::Undecided && f.reason.as_deref() == Some(TAKEN_AS_GIVEN)
+        };
+        let named = |f: &Finding| match f.cell {
+            Some(cell) => format!("cell {cell}, line {}", f.source_line),
+            None => format!("line {}", f.source_line),
+        };
+        let mut names = self.findings.iter().filter(unchecked).map(named);
+        if names.any(|name| finding.uses.contains(&name)) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(RESTS_ON_GIVEN.to_owned());
+        }
     }
 
     /// A vector that moves, given in numbers, is so at one instant: its rate is not zero for that.

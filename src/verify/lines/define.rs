@@ -13,6 +13,7 @@ use crate::verify::values::quantity::Shape;
 use crate::verify::values::symbol::{ANY_POINT, Meaning};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
 
 /// Rows and columns of a matrix that a symbol may stand for.
 const LARGEST: usize = 12;
@@ -96,6 +97,12 @@ impl Checker<'_> {
             self.note_assumption(&name, role);
         }
         self.known.insert(entity);
+        // ⟨ρ = x i + y j + z k⟩ says what x, y and z are.
+        let plain = |entry: &Fraction| entry.is_zero() || entry.as_variable().is_some();
+        let listed = !matches!(inner(right).kind, Kind::Symbol(_));
+        if listed && value.is_vector() && value.entries.iter().all(plain) {
+            self.now_known([right]);
+        }
         finding.verdict = Verdict::Accepted;
         if role == Role::Claim {
             finding.role = Role::Define;

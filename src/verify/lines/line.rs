@@ -38,6 +38,7 @@ impl Checker<'_> {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
         self.leave_hypothesis(&line.sides, &mut finding);
+        self.withhold_value(line, &mut finding);
         self.note_doubt(line, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained {
@@ -137,6 +138,9 @@ impl Checker<'_> {
             return;
         }
         self.turn_to_case(&sides, role);
+        if role == Role::Claim {
+            self.tie_new_symbols(&sides, finding);
+        }
         let settled = self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)

@@ -1,0 +1,54 @@
+//! Claims that are the first to speak of a symbol whose name and the laws say what it is.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn the_acceleration_of_a_point_is_the_rate_of_its_velocity() {
+    let with = |centripetal: &str| {
+        let text = r"The axes xyz turn with the body at $\vec\omega$. The vector $\vec\rho$ from $C$ to $Q$ is fixed in the body, $\left(\frac{d\vec\rho}{dt}\right)_{xyz} = \vec 0$. Suppose
+
+$$ \vec v_Q = \vec v_C + \vec\omega\times\vec\rho $$
+
+Then
+
+$$ \vec a_Q = \vec a_C + \dot{\vec\omega}\times\vec\rho SIGN \vec\omega\times(\vec\omega\times\vec\rho) $$
+";
+        verdicts(&text.replace("SIGN", centripetal))
+    };
+    assert_eq!(with("+"), "aap");
+    assert_eq!(with("-"), "aar");
+}
+
+#[test]
+fn the_momentum_about_another_point_has_the_moment_of_the_momentum() {
+    let with = |term: &str| {
+        let text = r"Let $\mathbf L_C = \mathbf I_C\boldsymbol\omega$ be the angular momentum about the centre of mass $C$, $m$ the mass and $\mathbf{r}_{PC}$ the vector from $P$ to $C$. Suppose that
+
+$$ \mathbf v_C = \boldsymbol\omega\times\mathbf r_{PC} $$
+
+About $P$ the angular momentum is
+
+$$ \mathbf L_P = \mathbf L_C + TERM $$
+";
+        let all = verdicts(&text.replace("TERM", term));
+        all.chars().last()
+    };
+    assert_eq!(with(r"m\,\mathbf r_{PC}\times\mathbf v_C"), Some('p'));
+    assert_eq!(with(r"m\,\mathbf v_C\times\mathbf r_{PC}"), Some('r'));
+}
+
+#[test]
+fn the_moment_of_inertia_about_an_axis_is_told_by_its_unit_vector() {
+    let with = |factor: &str| {
+        let text = r"Let the unit vector $\hat n = n_x\hat i + n_y\hat j + n_z\hat k$ lie on an axis. The moment of inertia about it is
+
+$$ I_n = I_{xx}n_x^2 + I_{yy}n_y^2 + I_{zz}n_z^2 - FACTOR(I_{xy}n_xn_y + I_{yz}n_yn_z + I_{xz}n_xn_z) $$
+";
+        verdicts(&text.replace("FACTOR", factor))
+    };
+    assert_eq!(with("2"), "ap");
+    assert_eq!(with(""), "ar");
+}
