@@ -52,3 +52,29 @@ $$ I_n = I_{xx}n_x^2 + I_{yy}n_y^2 + I_{zz}n_z^2 - FACTOR(I_{xy}n_xn_y + I_{yz}n
     assert_eq!(with("2"), "ap");
     assert_eq!(with(""), "ar");
 }
+
+#[test]
+fn a_moment_about_an_axis_is_used_before_it_is_written_out() {
+    let text = r"Let the body turn about the unit vector $\hat n = n_x\hat i + n_y\hat j + n_z\hat k$, that is, $\vec\omega = \omega\,\hat n$. Then $T = \frac12 I_n\omega^2$ with
+
+$$ I_n = I_{xx}n_x^2 + I_{yy}n_y^2 + I_{zz}n_z^2 - I_{xy}n_xn_y - I_{yz}n_yn_z - I_{xz}n_xn_z $$
+
+The momentum along the axis is
+
+$$ \hat n\cdot\vec L = I_n\omega $$
+";
+    assert_eq!(verdicts(text), "aaprp");
+}
+
+#[test]
+fn a_value_that_rests_on_a_formula_nothing_checked_is_left_open() {
+    let text = r"The body is a block with axes x, y, z as principal axes, and therefore
+
+$$ I_x = m (b^2 + c^2)/6 $$
+
+Put in $m = 12$, $b = 2$, $c = 1$:
+
+$$ I_x = 10 $$
+";
+    assert!(verdicts(text).ends_with('u'), "{}", verdicts(text));
+}

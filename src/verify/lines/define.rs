@@ -97,12 +97,7 @@ impl Checker<'_> {
             self.note_assumption(&name, role);
         }
         self.known.insert(entity);
-        // ⟨ρ = x i + y j + z k⟩ says what x, y and z are.
-        let plain = |entry: &Fraction| entry.is_zero() || entry.as_variable().is_some();
-        let listed = !matches!(inner(right).kind, Kind::Symbol(_));
-        if listed && value.is_vector() && value.entries.iter().all(plain) {
-            self.now_known([right]);
-        }
+        self.know_coordinates(&value);
         finding.verdict = Verdict::Accepted;
         if role == Role::Claim {
             finding.role = Role::Define;
@@ -113,6 +108,19 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    /// ⟨ρ = x i + y j + z k⟩ says what x, y and z are.
+    fn know_coordinates(&mut self, value: &Value) {
+        let variables = value.entries.iter().filter(|entry| !entry.is_zero());
+        let variables: Option<Vec<Variable>> = variables.map(Fraction::as_variable).collect();
+        let atoms = &self.theory.atoms;
+        let entities = variables.unwrap_or_default().into_iter();
+        let entities = entities.filter_map(|variable| atoms.entity_of(variable));
+        let scalars = entities.filter(|&entity| atoms.info(entity).shape == Shape::Scalar);
+        if value.is_vector() {
+            self.known.extend(scalars);
+        }
     }
 
     /// `2E = …`, `M^2 = …` for an E and an M that nothing has said anything of.

@@ -51,6 +51,10 @@ impl<'a> Checker<'a> {
         if known || !used.contains(&entity) || line.continues {
             return;
         }
+        // What a law says of it needs no line.
+        if matches!(&left.kind, Kind::Symbol(symbol) if self.moment_about_axis(symbol).is_some()) {
+            return;
+        }
         // What it is made of must be known already.
         if !self.strangers(std::slice::from_ref(right)).is_empty() {
             return;

@@ -17,7 +17,7 @@ use crate::verify::verdict::{Finding, Verdict};
 use nalgebra::Vector3;
 
 /// The value that a law gives to a new symbol.
-struct Law {
+pub(crate) struct Law {
     name: &'static str,
     entity: Entity,
     value: Value,
@@ -174,7 +174,7 @@ impl Checker<'_> {
     }
 
     /// I_u = u·(I u) for a unit vector u.
-    fn moment_about_axis(&mut self, symbol: &Symbol) -> Option<Law> {
+    pub(crate) fn moment_about_axis(&mut self, symbol: &Symbol) -> Option<Law> {
         let letter = Letter::of(symbol);
         if self.reading.quantities.get(&letter) != Some(&Quantity::Inertia) || !self.is_new(symbol)
         {
