@@ -117,9 +117,8 @@ impl Checker<'_> {
         let atoms = &self.theory.atoms;
         let entities = variables.unwrap_or_default().into_iter();
         let entities = entities.filter_map(|variable| atoms.entity_of(variable));
-        let scalars = entities.filter(|&entity| atoms.info(entity).shape == Shape::Scalar);
         if value.is_vector() {
-            self.known.extend(scalars);
+            self.known.extend(entities);
         }
     }
 

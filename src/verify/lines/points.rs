@@ -21,6 +21,8 @@ pub(crate) struct Law {
     name: &'static str,
     entity: Entity,
     value: Value,
+    /// What vanishes beside: the length of a unit vector less one.
+    beside: Vec<Fraction>,
 }
 
 impl Checker<'_> {
@@ -33,9 +35,12 @@ impl Checker<'_> {
         if taken.is_empty() {
             return;
         }
+        let slips = self.slips.len();
         let mut tried = finding.clone();
         self.claim(sides, &mut tried);
+        self.slips.truncate(slips);
         if !matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+            taken.push(self.line_name(finding));
             self.scopes.retain(|(name, _)| !taken.contains(name));
             self.theory.retain(|premise| !taken.contains(&premise.name));
         }
@@ -73,10 +78,19 @@ impl Checker<'_> {
             preferred,
             definition: true,
         });
-        (taken == Taken::Solved).then(|| {
-            self.keep(&name, true);
-            name
-        })
+        if taken != Taken::Solved {
+            return None;
+        }
+        if !law.beside.is_empty() {
+            self.theory.assume(Premise {
+                name: name.clone(),
+                residuals: law.beside,
+                preferred: vec![],
+                definition: true,
+            });
+        }
+        self.keep(&name, true);
+        Some(name)
     }
 
     /// Whether nothing has said of a symbol what it is.
@@ -106,6 +120,7 @@ impl Checker<'_> {
             name: "kinematics",
             entity,
             value,
+            beside: vec![],
         })
     }
 
@@ -144,6 +159,7 @@ impl Checker<'_> {
             name: "momentum about another point",
             entity,
             value,
+            beside: vec![],
         })
     }
 
@@ -190,11 +206,13 @@ impl Checker<'_> {
         };
         let entity = self.entity_named(symbol)?;
         let along = Vector3::from(self.theory.atoms.vector(direction, 0));
+        let unit = vec![along.dot(&along) - Fraction::from_ratio(1, 1)];
         let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
         Some(Law {
             name: "inertia about an axis",
             entity,
             value: Value::scalar(along.dot(&(tensor * along.clone()))),
+            beside: unit,
         })
     }
 }
