@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::Function;
-use crate::verify::values::atoms::{Atom, Atoms, EntityInfo, Owner};
+use crate::verify::values::atoms::{Atom, Atoms, Entity, EntityInfo, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::ON_SPACE_AXES;
 use num_traits::One;
@@ -11,6 +11,13 @@ use num_traits::One;
 pub(super) fn all(atoms: &Atoms) -> Vec<String> {
     let count = atoms.count() as Variable;
     (0..count).map(|variable| latex(atoms, variable)).collect()
+}
+
+/// What a variable is at one instant: a symbol of its own that does not move, such as `\omega_x(0)`.
+pub(super) fn at_instant(atoms: &mut Atoms, variable: Variable, instant: &str) -> Entity {
+    let moving = latex(atoms, variable);
+    let owner = Owner::Symbol(format!("{moving} at {instant}"));
+    atoms.entity(&owner, Shape::Scalar, true, &format!("{moving}({instant})"))
 }
 
 /// A variable in LaTeX.

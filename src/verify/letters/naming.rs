@@ -7,7 +7,7 @@ use crate::verify::letters::usage::inner;
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::quantity::Shape;
 use crate::verify::values::symbol::Meaning;
-use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::verdict::Finding;
 
 impl Checker<'_> {
     /// Takes in a line that gives the components of a vector their names, where nothing determines either.
@@ -45,11 +45,6 @@ impl Checker<'_> {
                 return false;
             }
         }
-        self.accept(sides, Role::Define, finding);
-        let accepted = finding.verdict == Verdict::Accepted;
-        if accepted {
-            finding.role = Role::Define;
-        }
-        accepted
+        self.accept_definition(sides, finding)
     }
 }

@@ -12,6 +12,16 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
 impl Checker<'_> {
+    /// Takes a line in as a definition, whatever its words made of it; false where it can't be one.
+    pub(crate) fn accept_definition(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        self.accept(sides, Role::Define, finding);
+        let accepted = finding.verdict == Verdict::Accepted;
+        if accepted {
+            finding.role = Role::Define;
+        }
+        accepted
+    }
+
     /// Takes a given line, an assumption or a definition in.
     pub(crate) fn accept(&mut self, sides: &[Node], role: Role, finding: &mut Finding) {
         let mut readings = match self.readings(sides) {

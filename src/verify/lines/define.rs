@@ -149,12 +149,7 @@ impl Checker<'_> {
         if others.any(|symbol| self.meaning_of(symbol) == Meaning::Whole(entity)) {
             return false;
         }
-        self.accept(sides, Role::Define, finding);
-        let accepted = finding.verdict == Verdict::Accepted;
-        if accepted {
-            finding.role = Role::Define;
-        }
-        accepted
+        self.accept_definition(sides, finding)
     }
 
     /// A matrix of new symbols on the left, with signs or zeros among them: each gets its value.

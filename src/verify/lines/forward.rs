@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Item, Row};
 use crate::verify::check::Checker;
 use crate::verify::values::atoms::{Entity, Owner};
-use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::verdict::{Finding, Role};
 use std::collections::BTreeSet;
 
 /// Items that are looked at behind a formula.
@@ -88,10 +88,8 @@ impl<'a> Checker<'a> {
         if !implicit {
             return false;
         }
-        self.accept(sides, Role::Define, finding);
-        let accepted = finding.verdict == Verdict::Accepted;
+        let accepted = self.accept_definition(sides, finding);
         if accepted {
-            finding.role = Role::Define;
             self.known.extend(strangers);
         }
         accepted

@@ -11,7 +11,7 @@ use crate::verify::names;
 use crate::verify::theory::Theory;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::substituted;
-use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -101,12 +101,7 @@ impl Checker<'_> {
             };
             images.insert(variable, image);
         }
-        substituted(value, &|v| {
-            images
-                .get(&v)
-                .cloned()
-                .unwrap_or_else(|| variable_fraction(v))
-        })
+        put_in(value, &images)
     }
 
     /// A value with what moves in it as it was at the beginning, where lines say that: `s(0) = 0`.
@@ -121,23 +116,16 @@ impl Checker<'_> {
             if order == 0 && self.theory.atoms.info(entity).constant {
                 continue;
             }
-            let latex = names::latex(&self.theory.atoms, variable);
-            let owner = Owner::Symbol(format!("{latex} at 0"));
-            let named = format!("{latex}(0)");
-            let start = self
-                .theory
-                .atoms
-                .entity(&owner, Shape::Scalar, true, &named);
+            let start = names::at_instant(&mut self.theory.atoms, variable, "0");
             self.theory.mentions_entity(start).then_some(())?;
             images.insert(variable, self.theory.atoms.value(start, 0, 0));
             moved = true;
         }
-        let image = |v| {
-            images
-                .get(&v)
-                .cloned()
-                .unwrap_or_else(|| variable_fraction(v))
-        };
-        moved.then(|| substituted(&value, &image))
+        moved.then(|| put_in(&value, &images))
     }
+}
+
+fn put_in(value: &Fraction, images: &HashMap<Variable, Fraction>) -> Fraction {
+    let image = |v| images.get(&v).cloned();
+    substituted(value, &|v| image(v).unwrap_or_else(|| variable_fraction(v)))
 }

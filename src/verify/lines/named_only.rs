@@ -48,12 +48,7 @@ impl Checker<'_> {
         {
             return false;
         }
-        let points: String = symbol
-            .subscripts
-            .iter()
-            .chain(&symbol.superscripts)
-            .cloned()
-            .collect();
+        let points = labels(symbol);
         terms.iter().any(|term| {
             self.arm(&term.node, &points)
                 .is_some_and(|forward| forward == term.negative)
@@ -78,12 +73,7 @@ impl Checker<'_> {
             (None, Some(arm)) if self.one_of(first, &moving).is_some() => (arm, false),
             _ => return None,
         };
-        let written: String = arm
-            .subscripts
-            .iter()
-            .chain(&arm.superscripts)
-            .cloned()
-            .collect();
+        let written = labels(&arm);
         Some(before == starts_at(&written, point)?)
     }
 
@@ -118,4 +108,10 @@ fn is_multiple_of_unprimed(symbol: &Symbol, right: &Node) -> bool {
         |s: &&Symbol| s.name == symbol.name && s.primes == 0 && s.subscripts == symbol.subscripts;
     let product = matches!(inner(right).kind, Kind::Product(_) | Kind::Quotient(..));
     symbol.primes > 0 && product && matches!(all.as_slice(), [only] if plain(only))
+}
+
+/// All that stands under and over a symbol.
+fn labels(symbol: &Symbol) -> String {
+    let written = symbol.subscripts.iter().chain(&symbol.superscripts);
+    written.map(String::as_str).collect()
 }

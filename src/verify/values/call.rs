@@ -4,9 +4,8 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::names;
-use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
-use crate::verify::values::quantity::Shape;
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
 
@@ -110,13 +109,7 @@ impl Lowering<'_> {
         }
         let entries = value.entries.iter().map(|entry| {
             let named = entry.as_variable()?;
-            let latex = names::latex(&self.theory.atoms, named);
-            let owner = Owner::Symbol(format!("{latex} at {instant}"));
-            let latex = format!("{latex}({instant})");
-            let own = self
-                .theory
-                .atoms
-                .entity(&owner, Shape::Scalar, true, &latex);
+            let own = names::at_instant(&mut self.theory.atoms, named, &instant);
             Some(self.theory.atoms.value(own, 0, 0))
         });
         let entries: Option<Vec<Fraction>> = entries.collect();

@@ -1,7 +1,7 @@
 //! What a line is for, from the sentence that introduces it.
 
 use crate::verify::verdict::Role;
-use crate::verify::words::role_words::{ASSUME, CLAIM, DEFINE, GIVEN, NO_ROLE, SHORTER};
+use crate::verify::words::role_words::{ASSUME, CLAIM, DEFINE, GIVEN, NO_ROLE, SHORTER, SUPPOSE};
 
 /// The role that a sentence gives to a formula that stands behind it.
 ///
@@ -37,7 +37,10 @@ pub(crate) fn role(sentence: &str) -> Role {
     }
     let claim = last_of(&text, CLAIM);
     let best = [
-        (last_of(&text, ASSUME), Role::Assume),
+        (
+            last_of(&text, ASSUME).max(last_of(&text, SUPPOSE)),
+            Role::Assume,
+        ),
         (last_of(&text, DEFINE).max(definition), Role::Define),
         (last_of(&text, GIVEN), Role::Given),
     ];
@@ -105,18 +108,8 @@ impl Words {
 
     /// Whether they assume what follows in so many words.
     pub(crate) fn assume(&self) -> bool {
-        let words = [
-            "assume",
-            "assumes",
-            "assuming",
-            "assumed",
-            "suppose",
-            "supposes",
-            "supposing",
-            "impose",
-            "given",
-        ];
-        last_of(&self.0, &words).is_some_and(|at| !self.0[at..].contains('⟩'))
+        let last = last_of(&self.0, SUPPOSE).max(last_of(&self.0, GIVEN));
+        last.is_some_and(|at| !self.0[at..].contains('⟩'))
     }
 
     /// Whether the last of them picks out a case: "we take ⟨…⟩".

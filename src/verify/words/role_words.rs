@@ -1,7 +1,7 @@
 //! Words that give the line behind them its role.
 
-/// Phrases that introduce an assumption.
-pub(super) const ASSUME: &[&str] = &[
+/// Words that introduce an assumption and nothing else.
+pub(super) const SUPPOSE: &[&str] = &[
     "assume",
     "assumes",
     "assuming",
@@ -9,6 +9,10 @@ pub(super) const ASSUME: &[&str] = &[
     "suppose",
     "supposes",
     "supposing",
+    "impose",
+];
+/// Other phrases that introduce an assumption.
+pub(super) const ASSUME: &[&str] = &[
     "let",
     "choose",
     "chooses",
@@ -23,7 +27,6 @@ pub(super) const ASSUME: &[&str] = &[
     "setting",
     "imagine",
     "restrict",
-    "impose",
     "with",
     "for",
     "by assumption",
