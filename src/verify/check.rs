@@ -68,6 +68,8 @@ pub(super) struct Checker<'a> {
     pub(super) any_vector: bool,
     /// Whether the line at hand stands apart from the text.
     pub(super) displayed: bool,
+    /// The first and the last side of each line of the formula at hand.
+    pub(super) beside: Vec<(Node, Node)>,
     pub(super) findings: Vec<Finding>,
     /// How many findings each line of the source has.
     pub(super) on_line: HashMap<(usize, Option<usize>), usize>,
@@ -80,6 +82,8 @@ pub(super) struct Checker<'a> {
     pub(super) sentence: String,
     /// What is called small.
     pub(super) small: BTreeSet<Entity>,
+    /// Components of the angular velocity that are called small.
+    pub(super) small_turns: BTreeSet<u8>,
     /// Expressions of a list that the words have named last.
     pub(super) named: Vec<Node>,
     /// Places of lines that were taken in ahead of their turn.
@@ -123,6 +127,7 @@ impl<'a> Checker<'a> {
             products,
             dynamics: Dynamics::Inverse,
             origin_moves: false,
+            dropped_axis: None,
             translation: None,
             drifts: reading.speaks_of(Quantity::CentreVelocity),
             newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
@@ -146,6 +151,7 @@ impl<'a> Checker<'a> {
             picked: false,
             displayed: false,
             any_vector: speaks_of_any_vector(document),
+            beside: vec![],
             findings: vec![],
             on_line: HashMap::new(),
             rate_lines: vec![],
@@ -153,6 +159,7 @@ impl<'a> Checker<'a> {
             doubts: Doubts::default(),
             sentence: String::new(),
             small: BTreeSet::new(),
+            small_turns: BTreeSet::new(),
             named: vec![],
             done: BTreeSet::new(),
             looked_ahead: false,
@@ -290,6 +297,14 @@ impl<'a> Checker<'a> {
         let role = match formula.rows.iter().any(says) {
             true => self.listen(formula.display),
             false => Role::Claim,
+        };
+        let ends = |row: &Row| match row {
+            Row::Line(line) => line.sides.first().cloned().zip(line.sides.last().cloned()),
+            _ => None,
+        };
+        self.beside = match formula.rows.len() {
+            2..=3 => formula.rows.iter().filter_map(ends).collect(),
+            _ => vec![],
         };
         for row in &formula.rows {
             match row {

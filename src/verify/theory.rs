@@ -14,6 +14,7 @@ pub(super) mod mentioned;
 pub(super) mod more_moments;
 pub(super) mod parallel_axes;
 pub(super) mod point;
+pub(super) mod roots;
 pub(super) mod solve;
 pub(super) mod variety;
 pub(super) mod wheels;

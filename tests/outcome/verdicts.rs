@@ -5,7 +5,12 @@ use polhode::verify::{Verdict, check};
 
 /// The verdicts of a Markdown document's lines, in order: p, a, r, u, and ? for unreadable.
 pub(crate) fn verdicts(text: &str) -> String {
-    let (document, _) = read("a document", text, Format::Markdown);
+    verdicts_in(text, Format::Markdown)
+}
+
+/// The same for another format.
+pub(crate) fn verdicts_in(text: &str, format: Format) -> String {
+    let (document, _) = read("a document", text, format);
     let letter = |verdict: &Verdict| match verdict {
         Verdict::Proved(_) => 'p',
         Verdict::Accepted => 'a',

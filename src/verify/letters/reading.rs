@@ -336,7 +336,12 @@ impl Reading {
             // Beside a T, E is the sum of it and a potential energy.
             Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
             Quantity::Energy if self.totals.contains(letter) => false,
-            Quantity::Energy | Quantity::Power => used.bare > 0 && used.vector == 0,
+            // "The kinetic energy of the plate (for any a and b)": sides are small letters, energies large ones.
+            Quantity::Power if matches!(letter.name.as_str(), "T" | "E" | "K") => false,
+            Quantity::Energy | Quantity::Power => {
+                let small = letter.name.len() == 1 && letter.name.chars().all(char::is_lowercase);
+                (!small || letter.name == "e") && used.bare > 0 && used.vector == 0
+            }
             Quantity::Inertia => {
                 matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
                     && !self.components.contains_key(letter)

@@ -21,6 +21,10 @@ pub(crate) struct Cases {
     kept: BTreeMap<Name, u32>,
     /// Whether the sentence speaks of a case that is not the one at hand.
     pub hypothesis: bool,
+    /// How many headings stand before.
+    section: u32,
+    /// In which section a component got a symbol for its value.
+    named: BTreeMap<Name, u32>,
 }
 
 /// Words that turn to another case.
@@ -46,7 +50,10 @@ impl Checker<'_> {
             self.theory.retain(|premise| !ended.contains(&premise.name));
         }
         self.level = level;
-        self.cases = Cases::default();
+        self.end_small_turns();
+        let before = std::mem::take(&mut self.cases);
+        self.cases.section = before.section + 1;
+        self.cases.named = before.named;
         self.sentence.clear();
         self.last_side = None;
         for said in said(text)
@@ -69,6 +76,35 @@ impl Checker<'_> {
         if role == Role::Assume || role == Role::Given && !self.displayed {
             self.cases.kept.insert(name.to_owned(), self.cases.now);
         }
+    }
+
+    /// Ends what an earlier section says of another component by the same symbol: a spin n about axis 3, now about axis 1.
+    pub(crate) fn pass_name_on(&mut self, sides: &[Node], name: &str) {
+        let mut lowering = self.lowering(Frame::Moving);
+        let mut part = |side: &Node| match lowering.value(side).ok()?.entries.as_slice() {
+            [entry] => entry.as_variable(),
+            _ => None,
+        };
+        let [left, right] = sides else { return };
+        let (Some(left), Some(right)) = (part(left), part(right)) else {
+            return;
+        };
+        let section = self.cases.section;
+        let owner = self.theory.atoms.entity_of(left);
+        let names_sibling = |residual: &Fraction| {
+            let variables = residual.variables();
+            let sibling = |&v: &u32| v != left && self.theory.atoms.entity_of(v) == owner;
+            variables.len() == 2 && variables.contains(&right) && variables.iter().any(sibling)
+        };
+        let premises = self.theory.premises().iter();
+        let ended = premises.filter(|p| p.residuals.iter().all(names_sibling));
+        let earlier = |name: &&Name| self.cases.named.get(*name).is_some_and(|&s| s < section);
+        let ended: BTreeSet<Name> = ended.map(|p| &p.name).filter(earlier).cloned().collect();
+        if !ended.is_empty() {
+            self.scopes.retain(|(name, _)| !ended.contains(name));
+            self.theory.retain(|premise| !ended.contains(&premise.name));
+        }
+        self.cases.named.insert(name.to_owned(), section);
     }
 
     /// Notes that a paragraph opens with a title in bold or italic letters, or that words turn to another case.

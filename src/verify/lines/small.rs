@@ -4,10 +4,13 @@
 //! term of Taylor's series; what is left must vanish exactly, and is proved and refuted like any other line.
 
 use crate::algebra::{Fraction, Polynomial, Variable};
-use crate::notation::ast::{Function, Node, Relation};
+use crate::notation::ast::{Function, Kind, Node, Relation};
 use crate::verify::check::Checker;
+use crate::verify::letters::usage::inner;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use num_traits::Zero;
 
@@ -50,6 +53,38 @@ impl Checker<'_> {
     fn call_small(&mut self, node: &Node) {
         let entities = self.entities([node]);
         self.small.extend(entities);
+        if let Kind::Symbol(symbol) = &inner(node).kind
+            && let Meaning::Component(entity, component) = self.meaning_of(symbol)
+            && entity == self.theory.atoms.quantity(Quantity::AngularVelocity)
+        {
+            self.small_turns.insert(component);
+            self.drop_second_order();
+        }
+    }
+
+    /// Where two components of ω are small and the third was given: the rate of that one is of second order, and the
+    /// linear equations go on without it. A heading ends this.
+    pub(crate) fn drop_second_order(&mut self) {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let mut large = (0..3).filter(|c| !self.small_turns.contains(c));
+        let (1, Some(axis)) = (large.clone().count(), large.next()) else {
+            return;
+        };
+        let value = self.theory.atoms.value(omega, axis, 0);
+        let given = value
+            .as_variable()
+            .is_some_and(|v| self.theory.rule(v).is_some());
+        if given && self.theory.setting.dropped_axis != Some(axis) {
+            self.theory.set(|setting| setting.dropped_axis = Some(axis));
+        }
+    }
+
+    /// Forgets which components were small.
+    pub(crate) fn end_small_turns(&mut self) {
+        self.small_turns.clear();
+        if self.theory.setting.dropped_axis.is_some() {
+            self.theory.set(|setting| setting.dropped_axis = None);
+        }
     }
 
     /// Equations of the line at hand to the order of their right sides, where something in them is small; whether any is.

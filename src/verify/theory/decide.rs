@@ -156,6 +156,7 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
         }
         let tensor = inertia(&mut theory.atoms, theory.setting.products);
         let mut world: World<Rational> = World::new(theory, seed);
+        world.draw_roots(equation.residual.entries.iter());
         let entries: Option<Vec<Rational>> = tensor.iter().map(|e| world.fraction(e)).collect();
         let Some(entries) = entries else { continue };
         if !can_exist(&entries) {

@@ -57,6 +57,8 @@ pub(crate) struct Setting {
     pub other_moments: OtherMoments,
     /// Inertia about the mass centre and about another point: tensors, and moments about one axis.
     pub parallel_axes: [Option<ParallelAxes>; 2],
+    /// The axis about which the equation of motion is of second order in what is called small, and dropped.
+    pub dropped_axis: Option<u8>,
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
 }

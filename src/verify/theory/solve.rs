@@ -105,10 +105,22 @@ impl Theory {
         variables.map(order).max().unwrap_or(0)
     }
 
+    /// Whether a condition is that no moment acts about the axis of which the equation of motion is dropped.
+    fn is_dropped(&self, residual: &Fraction) -> bool {
+        let Some(axis) = self.setting.dropped_axis else {
+            return false;
+        };
+        residual.as_variable().is_some_and(|variable| {
+            matches!(*self.atoms.atom(variable), Atom::Part { entity, component, order: 0 }
+                if component == axis
+                    && self.atoms.info(entity).owner == Owner::Quantity(Quantity::Moment, String::new()))
+        })
+    }
+
     /// Solves the residuals of a premise one after the other, simplest first.
     pub(crate) fn solve(&mut self, premise: &Premise) -> Taken {
-        let mut left: Vec<(Fraction, &Fraction)> =
-            premise.residuals.iter().map(|r| (r.clone(), r)).collect();
+        let in_force = premise.residuals.iter().filter(|r| !self.is_dropped(r));
+        let mut left: Vec<(Fraction, &Fraction)> = in_force.map(|r| (r.clone(), r)).collect();
         let mut taken = Taken::Known;
         while !left.is_empty() {
             left = left
@@ -238,11 +250,14 @@ impl Theory {
             return None;
         }
         let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
+        // What moves follows from what is given of the body, and not the other way round.
+        let turns = matches!(info.owner, Owner::Quantity(Quantity::AngularVelocity, _));
         let small = coefficient.len() < 3;
         Some(
             u32::from(constant) * 32
                 + u32::from(order) * 4
                 + u32::from(small)
+                + u32::from(turns)
                 + u32::from(inertial && component >= 3) * 2,
         )
     }

@@ -9,6 +9,7 @@ use crate::verify::letters::usage::Letter;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::verdict::FromProse;
 use crate::verify::words::role::Words;
 
@@ -24,6 +25,13 @@ const BEHIND: &[&str] = &[
     "stays constant",
     "constant)",
     "held constant",
+    "a constant",
+    "is a constant",
+    "is fixed",
+    "are fixed",
+    "is held fixed",
+    "do not change",
+    "does not change",
 ];
 /// Words before a symbol.
 const BEFORE: &[&str] = &[
@@ -84,7 +92,7 @@ impl Checker<'_> {
         let named = std::mem::take(&mut self.named);
         self.small_behind(&text, &named);
         let derived = Words::of(&self.sentence).derive();
-        if !derived && BEHIND.iter().any(|words| text.starts_with(words)) {
+        if !derived && BEHIND.iter().any(|words| rest.starts_with(words)) {
             let supposed = supposes(&self.sentence);
             named
                 .iter()
@@ -92,8 +100,23 @@ impl Checker<'_> {
         }
     }
 
-    /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say.
+    /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say. The rate ω
+    /// at which a body turns is a number of its own, where the letter is a vector elsewhere.
     fn constant_in_words(&mut self, node: &Node, supposed: bool) {
+        if self.stays(node, supposed) {
+            return;
+        }
+        if let Kind::Symbol(symbol) = &node.kind
+            && !symbol.style.vector
+        {
+            let before = self.reading.scalars.clone();
+            self.reading.scalars.insert(Letter::of(symbol));
+            self.stays(node, supposed);
+            self.reading.scalars = before;
+        }
+    }
+
+    fn stays(&mut self, node: &Node, supposed: bool) -> bool {
         let rate = Node {
             kind: Kind::TimeDerivative {
                 operand: Box::new(node.clone()),
@@ -104,7 +127,7 @@ impl Checker<'_> {
             span: node.span,
         };
         let Ok(value) = self.lowering(Frame::Moving).value(&rate) else {
-            return;
+            return false;
         };
         let parts: Vec<u32> = value
             .entries
@@ -113,14 +136,15 @@ impl Checker<'_> {
             .collect();
         let own = |&v: &u32| match self.theory.atoms.owner(v) {
             Some(Owner::Symbol(_)) => true,
-            Some(Owner::Quantity(quantity, _)) => {
+            Some(Owner::Quantity(quantity, variant)) => {
                 let rate = matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate);
-                supposed && rate || *quantity == Quantity::Moment
+                let speed = variant == MAGNITUDE;
+                (supposed || speed) && rate || *quantity == Quantity::Moment
             }
             None => false,
         };
         if parts.is_empty() || parts.len() != value.entries.len() || !parts.iter().all(own) {
-            return;
+            return false;
         }
         let text = self.document.source.slice(node.span).trim().to_owned();
         let name = format!("{text} is constant");
@@ -130,10 +154,12 @@ impl Checker<'_> {
             preferred: parts,
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
+        let taken = self.theory.assume(premise) == Taken::Solved;
+        if taken {
             self.keep(&name, false);
             self.tell(node.span, name);
         }
+        taken
     }
 
     /// Reports a premise that words set.

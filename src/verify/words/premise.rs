@@ -97,13 +97,14 @@ impl Checker<'_> {
         if !self.vanish(&name, Quantity::Moment, &[0, 1, 2]) {
             return None;
         }
+        // What no line of the document writes acts in none of its sections.
+        self.scopes.retain(|(scope, _)| *scope != name);
         if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
             self.tell(at, name);
             return Some(proof);
         }
         self.theory.exhausted = false;
         self.theory.retain(|premise| premise.name != name);
-        self.scopes.retain(|(scope, _)| *scope != name);
         None
     }
 

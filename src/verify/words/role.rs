@@ -1,7 +1,9 @@
 //! What a line is for, from the sentence that introduces it.
 
 use crate::verify::verdict::Role;
-use crate::verify::words::role_words::{ASSUME, CLAIM, DEFINE, GIVEN, NO_ROLE, SHORTER, SUPPOSE};
+use crate::verify::words::role_words::{
+    ASSUME, CLAIM, DEFINE, GIVEN, NO_ROLE, SHORTER, SOURCES, SUPPOSE,
+};
 
 /// The role that a sentence gives to a formula that stands behind it.
 ///
@@ -96,6 +98,11 @@ impl Words {
                     let said = format!(" {gives} {article} {load} ");
                     text = text.replace(&said, &format!(" {acts} {article} {load} "));
                 }
+            }
+        }
+        for source in SOURCES {
+            for gives in ["gives", "give", "gave"] {
+                text = text.replace(&format!(" {source} {gives} "), &format!(" {source} given "));
             }
         }
         Self(text)

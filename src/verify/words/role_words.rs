@@ -62,6 +62,31 @@ pub(super) const DEFINE: &[&str] = &[
 ];
 /// Phrases that hand something over from outside.
 pub(super) const GIVEN: &[&str] = &["given"];
+/// Whoever hands numbers over: what "the data sheet gives" is no result.
+pub(super) const SOURCES: &[&str] = &[
+    "office",
+    "manufacturer",
+    "maker",
+    "supplier",
+    "vendor",
+    "drawing",
+    "drawings",
+    "table",
+    "tables",
+    "sheet",
+    "datasheet",
+    "handbook",
+    "catalogue",
+    "textbook",
+    "cad model",
+    "cad program",
+    "measurement",
+    "measurements",
+    "experiment",
+    "experiments",
+    "problem",
+    "exercise",
+];
 /// Words after which a claim follows, whatever stood before.
 pub(super) const CLAIM: &[&str] = &[
     "then",
