@@ -58,3 +58,36 @@ fn numbers_of_a_data_sheet_are_no_result() {
         $$ I_{xx} + I_{zz} = 2 I_{yy} $$\n";
     assert_eq!(verdicts(text), "aaap");
 }
+
+#[test]
+fn a_plane_of_symmetry_may_be_named_by_its_equation() {
+    let text = "The craft has the plane of symmetry $y = 0$, so that\n\n$$ I_{xy} = I_{yz} = 0 $$\n\n\
+        and\n\n$$ L_x = I_{xx}\\omega_x - I_{xz}\\omega_z $$\n\n$$ L_x = I_{xx}\\omega_x $$\n";
+    assert_eq!(verdicts(text), "appr");
+}
+
+#[test]
+fn a_product_that_is_said_to_vanish_for_reasons_not_understood_is_not_called_false() {
+    let text =
+        "Because of its build the craft has\n\n$$ I_{xz} = 0 $$\n\nHence\n\n$$ I_{xy} = 0 $$\n";
+    assert!(!verdicts(text).contains('r'), "{}", verdicts(text));
+}
+
+#[test]
+fn axes_may_follow_all_of_a_turn_but_its_spin() {
+    let text = "A rotor has the moments of inertia $A$, $A$, $C$. The axes $xyz$ follow its axis and not its spin, so\n\n\
+        $$ \\vec\\Omega = \\omega_x\\hat i + \\omega_y\\hat j + \\Omega_z\\hat k $$\n\n\
+        The moment is\n\n\
+        $$ \\vec M = (\\dot{\\vec L})_{xyz} + \\vec\\Omega\\times\\vec L $$\n\n\
+        $$ \\vec M = (\\dot{\\vec L})_{xyz} + \\vec\\omega\\times\\vec L $$\n\n\
+        $$ M_z = C\\dot\\omega_z $$\n\n$$ M_x = A\\dot\\omega_x + C\\omega_y\\omega_z - A\\omega_y\\Omega_z $$\n";
+    assert_eq!(verdicts(text), "aprpp");
+}
+
+#[test]
+fn numbers_of_a_body_stay_what_they_are() {
+    let text = "No torque acts; the axes are principal. Take $m = 6$, $d = 0.3$ and $f = 0.1$. Then\n\n\
+        $$ I_x = m d^2 = 0.54 $$\n\n$$ I_y = m f^2 = 0.06 $$\n\n$$ I_z = m (d^2 + f^2) = 0.6 $$\n\n\
+        $$ \\dot\\omega_z = \\tfrac45\\omega_x\\omega_y $$\n\n$$ \\dot\\omega_z = -\\tfrac45\\omega_x\\omega_y $$\n";
+    assert_eq!(verdicts(text), "aaappppr");
+}

@@ -105,6 +105,15 @@ fn words_keep_their_order_around_formulas() {
 }
 
 #[test]
+fn a_macro_may_be_an_exponent() {
+    let own = r"\newcommand{\tr}{^{\mathsf T}} $R\tr R = 1$";
+    assert_eq!(
+        document(own, Format::Latex),
+        document(r"$R^{\mathsf T} R = 1$", Format::Latex)
+    );
+}
+
+#[test]
 fn what_a_macro_stands_for_has_the_place_of_its_call() {
     let text =
         r"\newcommand{\om}{\boldsymbol\omega}\newcommand{\dd}[1]{\frac{d#1}{dt}} $\dd{L} = J\om$";

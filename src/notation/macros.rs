@@ -192,8 +192,11 @@ impl Macros {
         if body.len() > LONGEST {
             return Some((at, "\\undefined".into()));
         }
-        // A name must not run into the letter that follows it.
-        let closed = if arguments.is_empty() {
+        // A name must not run into the letter that follows it; an exponent must reach what stands before it.
+        let script = body.trim_start().starts_with(['^', '_']);
+        let closed = if script {
+            format!("{body} ")
+        } else if arguments.is_empty() {
             format!("{{{body}}}")
         } else {
             body

@@ -13,6 +13,7 @@ pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod forward;
 pub(super) mod given;
+pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod index;
 pub(super) mod inequality;

@@ -249,7 +249,9 @@ impl Checker<'_> {
         if self.theory.atoms.info(entity).shape == Shape::Symmetric {
             return None;
         }
-        self.theory.atoms.info_mut(entity).constant = false;
+        // A number stays what it is; of another value the parts may move.
+        let moves = value.entries.iter().any(|e| !e.variables().is_empty());
+        self.theory.atoms.info_mut(entity).constant &= !moves;
         let mut residual = |component: u8, entry: &Fraction| {
             let variable = self.theory.atoms.part(entity, component, 0);
             (variable, variable_fraction(variable) - entry.clone())

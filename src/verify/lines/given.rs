@@ -53,10 +53,15 @@ impl Checker<'_> {
             return true;
         }
         let derived = zero && self.asserted && self.displayed;
-        if derived && !self.stands_beside_motion(first) || !self.is_free_input(first) {
+        let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
+        if motion || !self.is_free_input(first) {
             return false;
         }
-        if sides.len() == 2 && (self.is_free_input(last) || self.is_form_of_inertia(read)) {
+        if sides.len() == 2
+            && (self.is_free_input(last)
+                || self.is_form_of_inertia(read)
+                || self.is_turn_of_axes(first, last))
+        {
             return true;
         }
         (0..read.equations.len()).all(|i| {
@@ -352,50 +357,25 @@ impl Checker<'_> {
         new.is_some_and(|(entity, place)| !self.theory.mentions_part(entity, place))
     }
 
-    /// Whether a side is how the body or the axes turn, which no law determines: words that derive it speak of the
-    /// figure ("the axes point so that").
-    fn sets_motion(&mut self, side: &Node) -> bool {
-        let turns = |q: &Quantity| matches!(q, Quantity::AngularVelocity | Quantity::FrameRate);
-        self.entities([side]).first().is_some_and(|entity| {
-            matches!(&self.theory.atoms.info(*entity).owner, Owner::Quantity(q, _) if turns(q))
-        })
-    }
-
-    /// Whether a line in the same breath gives another component of how the body turns.
-    fn stands_beside_motion(&mut self, side: &Node) -> bool {
-        let beside = std::mem::take(&mut self.beside);
-        let given = beside.iter().any(|(left, last)| {
-            left.span != side.span
-                && !is_zero(last)
-                && self.sets_motion(left)
-                && self.is_free_input(left)
-        });
-        self.beside = beside;
-        if given {
-            return self.sets_motion(side);
-        }
-        let (line, _, _) = self.place(side.span.start);
-        let handed = self.findings.last().is_some_and(|before| {
-            before.role == Role::Given
-                && before.verdict == Verdict::Accepted
-                && before.source_line + 1 >= line
-        });
-        handed && self.sets_motion(side)
-    }
-
     /// Takes a line in that hands a value over; where its sentence derives it, it is not checked, and that is said.
     pub(crate) fn given(&mut self, sides: &[Node], finding: &mut Finding) {
         // A new name for what is known holds wherever the name does.
         let names = matches!(sides, [_, right] if self.is_new_name(right));
         let role = if names { Role::Define } else { Role::Given };
         self.pass_name_on(sides, &self.line_name(finding));
+        let input = self.is_free_input(&sides[0]);
         self.accept(sides, role, finding);
         if finding.verdict != Verdict::Accepted {
             return;
         }
         self.drop_second_order();
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if sides.last().is_some_and(is_zero) {
+        let zero = sides.last().is_some_and(is_zero);
+        let derived = input && zero && self.asserted && self.displayed;
+        if derived && !self.sets_motion(&sides[0]) {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
+        } else if zero {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;
             finding.remarks.push("taken as an assumption".to_owned());
@@ -410,6 +390,6 @@ impl Checker<'_> {
 }
 
 /// Whether a side is written as a zero, bold or not.
-fn is_zero(side: &Node) -> bool {
+pub(crate) fn is_zero(side: &Node) -> bool {
     matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
 }

@@ -228,6 +228,16 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         ("zy", (1, 2)),
     ];
     let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric()).collect();
+    // "The plane ⟨y = 0⟩": of a formula the sentence keeps letters and digits.
+    let spoken: Vec<&str> = text.split_whitespace().collect();
+    for (axis, (a, b)) in [("x", (1, 2)), ("y", (0, 2)), ("z", (0, 1))] {
+        if spoken
+            .windows(3)
+            .any(|w| w[..2] == [axis, "0"] && w[2].starts_with('⟨'))
+        {
+            return Some(Said::SymmetryPlane(a, b));
+        }
+    }
     // "The x-z plane", "the x, z plane".
     let pairs = words.windows(2).map(|pair| pair.concat());
     let named: Vec<String> = pairs.chain(words.iter().map(|w| w.to_string())).collect();
