@@ -21,6 +21,7 @@ use crate::verify::values::atoms::Entity;
 use crate::verify::values::figures::Figures;
 use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::{said, speaks_of_any_vector, symmetry_plane};
@@ -80,6 +81,8 @@ pub(super) struct Checker<'a> {
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
     pub(super) sentence: String,
+    /// The vertical on the axes used, where the words say what it is there.
+    pub(super) vertical: Option<Value>,
     /// What is called small.
     pub(super) small: BTreeSet<Entity>,
     /// Components of the angular velocity that are called small.
@@ -158,6 +161,7 @@ impl<'a> Checker<'a> {
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),
+            vertical: None,
             small: BTreeSet::new(),
             small_turns: BTreeSet::new(),
             named: vec![],

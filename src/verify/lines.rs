@@ -17,6 +17,7 @@ pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod index;
 pub(super) mod inequality;
+pub(super) mod laws_in_words;
 pub(super) mod line;
 pub(super) mod named_only;
 pub(super) mod news;

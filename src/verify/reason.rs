@@ -3,6 +3,9 @@
 pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here determines it";
 pub(super) const RESTS_ON_GIVEN: &str =
     "a line that was taken as given, and may be false, gives this value";
+/// A remark of a line that says when, and nothing more.
+pub(super) const NAMES_A_MOMENT: &str = "names a moment of the motion";
+pub(super) const AT_A_MOMENT: &str = "it speaks of a moment of the motion, and may hold then alone";
 pub(super) const RELATION: &str = "this relation is not decided";
 pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";

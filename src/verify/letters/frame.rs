@@ -249,7 +249,7 @@ fn by_custom(label: &str) -> Option<Frame> {
         "XYZ" | "XY" | "N" | "A" | "E" | "OXYZ" | "S0" | "R0" | "F" | "I" | "S" | "R" => {
             return Some(Frame::Space);
         }
-        "xyz" | "xy" | "B" | "b" | "Oxyz" | "Gxyz" | "M" | "R1" | "S1" => {
+        "xyz" | "xy" | "123" | "e1e2e3" | "B" | "b" | "Oxyz" | "Gxyz" | "M" | "R1" | "S1" => {
             return Some(Frame::Moving);
         }
         _ => {}

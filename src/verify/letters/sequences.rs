@@ -70,6 +70,16 @@ impl Reading {
                 self.take_components(lower, Quantity::Moment);
             }
         }
+        // Beside p, q, r "the pitching moment is M".
+        for (component, name) in ["L", "M", "N"].into_iter().enumerate().filter(|_| rates) {
+            let letter = Letter::plain(name);
+            let used = self.usage.get(&letter);
+            let number = used.bare > 0 && used.vector + used.component == 0;
+            if number && self.votes_for(&letter, Quantity::Moment) > 0 {
+                let part = (Quantity::Moment, component as u8);
+                self.components.insert(letter, part);
+            }
+        }
         for calligraphic in [true, false] {
             let trio = ["L", "M", "N"].map(|name| Letter {
                 name: name.to_owned(),

@@ -54,7 +54,9 @@ impl Checker<'_> {
         {
             let mut tried = finding.clone();
             self.claim(sides, &mut tried);
-            if matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+            // What "yields" it and is not understood may have made it false.
+            let derived = self.asserted && self.known.contains(&entity);
+            if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
                 *finding = tried;
                 return true;
             }
@@ -142,12 +144,18 @@ impl Checker<'_> {
         let Some((entity, None)) = self.new_symbol(base) else {
             return false;
         };
-        if self.known.contains(&entity) || self.theory.mentions_entity(entity) {
+        if self.theory.mentions_entity(entity) {
             return false;
         }
         let mut others = sides[1..].iter().flat_map(symbols);
         if others.any(|symbol| self.meaning_of(symbol) == Meaning::Whole(entity)) {
             return false;
+        }
+        // What words have named and no line speaks of may be so, or not.
+        if finding.role == Role::Claim && self.known.contains(&entity) {
+            let name = self.theory.atoms.info(entity).latex.clone();
+            finding.reason = Some(format!("nothing before ties `{name}` to the motion"));
+            return true;
         }
         self.accept_definition(sides, finding)
     }

@@ -6,7 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
-use crate::verify::reason::leaves_no_doubt;
+use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -49,7 +49,10 @@ impl Checker<'_> {
             return;
         }
         let mut sets_up = finding.role != Role::Claim;
-        for side in &line.sides {
+        // What holds at a moment alone leaves in doubt what it gives a value, and nothing beside.
+        let at_a_moment = finding.reason.as_deref() == Some(AT_A_MOMENT);
+        let doubted = if at_a_moment { 1 } else { line.sides.len() };
+        for side in line.sides.iter().take(doubted) {
             let lone = matches!(inner(side).kind, Kind::Symbol(_));
             for entity in self.entities([side]) {
                 match &self.theory.atoms.info(entity).owner {
@@ -85,6 +88,9 @@ impl Checker<'_> {
     pub(crate) fn doubt(&mut self, read: &Read) -> Option<String> {
         if self.follows_no_spin(read) {
             return Some("the axes may turn without the spin of the body".to_owned());
+        }
+        if self.is_at_a_moment() {
+            return Some(AT_A_MOMENT.to_owned());
         }
         if let Some(name) = self.untied(read) {
             return Some(format!("nothing before ties `{name}` to the motion"));
@@ -141,6 +147,12 @@ impl Checker<'_> {
         pairs.any(|pair| pair.is_centre(entity))
             && self.theory.mentions_entity(entity)
             && !self.theory.mentions_part(entity, Some(component))
+    }
+
+    /// Whether the sentence of the line at hand has named a moment: "released at ⟨θ = π/2⟩, it passes … with".
+    fn is_at_a_moment(&self) -> bool {
+        let named = |f: &Finding| f.remarks.iter().any(|remark| remark == NAMES_A_MOMENT);
+        self.sentence.contains('⟩') && self.findings.last().is_some_and(named)
     }
 
     /// Whether a difference has an angle in it, in a document that writes the vertical on the axes used and gives these

@@ -5,7 +5,7 @@
 //! R₃ᵀR₂ᵀa₁ q̇₁ + R₃ᵀa₂ q̇₂ + a₃ q̇₃ (Goldstein, Poole and Safko, Classical Mechanics, section 4.9). Where the words leave
 //! several sequences, or axes, the document's own lines tell which is meant: the one under which most of them hold.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Rational, Variable};
 use crate::mechanics;
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
@@ -16,6 +16,7 @@ use crate::verify::theory::decide::passes_filter;
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
+use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
@@ -266,6 +267,30 @@ impl Checker<'_> {
             }
         }
         Some(())
+    }
+
+    /// The axis that the first turn is about, on the axes of a reading.
+    pub(crate) fn first_axis(&mut self, angles: &EulerAngles) -> Option<Vector3<Fraction>> {
+        let mut axis = Vector3::from_element(Fraction::zero());
+        axis[usize::from(angles.sequence[0])] = constant(Rational::from(1));
+        let followed = match angles.on {
+            On::Body => 3,
+            On::Nodes => 2,
+            On::Space => 1,
+        };
+        for (&turn, letter) in angles
+            .sequence
+            .iter()
+            .zip(&angles.letters)
+            .take(followed)
+            .skip(1)
+        {
+            let entity = self.angle(letter)?;
+            let variable = self.theory.atoms.part(entity, 0, 0);
+            let turn = self.elementary(usize::from(turn), variable, 1)?;
+            axis = mechanics::apply(&turn.transpose(), &axis);
+        }
+        Some(axis)
     }
 
     /// ω, and the angular velocity of axes that follow the first two turns, on the axes of a reading.

@@ -1,6 +1,6 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::lines::line::Read;
@@ -141,7 +141,8 @@ impl Checker<'_> {
         let [left, rest @ ..] = sides else {
             return false;
         };
-        let number = |side: &Node| symbols(side).is_empty();
+        let pi = |symbol: &&Symbol| symbol.name == "pi" && symbol.subscripts.is_empty();
+        let number = |side: &Node| symbols(side).iter().all(pi);
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };

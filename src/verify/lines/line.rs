@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
+use crate::verify::reason;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
@@ -132,9 +133,7 @@ impl Checker<'_> {
         if role == Role::Claim && self.names_a_moment(&sides) {
             finding.verdict = Verdict::Accepted;
             finding.role = Role::Given;
-            finding
-                .remarks
-                .push("names a moment of the motion".to_owned());
+            finding.remarks.push(reason::NAMES_A_MOMENT.to_owned());
             return;
         }
         self.turn_to_case(&sides, role);
@@ -165,7 +164,7 @@ impl Checker<'_> {
         let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
         let shown = sides.first().is_some_and(marked);
         let new = sides.first().and_then(|side| self.new_symbol(side));
-        let sides = if new.is_some() && !shown {
+        let sides = if new.is_some_and(|(_, place)| place.is_none()) && !shown {
             &sides[1..]
         } else {
             sides

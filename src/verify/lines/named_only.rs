@@ -26,6 +26,8 @@ impl Checker<'_> {
             "whether the surface has these axes is not decided"
         } else if self.displayed && is_multiple_of_unprimed(symbol, right) {
             "how the new value follows from the old one is not decided"
+        } else if self.speaks_of_vertical_momentum() {
+            "which way the vertical points on the axes used is not known"
         } else if self.turns_the_arm_round(symbol, right) {
             "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
         } else {

@@ -1,7 +1,7 @@
 //! What a symbol is that a claim is the first to speak of, where its name and the laws say so: the acceleration of a point
 //! whose velocity is known, the angular momentum about a second point, the moment of inertia about an axis.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Rational, Variable};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -10,6 +10,7 @@ use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::theory::law::inertia;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Entity, variable_fraction};
+use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
@@ -21,15 +22,45 @@ pub(crate) struct Law {
     name: &'static str,
     entity: Entity,
     value: Value,
+    /// The power of the symbol that has the value.
+    power: u32,
     /// What vanishes beside: the length of a unit vector less one.
     beside: Vec<Fraction>,
+    /// Whether words say so, and the line is no definition then, whatever becomes of it.
+    said: bool,
+}
+
+impl Law {
+    /// A law that gives an entity its value.
+    pub(crate) fn new(name: &'static str, entity: Entity, value: Value) -> Self {
+        Self {
+            name,
+            entity,
+            value,
+            power: 1,
+            beside: vec![],
+            said: false,
+        }
+    }
+
+    /// The same, as words have it.
+    pub(crate) fn said(self) -> Self {
+        Self { said: true, ..self }
+    }
+
+    /// The same, where the value is that of the entity's square.
+    pub(crate) fn squared(self) -> Self {
+        Self { power: 2, ..self }
+    }
 }
 
 impl Checker<'_> {
     /// Lets laws say what the new symbols of a claim are, where it can be decided with them.
     pub(crate) fn tie_new_symbols(&mut self, sides: &[Node], finding: &Finding) {
         let mut taken = vec![];
-        for law in self.laws_of_new_symbols(sides) {
+        let laws = self.laws_of_new_symbols(sides);
+        let said = laws.iter().any(|law| law.said);
+        for law in laws {
             taken.extend(self.take_law(law));
         }
         if taken.is_empty() {
@@ -39,7 +70,7 @@ impl Checker<'_> {
         let mut tried = finding.clone();
         self.claim(sides, &mut tried);
         self.slips.truncate(slips);
-        if !matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+        if !said && !matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
             taken.push(self.line_name(finding));
             self.scopes.retain(|(name, _)| !taken.contains(name));
             self.theory.retain(|premise| !taken.contains(&premise.name));
@@ -47,11 +78,14 @@ impl Checker<'_> {
     }
 
     fn laws_of_new_symbols(&mut self, sides: &[Node]) -> Vec<Law> {
-        let Some(Kind::Symbol(left)) = sides.first().map(|side| &inner(side).kind) else {
+        let Some(first) = sides.first().map(inner) else {
             return vec![];
         };
+        let mut laws: Vec<Law> = self.law_in_words(first, sides.get(1)).into_iter().collect();
+        let Kind::Symbol(left) = &first.kind else {
+            return laws;
+        };
         let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
-        let mut laws: Vec<Law> = vec![];
         if self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
             let points = met.iter().filter(|s| is_acceleration(s));
             laws.extend(points.filter_map(|s| self.acceleration(s)));
@@ -66,7 +100,12 @@ impl Checker<'_> {
         let (preferred, residuals): (Vec<Variable>, Vec<Fraction>) = entries
             .map(|(i, entry)| {
                 let variable = self.theory.atoms.part(law.entity, i as u8, 0);
-                (variable, variable_fraction(variable) - entry.clone())
+                let own = variable_fraction(variable);
+                let powers = std::iter::repeat_n(&own, law.power as usize);
+                let power = powers.fold(constant(Rational::from(1)), |whole, own| {
+                    whole * own.clone()
+                });
+                (variable, power - entry.clone())
             })
             .unzip();
         let latex = self.theory.atoms.info(law.entity).latex.clone();
@@ -78,7 +117,7 @@ impl Checker<'_> {
             preferred,
             definition: true,
         });
-        if taken != Taken::Solved {
+        if !matches!(taken, Taken::Solved | Taken::Kept) {
             return None;
         }
         if !law.beside.is_empty() {
@@ -94,7 +133,7 @@ impl Checker<'_> {
     }
 
     /// Whether nothing has said of a symbol what it is.
-    fn is_new(&mut self, symbol: &Symbol) -> bool {
+    pub(crate) fn is_new(&mut self, symbol: &Symbol) -> bool {
         let Meaning::Whole(entity) = self.meaning_of(symbol) else {
             return false;
         };
@@ -116,12 +155,7 @@ impl Checker<'_> {
         let entity = self.entity_named(symbol)?;
         let velocity = Value::column(self.theory.atoms.vector(velocity, 0));
         let value = self.lowering(Frame::Space).space_rate(&velocity);
-        Some(Law {
-            name: "kinematics",
-            entity,
-            value,
-            beside: vec![],
-        })
+        Some(Law::new("kinematics", entity, value))
     }
 
     /// L_P = L_C + r × m v_C with r from P to the mass centre C.
@@ -155,12 +189,7 @@ impl Checker<'_> {
         let shift = offset.cross(&velocity).ok()?.scaled(&mass);
         let value = own.plus(&shift, !sign).ok()?;
         let entity = self.entity_named(symbol)?;
-        Some(Law {
-            name: "momentum about another point",
-            entity,
-            value,
-            beside: vec![],
-        })
+        Some(Law::new("momentum about another point", entity, value))
     }
 
     /// Whether a vector leads from a point to another, or the other way (false).
@@ -208,11 +237,10 @@ impl Checker<'_> {
         let along = Vector3::from(self.theory.atoms.vector(direction, 0));
         let unit = vec![along.dot(&along) - Fraction::from_ratio(1, 1)];
         let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
+        let value = Value::scalar(along.dot(&(tensor * along.clone())));
         Some(Law {
-            name: "inertia about an axis",
-            entity,
-            value: Value::scalar(along.dot(&(tensor * along.clone()))),
             beside: unit,
+            ..Law::new("inertia about an axis", entity, value)
         })
     }
 }

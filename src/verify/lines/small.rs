@@ -121,7 +121,7 @@ impl Checker<'_> {
     }
 
     /// The terms up to an order in the small symbols.
-    fn low(&mut self, whole: &Fraction, order: u32) -> Fraction {
+    pub(crate) fn low(&mut self, whole: &Fraction, order: u32) -> Fraction {
         let mut above = whole.numerator().clone();
         for variable in above.variables() {
             if let Some(series) = self.series(variable) {

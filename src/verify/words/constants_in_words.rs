@@ -10,6 +10,7 @@ use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
+use crate::verify::values::value::Value;
 use crate::verify::verdict::FromProse;
 use crate::verify::words::role::Words;
 
@@ -44,6 +45,9 @@ const BEFORE: &[&str] = &[
     "with constant",
     "with the constant",
     "for constant",
+    "with a steady",
+    "steady rate",
+    "steady speed",
 ];
 
 /// Words of a supposition: what it calls constant may change elsewhere.
@@ -78,6 +82,10 @@ impl Checker<'_> {
             self.constant_in_words(node, false);
         }
         self.small_before(node);
+        if before.ends_with("vertical is") {
+            let value = self.lowering(Frame::Moving).value(node);
+            self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());
+        }
         self.named.push(node.clone());
     }
 

@@ -1,0 +1,101 @@
+//! New symbols that words and laws together say the value of.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn what_a_line_yields_is_no_definition_of_a_symbol_that_is_known() {
+    let with = |force: &str| {
+        let text = r"Body axes at $O$. The body turns at a constant rate, $\boldsymbol\omega = \omega\,\mathbf{k}$. Its moment about $O$ has the component
+
+$$ M_y = -I_{xz}\omega^2 $$
+
+The bearings, $2b$ apart, act with the forces $R\,\mathbf i$ and $-R\,\mathbf i$, whose moment is
+
+$$ \mathbf M = 2Rb\,\mathbf j $$
+
+which yields $R = FORCE$.
+";
+        verdicts(&text.replace("FORCE", force)).chars().last()
+    };
+    assert_eq!(with(r"-\dfrac{I_{xz}\omega^2}{2b}"), Some('p'));
+    assert_eq!(with(r"-\dfrac{I_{xz}\omega^2}{b}"), Some('r'));
+}
+
+#[test]
+fn the_vertical_component_of_the_momentum_is_along_the_vertical() {
+    let with = |first: &str| {
+        let text = r"The axes of a symmetric top with the moments $A$, $A$, $C$ follow its axis and not its spin, and the upward vertical is $\sin\beta\,\mathbf{e}_2 + \cos\beta\,\mathbf{e}_3$. Let
+
+$$ \mathbf{L} = A\dot\beta\,\mathbf{e}_1 + A\dot\alpha\sin\beta\,\mathbf{e}_2 + C n\,\mathbf{e}_3 $$
+
+The vertical component of $\mathbf{L}$ is
+
+$$ k = FIRST + C n\cos\beta $$
+";
+        verdicts(&text.replace("FIRST", first)).chars().last()
+    };
+    assert_eq!(with(r"A\dot\alpha\sin^2\beta"), Some('p'));
+    assert_ne!(with(r"A\dot\alpha\sin\beta"), Some('a'));
+}
+
+#[test]
+fn the_pitching_moment_is_one_of_three() {
+    let with = |sign: &str| {
+        let text = r"The body rates are $p$, $q$, $r$, and $xz$ is a plane of symmetry. In a roll at a constant rate $p$ with $q = 0$ and $r = 0$ the pitching moment is
+
+$$ M = SIGN I_{xz}\,p^2 $$
+
+because
+
+$$ I_x\dot p = 0 $$
+";
+        verdicts(&text.replace("SIGN", sign))
+    };
+    assert!(with("").contains('p'), "{}", with(""));
+    assert!(with("-").contains('r'), "{}", with("-"));
+}
+
+#[test]
+fn gravity_turns_with_the_angles_on_body_axes() {
+    let with = |third: &str| {
+        let text = r"The attitude is made by yaw $\psi$ about the down axis, pitch $\theta$ and roll $\phi$. The body rates are
+
+$$ p = \dot\phi - \dot\psi\sin\theta $$
+
+$$ q = \dot\theta\cos\phi + \dot\psi\sin\phi\cos\theta $$
+
+$$ r = -\dot\theta\sin\phi + \dot\psi\cos\phi\cos\theta $$
+
+On body axes the vector $\mathbf g$ has the components
+
+$$ g_x = -g\sin\theta $$
+
+$$ g_z = THIRD $$
+";
+        verdicts(&text.replace("THIRD", third))
+    };
+    assert_eq!(with(r"g\cos\theta\cos\phi"), "ppppp");
+    assert_eq!(with(r"g\sin\theta\cos\phi"), "ppppr");
+}
+
+#[test]
+fn small_swings_have_a_frequency() {
+    let with = |square: &str| {
+        let text = r"A body of mass $m$ swings about a horizontal axis at the distance $h$ from its mass centre, with
+
+$$ I\,\ddot\theta = -m g h\sin\theta $$
+
+For small $\theta$ the motion is harmonic with the natural frequency $p_0$,
+
+$$ p_0^2 = SQUARE $$
+";
+        verdicts(&text.replace("SQUARE", square)).chars().last()
+    };
+    assert_eq!(with(r"\frac{m g h}{I}"), Some('p'));
+    assert_ne!(with(r"\frac{m g}{I h}"), Some('a'));
+    assert_ne!(with(r"\frac{m g}{I h}"), Some('p'));
+}
