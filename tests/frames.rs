@@ -130,3 +130,28 @@ $$ \mathbf M_0 = \mathbf I_0\,\dot{\boldsymbol\omega} - \boldsymbol\omega\times\
 ";
     assert_eq!(verdicts(text), "pr");
 }
+
+#[test]
+fn velocities_carry_the_name_of_their_frame() {
+    let text = |last: &str| {
+        format!(
+            "$A$ is inertial and $B$ turns in it with ${{}}^A\\vec\\omega^B$. From $O$ the particle has the position $\\vec r$; \
+             ${{}}^A\\vec v$ and ${{}}^B\\vec v$ are its rates.\n\n\
+             $$ \\frac{{{{}}^A d\\vec r}}{{dt}} = \\frac{{{{}}^B d\\vec r}}{{dt}} + {{}}^A\\vec\\omega^B\\times\\vec r $$\n\n\
+             $$ {{}}^B\\vec\\omega^A = -{{}}^A\\vec\\omega^B $$\n\n\
+             $$ {{}}^A\\vec v = {{}}^B\\vec v - {{}}^B\\vec\\omega^A\\times\\vec r $$\n\n\
+             $$ {{}}^A\\vec a = {{}}^B\\vec a + {last}\\,{{}}^A\\vec\\omega^B\\times{{}}^B\\vec v \
+             + {{}}^A\\dot{{\\vec\\omega}}^B\\times\\vec r + {{}}^A\\vec\\omega^B\\times({{}}^A\\vec\\omega^B\\times\\vec r) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("2")), "pppp");
+    assert_eq!(verdicts(&text("")), "pppr");
+}
+
+#[test]
+fn a_frame_turned_round_turns_the_other_way() {
+    let text = "$A$ is inertial, $B$ is fixed in the body.\n\n\
+                $$ \\frac{{}^A d\\vec L}{dt} = \\frac{{}^B d\\vec L}{dt} + {}^A\\vec\\omega^B\\times\\vec L $$\n\n\
+                $$ {}^B\\vec\\omega^A = {}^A\\vec\\omega^B $$\n";
+    assert_eq!(verdicts(text), "pr");
+}

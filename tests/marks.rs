@@ -152,3 +152,16 @@ $$ \dot{\widetilde\Lambda} = -\tfrac12\,\widetilde\Lambda\circ\vec\omega $$
 ";
     assert!(verdicts(text).ends_with("ppr"), "{}", verdicts(text));
 }
+
+#[test]
+fn where_quaternions_are_circled_two_vectors_are_too() {
+    let text = |sign: &str| {
+        format!(
+            "The unit quaternion $q$ leads from the body to space, and $\\omega_B$ is the angular velocity on the body's axes.\n\n\
+             $$ \\dot q = \\tfrac12\\,q\\otimes\\boldsymbol\\omega_B $$\n\n\
+             $$ \\boldsymbol\\omega_B\\otimes\\boldsymbol\\omega_B = {sign}|\\boldsymbol\\omega_B|^2 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "pp");
+    assert_eq!(verdicts(&text("")), "pr");
+}

@@ -69,3 +69,17 @@ fn words_that_put_the_angular_velocity_on_the_body_stand() {
                 $$I = R\\,I_b\\,R^T$$\n\n$$\\dot R = R[\\omega]_\\times$$\n";
     assert!(verdicts(text).ends_with('p'));
 }
+
+#[test]
+fn two_labels_tell_the_axes_apart_without_any_mark() {
+    let text = |turn: &str| {
+        format!(
+            "The rotation matrix $Q$ maps body coordinates to world coordinates. The inertia on the body's axes is $J_b$, the torque \
+             $\\tau_b$, the angular velocity $\\omega_b$; in the world\n\n\
+             $$ J_w = {turn} $$\n\n$$ \\omega_w = Q\\,\\omega_b $$\n\n$$ \\dot Q = [\\omega_w]_\\times Q $$\n\n\
+             $$ \\tau_b = J_b\\dot\\omega_b + \\omega_b\\times(J_b\\omega_b) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("Q J_b Q^T")), "pppp");
+    assert_eq!(verdicts(&text("Q^T J_b Q")), "rppp");
+}

@@ -134,3 +134,13 @@ $$ A\,\dot\omega_1 = M_1 + \sin\theta $$
 ";
     assert_eq!(verdicts(text), "aapu");
 }
+
+#[test]
+fn a_supposed_value_keeps_what_was_supposed_of_its_rate() {
+    let text = "A wheel stores $\\mathbf g$ along its axis. About the mass centre\n\n\
+                $$ \\mathbf H = J\\boldsymbol\\omega + c\\,\\mathbf g $$\n\n\
+                $$ \\boldsymbol\\tau_e = \\dot{\\mathbf H} + \\boldsymbol\\omega\\times\\mathbf H $$\n\n\
+                with the dot on body axes. Suppose $\\boldsymbol\\tau_e = \\mathbf 0$, and suppose that \
+                $\\boldsymbol\\omega = \\mathbf 0$. Then\n\n$$ c\\,\\dot{\\mathbf g} = \\mathbf 0 $$\n";
+    assert_eq!(verdicts(text), "aaaap");
+}

@@ -289,3 +289,15 @@ $$ \det F = 2\,\omega_1\omega_2\omega_3 $$
 ";
     assert_eq!(verdicts(text), "u");
 }
+
+#[test]
+fn a_principal_axis_somewhere_is_no_choice_of_axes() {
+    let line = "$$ I_{xy} = 0 $$\n";
+    let text =
+        |words: &str| format!("{words}\n\n$$ \\mathbf L = I\\boldsymbol\\omega $$\n\n{line}");
+    assert_eq!(
+        verdicts(&text("The body spins about a principal axis.")),
+        "pa"
+    );
+    assert_eq!(verdicts(&text("We use the principal axis system.")), "pp");
+}

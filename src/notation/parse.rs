@@ -4,6 +4,7 @@
 //! exhaust the stack.
 
 mod bracket;
+mod call;
 mod derivative;
 mod environment;
 mod factor;

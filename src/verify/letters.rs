@@ -4,6 +4,7 @@ pub(super) mod attitude_layouts;
 pub(super) mod attitude_matrix;
 pub(super) mod attitude_parts;
 pub(super) mod attitude_reading;
+pub(super) mod axes_by_label;
 pub(super) mod beginnings;
 pub(super) mod body;
 pub(super) mod convention;

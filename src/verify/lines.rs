@@ -1,6 +1,7 @@
 //! What becomes of a line: a claim, a definition, something given, or a reason to leave it open.
 
 pub(super) mod accept;
+pub(super) mod between_frames;
 pub(super) mod cases;
 pub(super) mod claim;
 pub(super) mod data;
@@ -12,11 +13,13 @@ pub(super) mod entities;
 pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod forward;
+pub(super) mod functions;
 pub(super) mod given;
 pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod index;
 pub(super) mod inequality;
+pub(super) mod labelled_space;
 pub(super) mod laws_in_words;
 pub(super) mod line;
 pub(super) mod named_only;

@@ -21,15 +21,13 @@ pub(super) mod wheels;
 pub(super) mod world;
 
 use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
-use crate::notation::ast::Function;
-use crate::verify::theory::attitude_law::{UNIT, square_of_scalar_part};
 use crate::verify::theory::kept::Relations;
 use crate::verify::theory::law::{Setting, law};
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::mentioned::Mentioned;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
 use crate::verify::values::figures::Alternative;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
@@ -102,6 +100,8 @@ pub(super) struct Theory {
     mentioned: Mentioned,
     /// The turn of the premise that was solved last.
     last_turn: Option<solve::Turn>,
+    /// Premises that turned out to speak of a rate, by what they gave.
+    of_rates: HashMap<Name, u8>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
     pub(super) normals: HashMap<Variable, Fraction>,
     /// Where the rules come from.
@@ -130,6 +130,7 @@ impl Theory {
             premises: vec![],
             mentioned: Mentioned::default(),
             last_turn: None,
+            of_rates: HashMap::new(),
             rules: HashMap::new(),
             normals: HashMap::new(),
             sources: HashMap::new(),
@@ -218,7 +219,12 @@ impl Theory {
         self.premises.push(premise.clone());
         let taken = if last {
             self.ledger = Ledger::default();
-            self.solve(&premise)
+            let rates = self.of_rates.len();
+            let taken = self.solve(&premise);
+            match self.of_rates.len() > rates {
+                true => self.rebuild(),
+                false => taken,
+            }
         } else {
             self.rebuild()
         };
@@ -343,58 +349,5 @@ impl Theory {
         self.open.remove(&variable);
         self.normals.insert(variable, value.clone());
         value
-    }
-
-    /// Puts the relations of kernels in: s² = 1 − c², r² = x.
-    pub(super) fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
-        let mut value = fraction;
-        for variable in value.numerator().variables() {
-            let Some(square) = self.kernel_square(variable) else {
-                continue;
-            };
-            let degree = value.numerator().degree_in(variable);
-            if degree < 2 {
-                continue;
-            }
-            let (mut sum, mut power) = (Fraction::zero(), Fraction::one());
-            for half in 0..=degree / 2 {
-                let even = Fraction::from(value.numerator().coefficient_of(variable, 2 * half));
-                let odd = Fraction::from(value.numerator().coefficient_of(variable, 2 * half + 1));
-                sum += (even + odd * variable_fraction(variable)) * power.clone();
-                power *= square.clone();
-            }
-            value = sum / Fraction::from(value.denominator().clone());
-        }
-        value
-    }
-
-    /// The square of a kernel in terms of others.
-    pub(super) fn kernel_square(&mut self, variable: Variable) -> Option<Fraction> {
-        if !self.left_out.contains(UNIT)
-            && let Some(square) = square_of_scalar_part(&mut self.atoms, variable)
-        {
-            return Some(square);
-        }
-        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
-            return None;
-        };
-        match function {
-            Function::Sin => {
-                let cos = self.kernel(Function::Cos, argument);
-                Some(Fraction::one() - cos.clone() * cos)
-            }
-            Function::Sqrt => Some(argument),
-            _ => None,
-        }
-    }
-
-    /// The variable of a kernel as a fraction.
-    pub(super) fn kernel(&mut self, function: Function, argument: Fraction) -> Fraction {
-        match function {
-            Function::Sin if argument.is_zero() => return Fraction::zero(),
-            Function::Cos if argument.is_zero() => return Fraction::one(),
-            _ => {}
-        }
-        variable_fraction(self.atoms.special(Atom::Kernel { function, argument }))
     }
 }

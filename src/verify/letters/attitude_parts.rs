@@ -1,6 +1,6 @@
 //! The parts of the quaternion that a line names: `q = (w, \mathbf u)`, `\mathbf u = (x, y, z)^T`, `Λ = (λ_0, λ_1, λ_2, λ_3)`.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::attitude_reading::{AttitudeReading, Part, spelling};
 use crate::verify::letters::usage::{Letter, inner, symbols};
@@ -31,6 +31,23 @@ impl AttitudeReading {
                 _ => {}
             }
         }
+    }
+
+    /// Whether the quaternion is a factor beside an `\otimes` somewhere in a formula.
+    pub(crate) fn has_circled_product(&self, node: &Node) -> bool {
+        let own = |s: &&Symbol| matches!(self.part(s), Some(Part::Whole | Part::Conjugate));
+        let circled = match &node.kind {
+            Kind::Product(factors) => {
+                factors.iter().any(|f| f.operator == Operator::Tensor)
+                    && factors.iter().any(|f| symbols(&f.node).iter().any(own))
+            }
+            _ => false,
+        };
+        circled
+            || node
+                .children()
+                .into_iter()
+                .any(|child| self.has_circled_product(child))
     }
 
     /// The scalar and the vector part, told apart by the mark of a vector.

@@ -34,6 +34,8 @@ pub(crate) struct AttitudeReading {
     pub quaternion: Option<Letter>,
     /// Whether columns of four have the scalar last.
     pub scalar_last: bool,
+    /// Whether the document multiplies quaternions by `\otimes`, so that this sign makes no dyads.
+    pub circled: bool,
     /// Which way matrix and quaternion go.
     pub convention: Convention,
     /// Whether words say so, for the matrix and for the quaternion.
@@ -63,6 +65,10 @@ impl AttitudeReading {
             reading.name_parts(document, taken);
             lines(document)
                 .for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
+            reading.circled = lines(document).any(|line| {
+                let mut sides = line.sides.iter();
+                sides.any(|side| reading.has_circled_product(side))
+            });
             reading.scalar_last |=
                 speaks("scalar last") || speaks("scalar-last") || speaks("scalar part last");
         }

@@ -14,7 +14,7 @@ impl Reading {
         for letter in letters {
             let free = matches!(
                 letter.name.as_str(),
-                "T" | "E" | "N" | "F" | "Gamma" | "Theta"
+                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta"
             );
             if self.quantities.contains_key(&letter) || free && self.apart.contains(&letter) {
                 continue;

@@ -52,6 +52,8 @@ const NEAR: usize = 80;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Frames {
     named: BTreeMap<String, Frame>,
+    /// The labels of derivatives.
+    written: BTreeSet<String>,
 }
 
 impl Frames {
@@ -78,13 +80,25 @@ impl Frames {
             frames.by_plain_words(document, &written);
             frames.by_neighbours(&written);
         }
+        frames.written = written;
         frames
     }
 
     /// The frame of a label; `None` where nothing says which.
     pub(crate) fn of_label(&self, label: &FrameLabel) -> Option<Frame> {
-        let named = self.named.get(&key(&label.text)).copied();
-        named.or_else(|| by_custom(&label.text))
+        self.of_text(&label.text)
+    }
+
+    /// The frame of a label at a symbol.
+    pub(crate) fn of_text(&self, label: &str) -> Option<Frame> {
+        let named = self.named.get(&key(label)).copied();
+        named.or_else(|| by_custom(label))
+    }
+
+    /// The same for a label that derivatives have too.
+    pub(crate) fn of_derivatives(&self, label: &str) -> Option<Frame> {
+        let written = self.written.contains(&key(label));
+        self.of_text(label).filter(|_| written)
     }
 
     /// "$R_0$ is a Galilean frame", "the body frame $B$".

@@ -1,9 +1,11 @@
-//! Lines that name the components of a vector: `\mathbf r_b = (r_x, r_y, r_z)`.
+//! What formulas give a name to: the letter that a row is about, and lines that name the components of a vector,
+//! `\mathbf r_b = (r_x, r_y, r_z)`.
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, axis, inner, symbols};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::quantity::Shape;
 use crate::verify::values::symbol::Meaning;
@@ -46,5 +48,62 @@ impl Checker<'_> {
             }
         }
         self.accept_definition(sides, finding)
+    }
+}
+
+/// The letters that a row names: of an expression, or of the left side of a line.
+pub(crate) fn named_letters(row: &Row) -> Vec<Letter> {
+    let node = match row {
+        Row::Expression(node) => node,
+        Row::Line(line) if !line.continues => match line.sides.first() {
+            Some(side) => side,
+            None => return vec![],
+        },
+        _ => return vec![],
+    };
+    lone_letters(node)
+}
+
+/// The letter of a lone symbol, or the letters of the entries of a column.
+fn lone_letters(node: &Node) -> Vec<Letter> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol)
+            if symbol
+                .subscripts
+                .iter()
+                .all(|s| axis(s).is_some() || s.len() <= 2) =>
+        {
+            vec![Letter::of(symbol)]
+        }
+        Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
+            rows.iter().flatten().flat_map(lone_letters).collect()
+        }
+        Kind::Tuple(entries) => entries.iter().flat_map(lone_letters).collect(),
+        Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
+        _ => vec![],
+    }
+}
+
+/// The letter on the left of a line that writes a Jacobian, by the words before it or by what it is set equal to: the J
+/// of `J(\omega) = …`, the F of `F = \partial f/\partial\omega`.
+pub(crate) fn jacobian_named(row: &Row, called: bool) -> Option<Letter> {
+    let Row::Line(line) = row else { return None };
+    let vector = |node: &Node| symbols(node).iter().all(|s| s.subscripts.is_empty());
+    let derived = line.sides.get(1).is_some_and(|side| {
+        matches!(&inner(side).kind, Kind::Derivative { operand, variables, .. }
+            if vector(operand) && variables.iter().all(vector))
+    });
+    let left = inner(
+        line.sides
+            .first()
+            .filter(|_| !line.continues && (called || derived))?,
+    );
+    let left = match &left.kind {
+        Kind::Call(head, _) => inner(head),
+        _ => left,
+    };
+    match &left.kind {
+        Kind::Symbol(symbol) if symbol.subscripts.is_empty() => Some(Letter::of(symbol)),
+        _ => None,
     }
 }

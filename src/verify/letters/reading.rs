@@ -3,15 +3,16 @@
 //! The words beside a letter come first ("the angular momentum $\mathbf h$"), then what letters usually mean
 //! in this field, given how they are used.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::{Document, Format, Item, Row};
 use crate::verify::check::keep_end;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
+use crate::verify::letters::naming::{jacobian_named, named_letters};
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
-use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
+use crate::verify::letters::usage::{Letter, Usage, axis};
 use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
@@ -75,6 +76,8 @@ pub(crate) struct Reading {
     pub(crate) wheels_apart: bool,
     /// Letters that stand alone on the left of a line.
     pub(crate) left_sides: BTreeSet<Letter>,
+    /// Letters of vectors and tensors that a label puts on the body's axes or on space axes, without any other mark.
+    pub(crate) on_both_axes: BTreeSet<Letter>,
 }
 
 /// Bytes before a formula in which words may name it.
@@ -105,6 +108,7 @@ impl Reading {
         reading.by_coefficients(document);
         reading.by_moment_law(document);
         reading.by_points();
+        reading.by_labels(document);
         reading.in_a_plane();
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
@@ -231,6 +235,10 @@ impl Reading {
                         .iter()
                         .flat_map(named_letters)
                         .collect::<Vec<_>>();
+                    let called = before.contains("jacobian");
+                    let rows = formula.rows.iter();
+                    self.apart
+                        .extend(rows.filter_map(|row| jacobian_named(row, called)));
                     let display = formula.display;
                     let said = said_before(&before, |after| reaches(after, display));
                     if let Some(quantity) = said {
@@ -380,38 +388,5 @@ impl Reading {
                     && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
             }
         }
-    }
-}
-
-/// The letters that a row names: of an expression, or of the left side of a line.
-fn named_letters(row: &Row) -> Vec<Letter> {
-    let node = match row {
-        Row::Expression(node) => node,
-        Row::Line(line) if !line.continues => match line.sides.first() {
-            Some(side) => side,
-            None => return vec![],
-        },
-        _ => return vec![],
-    };
-    lone_letters(node)
-}
-
-/// The letter of a lone symbol, or the letters of the entries of a column.
-fn lone_letters(node: &Node) -> Vec<Letter> {
-    match &inner(node).kind {
-        Kind::Symbol(symbol)
-            if symbol
-                .subscripts
-                .iter()
-                .all(|s| axis(s).is_some() || s.len() <= 2) =>
-        {
-            vec![Letter::of(symbol)]
-        }
-        Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
-            rows.iter().flatten().flat_map(lone_letters).collect()
-        }
-        Kind::Tuple(entries) => entries.iter().flat_map(lone_letters).collect(),
-        Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
-        _ => vec![],
     }
 }

@@ -29,6 +29,7 @@ impl Wholes {
         wholes.tensors_in_words(document);
         let mut met: Vec<&Symbol> = vec![];
         let mut used: Vec<&Symbol> = vec![];
+        let mut summed: Vec<(Letter, &Symbol)> = vec![];
         let formulas = document.items.iter().filter_map(|item| match item {
             Item::Formula(formula) => Some(formula),
             _ => None,
@@ -39,6 +40,9 @@ impl Wholes {
                     wholes.line(line);
                     met.extend(line.sides.iter().flat_map(symbols));
                     line.sides.iter().for_each(|side| crossed(side, &mut used));
+                    line.sides
+                        .iter()
+                        .for_each(|side| beside_bare(side, &mut summed));
                     if line.sides.iter().flat_map(terms).any(is_cross) {
                         used.extend(line.sides.iter().flat_map(terms).filter_map(lone));
                     }
@@ -49,6 +53,16 @@ impl Wholes {
         }
         let beyond = met.iter().filter(|s| is_beyond_axes(s));
         wholes.counted = beyond.map(|s| Letter::of(s)).collect();
+        // The ω_0 of `ω - ω_0` is a vector where ω is one.
+        let crossed: BTreeSet<Letter> = used
+            .iter()
+            .filter(|s| s.subscripts.is_empty())
+            .map(|s| Letter::of(s))
+            .collect();
+        let summed = summed
+            .into_iter()
+            .filter(|(letter, _)| crossed.contains(letter));
+        used.extend(summed.map(|(_, symbol)| symbol));
         used.retain(|symbol| number(symbol).is_some() && !is_basis(symbol));
         for symbol in used {
             wholes.numbered(symbol, &met);
@@ -256,6 +270,25 @@ fn crossed<'a>(node: &'a Node, found: &mut Vec<&'a Symbol>) {
     node.children()
         .into_iter()
         .for_each(|child| crossed(child, found));
+}
+
+/// The symbols with a number that stand in a sum with their own letter bare.
+fn beside_bare<'a>(node: &'a Node, found: &mut Vec<(Letter, &'a Symbol)>) {
+    if let Kind::Sum(_) = &node.kind {
+        let all: Vec<&Symbol> = terms(node).into_iter().filter_map(lone).collect();
+        let bare = all
+            .iter()
+            .filter(|s| s.subscripts.is_empty() && s.primes == 0);
+        for letter in bare.map(|s| Letter::of(s)) {
+            let same = all
+                .iter()
+                .filter(|s| Letter::of(s) == letter && number(s).is_some());
+            found.extend(same.map(|s| (letter.clone(), *s)));
+        }
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| beside_bare(child, found));
 }
 
 /// The terms of a sum, or the node itself.

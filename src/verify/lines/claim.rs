@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Kind, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{axes, axis, symbols};
+use crate::verify::letters::usage::{axes, axis, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, decide, needed};
@@ -30,7 +30,10 @@ impl Checker<'_> {
         let mut failed = None;
         for read in readings {
             match decide(&mut self.theory, &read.equations) {
-                Decision::True(proof) => return self.proved(&read, proof, finding),
+                Decision::True(proof) => {
+                    self.note_written_out(sides, &read);
+                    return self.proved(&read, proof, finding);
+                }
                 other => failed = failed.or(Some((read, other))),
             }
         }
@@ -41,6 +44,9 @@ impl Checker<'_> {
                 return self.proved(&read, proof, finding);
             }
             let open = matches!(decision, Decision::Open(_));
+            if open && self.proved_on_space_axes(sides, finding) {
+                return;
+            }
             if !open && self.names_components(sides, finding) {
                 return;
             }
@@ -60,6 +66,18 @@ impl Checker<'_> {
                 return;
             }
             self.failed(sides, &read, decision, finding);
+        }
+    }
+
+    /// A vector that is written out by its own components, `v = v₁b₁ + v₂b₂ + v₃b₃`, is spoken of: it may be any.
+    fn note_written_out(&mut self, sides: &[Node], read: &Read) {
+        let [left, _] = sides else { return };
+        if let Kind::Symbol(symbol) = &inner(left).kind
+            && let Meaning::Whole(entity) = self.meaning_of(symbol)
+            && self.theory.atoms.info(entity).shape == Shape::Vector
+            && read.residuals().all(Zero::is_zero)
+        {
+            self.known.insert(entity);
         }
     }
 

@@ -8,7 +8,7 @@ use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::names;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
-use crate::verify::values::lower::{FunctionOf, TroubleKind};
+use crate::verify::values::lower::TroubleKind;
 use crate::verify::values::quantity::Shape;
 use crate::verify::values::symbol::{ANY_POINT, Meaning};
 use crate::verify::values::value::Value;
@@ -275,48 +275,5 @@ impl Checker<'_> {
             .collect();
         self.theory.atoms.info_mut(entity).shape = shape;
         Some(bound)
-    }
-
-    /// `F(ω) = …` defines a function.
-    pub(crate) fn defines_function(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        let [left, right] = sides else { return false };
-        let Kind::Call(head, arguments) = &left.kind else {
-            return false;
-        };
-        let (Some((entity, None)), [argument]) = (self.new_symbol(head), arguments.as_slice())
-        else {
-            return false;
-        };
-        if matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t") {
-            return false;
-        }
-        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
-            return false;
-        };
-        let mut lowering = self.lowering(Frame::Moving);
-        let (Ok(value), Ok(at)) = (lowering.value(right), lowering.value(argument)) else {
-            return false;
-        };
-        let Some(parameter) = at.entries.iter().map(Fraction::as_variable).collect() else {
-            return false;
-        };
-        let Some(residuals) = self.bind(entity, None, &value) else {
-            return false;
-        };
-        let preferred = residuals.iter().map(|(v, _)| *v).collect();
-        let residuals = residuals.into_iter().map(|(_, r)| r).collect();
-        let line = self.line_name(finding);
-        self.theory.assume(Premise {
-            name: line.clone(),
-            residuals,
-            preferred,
-            definition: true,
-        });
-        self.keep(&line, true);
-        self.functions.insert(name, FunctionOf { parameter, value });
-        self.known.insert(entity);
-        finding.verdict = Verdict::Accepted;
-        finding.role = Role::Define;
-        true
     }
 }

@@ -78,14 +78,20 @@ impl Checker<'_> {
     }
 
     fn laws_of_new_symbols(&mut self, sides: &[Node]) -> Vec<Law> {
+        let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
         let Some(first) = sides.first().map(inner) else {
             return vec![];
         };
         let mut laws: Vec<Law> = self.law_in_words(first, sides.get(1)).into_iter().collect();
+        laws.extend(met.iter().find_map(|s| self.turned_round(s)));
         let Kind::Symbol(left) = &first.kind else {
             return laws;
         };
-        let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
+        if let Some(law) = self.in_named_frame(left) {
+            laws.push(law);
+            let others = met.iter().filter(|s| *s != &left);
+            laws.extend(others.filter_map(|s| self.in_named_frame(s)));
+        }
         if self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
             let points = met.iter().filter(|s| is_acceleration(s));
             laws.extend(points.filter_map(|s| self.acceleration(s)));

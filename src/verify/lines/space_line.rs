@@ -77,7 +77,7 @@ impl Checker<'_> {
     }
 
     /// Whether a premise says that a vector vanishes, or speaks of numbers alone.
-    fn holds_on_all_axes(&self, premise: &Premise) -> bool {
+    pub(crate) fn holds_on_all_axes(&self, premise: &Premise) -> bool {
         let atoms = &self.theory.atoms;
         let part = |v: u32| match atoms.atom(v) {
             Atom::Part { entity, order, .. } => Some((atoms.info(*entity), *order)),

@@ -5,7 +5,7 @@ use crate::algebra::{
 };
 use crate::notation::ast::Function;
 use crate::verify::theory::Theory;
-use crate::verify::theory::attitude_law::UNIT;
+use crate::verify::theory::attitude_law::{UNIT, square_of_scalar_part};
 use crate::verify::theory::certify::Elimination;
 use crate::verify::theory::ledger::{Relation, ratio};
 use crate::verify::values::atoms::{Atom, variable_fraction};
@@ -13,6 +13,59 @@ use crate::verify::values::figures::is_pi;
 use num_traits::{One, Zero};
 
 impl Theory {
+    /// Puts the relations of kernels in: s² = 1 − c², r² = x.
+    pub(crate) fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
+        let mut value = fraction;
+        for variable in value.numerator().variables() {
+            let Some(square) = self.kernel_square(variable) else {
+                continue;
+            };
+            let degree = value.numerator().degree_in(variable);
+            if degree < 2 {
+                continue;
+            }
+            let (mut sum, mut power) = (Fraction::zero(), Fraction::one());
+            for half in 0..=degree / 2 {
+                let even = Fraction::from(value.numerator().coefficient_of(variable, 2 * half));
+                let odd = Fraction::from(value.numerator().coefficient_of(variable, 2 * half + 1));
+                sum += (even + odd * variable_fraction(variable)) * power.clone();
+                power *= square.clone();
+            }
+            value = sum / Fraction::from(value.denominator().clone());
+        }
+        value
+    }
+
+    /// The square of a kernel in terms of others.
+    pub(crate) fn kernel_square(&mut self, variable: Variable) -> Option<Fraction> {
+        if !self.left_out.contains(UNIT)
+            && let Some(square) = square_of_scalar_part(&mut self.atoms, variable)
+        {
+            return Some(square);
+        }
+        let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() else {
+            return None;
+        };
+        match function {
+            Function::Sin => {
+                let cos = self.kernel(Function::Cos, argument);
+                Some(Fraction::one() - cos.clone() * cos)
+            }
+            Function::Sqrt => Some(argument),
+            _ => None,
+        }
+    }
+
+    /// The variable of a kernel as a fraction.
+    pub(crate) fn kernel(&mut self, function: Function, argument: Fraction) -> Fraction {
+        match function {
+            Function::Sin if argument.is_zero() => return Fraction::zero(),
+            Function::Cos if argument.is_zero() => return Fraction::one(),
+            _ => {}
+        }
+        variable_fraction(self.atoms.special(Atom::Kernel { function, argument }))
+    }
+
     /// A kernel with every rule put into its argument; `None` where that leaves it as it is.
     pub(crate) fn reduced_kernel(
         &mut self,

@@ -34,6 +34,7 @@ impl Theory {
         if self.left_out.is_empty() {
             self.last_turn = order.last().map(|premise| self.turn(premise));
         }
+        let rates = self.of_rates.len();
         let mut worst = Taken::Solved;
         for premise in &order {
             match self.solve(premise) {
@@ -41,6 +42,9 @@ impl Theory {
                 Taken::Kept => worst = Taken::Kept,
                 _ => {}
             }
+        }
+        if self.of_rates.len() > rates {
+            return self.rebuild();
         }
         match worst {
             Taken::Kept => self.solve_kept(&order),
@@ -102,7 +106,8 @@ impl Theory {
             Atom::SpaceRate { .. } => 1,
             Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
         };
-        variables.map(order).max().unwrap_or(0)
+        let found = self.of_rates.get(&premise.name).copied();
+        variables.map(order).chain(found).max().unwrap_or(0)
     }
 
     /// Whether a condition is that no moment acts about the axis of which the equation of motion is dropped.
@@ -179,6 +184,12 @@ impl Theory {
             let momentary = order == 0 && self.instants.contains(&rule.name);
             let mark = if momentary { MOMENTARY } else { 0 };
             let part = (entity, component | mark);
+            // A rate that a premise gave, and now follows from the value, must not be lost: its turn is behind this one.
+            if let Some((ruled, of_rate)) = self.rules.get(&part)
+                && *ruled > order
+            {
+                self.of_rates.insert(of_rate.name.clone(), *ruled);
+            }
             self.sources.insert(part, source);
             self.rules.insert(part, (order, rule));
             self.normals.clear();
@@ -252,13 +263,16 @@ impl Theory {
         let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
         // What moves follows from what is given of the body, and not the other way round.
         let turns = matches!(info.owner, Owner::Quantity(Quantity::AngularVelocity, _));
+        // Of an implicit step, what the body turned like before is a simple function of what it turns like behind.
+        let of_a_step = matches!(&info.owner, Owner::Quantity(Quantity::AngularVelocity, step) if !step.is_empty());
         let small = coefficient.len() < 3;
         Some(
             u32::from(constant) * 32
                 + u32::from(order) * 4
                 + u32::from(small)
                 + u32::from(turns)
-                + u32::from(inertial && component >= 3) * 2,
+                + u32::from(inertial && component >= 3) * 2
+                + u32::from(of_a_step && small) * 3,
         )
     }
 

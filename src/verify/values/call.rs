@@ -60,7 +60,7 @@ impl Lowering<'_> {
             {
                 return self.value(head);
             }
-            if let Some(value) = self.applied(head, argument)? {
+            if let Some(value) = self.applied(head, arguments)? {
                 return Ok(value);
             }
             if let Some(value) = self.at_an_instant(head, argument)? {
@@ -83,6 +83,9 @@ impl Lowering<'_> {
             return self
                 .juxtaposed(&left, &right)
                 .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, node.span, m));
+        }
+        if let Some(value) = self.applied(head, arguments)? {
+            return Ok(value);
         }
         Err(trouble(
             TroubleKind::Unsupported,
@@ -128,14 +131,14 @@ impl Lowering<'_> {
         let mut base = at.clone();
         base.subscripts.clear();
         if base == *at {
-            return Ok(None);
+            return self.of_its_own(head, argument);
         }
         let base = Node {
             kind: Kind::Symbol(base),
             span: argument.span,
         };
         let (value, from, to) = (self.value(head)?, self.value(&base)?, self.value(argument)?);
-        if value.is_scalar() || from.entries.len() != to.entries.len() {
+        if value.is_scalar() && from.is_scalar() || from.entries.len() != to.entries.len() {
             return Ok(None);
         }
         let parameters: Vec<u32> = from
@@ -160,11 +163,23 @@ impl Lowering<'_> {
         Ok(Some(value.map(|entry| substituted(entry, &image))))
     }
 
-    /// A defined function at an argument: the parameter's variables replaced.
+    /// `T(ω)`, a number that depends on the vector in the brackets: that number.
+    fn of_its_own(&mut self, head: &Node, argument: &Node) -> Result<Option<Value>, Trouble> {
+        let (value, at) = (self.value(head)?, self.value(argument)?);
+        let parameters: Option<Vec<u32>> = at.entries.iter().map(Fraction::as_variable).collect();
+        let (Some(parameters), true, true) = (parameters, value.is_scalar(), at.is_vector()) else {
+            return Ok(None);
+        };
+        let made_of = self.theory.normal(&value.entries[0]).variables();
+        let depends = parameters.iter().any(|p| made_of.contains(p));
+        Ok(depends.then_some(value))
+    }
+
+    /// A defined function at arguments: the parameters' variables replaced.
     pub(crate) fn applied(
         &mut self,
         head: &Node,
-        argument: &Node,
+        arguments: &[Node],
     ) -> Result<Option<Value>, Trouble> {
         let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
             return Ok(None);
@@ -172,13 +187,16 @@ impl Lowering<'_> {
         let Some(function) = self.functions.get(&name).cloned() else {
             return Ok(None);
         };
-        let at = self.value(argument)?;
-        if at.entries.len() != function.parameter.len() {
+        let mut at = vec![];
+        for argument in arguments {
+            at.extend(self.value(argument)?.entries);
+        }
+        if at.len() != function.parameter.len() {
             return Ok(None);
         }
         let image = |v: u32| {
             let place = function.parameter.iter().position(|&p| p == v);
-            place.map_or_else(|| variable_fraction(v), |i| at.entries[i].clone())
+            place.map_or_else(|| variable_fraction(v), |i| at[i].clone())
         };
         Ok(Some(function.value.map(|entry| substituted(entry, &image))))
     }

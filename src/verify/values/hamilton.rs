@@ -41,6 +41,15 @@ impl Lowering<'_> {
         Some(self.column_of_four(&mechanics::quaternion_product(&left, &right)))
     }
 
+    /// The same for `\otimes`, which in a document that multiplies quaternions by it makes no dyad of two vectors either.
+    pub(crate) fn circled(&self, left: &Value, right: &Value) -> Option<Value> {
+        if !(self.reading.attitude.circled && left.is_vector() && right.is_vector()) {
+            return self.hamilton(left, right);
+        }
+        let (left, right) = (self.scalar_first(left)?, self.scalar_first(right)?);
+        Some(self.column_of_four(&mechanics::quaternion_product(&left, &right)))
+    }
+
     /// Juxtaposed factors: of quaternions, of matrices, of numbers.
     pub(crate) fn juxtaposed(&self, left: &Value, right: &Value) -> Result<Value, ShapeMismatch> {
         match self.hamilton(left, right) {

@@ -159,7 +159,7 @@ impl Lowering<'_> {
     }
 
     /// Rows are the entries of the value, columns the variables; a gradient of a scalar is a column.
-    fn jacobian(&mut self, value: &Value, places: &[u32]) -> Value {
+    pub(crate) fn jacobian(&mut self, value: &Value, places: &[u32]) -> Value {
         let entries: Vec<Fraction> = value
             .entries
             .iter()

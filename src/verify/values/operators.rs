@@ -61,7 +61,7 @@ impl Lowering<'_> {
                 }
                 Operator::Tensor => {
                     let left = run.take().unwrap_or_else(|| Value::scalar(Fraction::one()));
-                    run = Some(match self.hamilton(&left, &value) {
+                    run = Some(match self.circled(&left, &value) {
                         Some(product) => product,
                         None => left.times(&value.transposed()).map_err(ill)?,
                     });

@@ -19,7 +19,7 @@ const LETTERS: &[&str] = &["s", "S", "n", "N", "i", "I", "w", "W", "e", "E"];
 
 /// A symbol without the label that puts it on space axes; `None` where it has none.
 pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {
-    if !(symbol.style.vector || symbol.style.tensor || symbol.style.bar) {
+    if !is_marked(symbol, reading) {
         return None;
     }
     let letters = reading.attitude.is_spoken_of();
@@ -36,16 +36,22 @@ pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol
     (bare != *symbol).then_some(bare)
 }
 
+/// Whether a symbol shows that it is a vector or a tensor, or wears labels of both triads of axes.
+fn is_marked(symbol: &Symbol, reading: &Reading) -> bool {
+    let marked = symbol.style.vector || symbol.style.tensor || symbol.style.bar;
+    marked || reading.on_both_axes.contains(&Letter::of(symbol))
+}
+
 /// Letters for the body's axes, where the document speaks of an attitude.
 const BODY: &[&str] = &["B", "b", "body"];
 
 /// A symbol without the label that puts it on the body's axes, `\mathbf h_B`, or the matrix without the two labels that it
 /// leads between, `\mathbf R_{WB}`; `None` where it has none.
 pub(crate) fn without_body_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {
-    let marked = symbol.style.vector || symbol.style.tensor || symbol.style.bar;
     if !reading.attitude.is_spoken_of() {
         return None;
     }
+    let marked = is_marked(symbol, reading);
     let matrix = reading.attitude.matrix.as_ref() == Some(&Letter::of(symbol));
     let labels = |text: &str| {
         let text = text.trim();

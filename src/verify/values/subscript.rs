@@ -1,6 +1,7 @@
 //! What the subscripts and superscripts of a symbol say: an axis, two axes, a point, or a name.
 
 use crate::notation::ast::Symbol;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis};
 use crate::verify::values::quantity::Quantity;
@@ -53,14 +54,15 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         }
     }
     // Of the two frames of `{}^A\omega^B` each counts.
-    let between = symbol.superscripts.len() > 1;
-    let told = !reading
+    let frames = symbol.superscripts.len() > 1;
+    let always = reading
         .usage
         .always_wears(&Letter::of(symbol), &symbol.superscripts);
+    let told = !always && !is_of_the_body(symbol, reading);
     for text in symbol
         .superscripts
         .iter()
-        .filter(|s| told && (between || !POINTS.contains(&s.trim())))
+        .filter(|s| told && (frames || !POINTS.contains(&s.trim())))
     {
         sorted.variant.push('^');
         sorted.variant.push_str(text.trim());
@@ -117,11 +119,55 @@ pub(crate) fn tells_nothing_apart(
         Quantity::Momentum | Quantity::Moment => symbol.style.vector,
         Quantity::AngularVelocity => {
             let mut others = met.into_iter().flatten().filter(|s| s.contains('/'));
-            return point.contains('/') && symbol.style.vector && others.all(|s| s == point);
+            let alone = others.all(|s| s == point) || is_of_the_body(symbol, reading);
+            return point.contains('/') && symbol.style.vector && alone;
         }
         _ => false,
     };
     whole && alone && (POINTS.contains(&point) || point == "0")
+}
+
+/// The two frames that an angular velocity is between: `{}^N\omega^B`, or `\omega_{B/N}` the other way.
+pub(crate) fn between(symbol: &Symbol) -> Option<(String, String)> {
+    if let [first, second] = symbol.superscripts.as_slice() {
+        return Some((first.clone(), second.clone()));
+    }
+    let [both] = symbol.subscripts.as_slice() else {
+        return None;
+    };
+    let (first, second) = both.split_once('/')?;
+    Some((first.trim().to_owned(), second.trim().to_owned()))
+}
+
+/// Whether an angular velocity is that of the turning axes in those at rest, where the document has it both ways and
+/// speaks of no third frame.
+pub(crate) fn is_of_the_body(symbol: &Symbol, reading: &Reading) -> bool {
+    let letter = Letter::of(symbol);
+    let turning = [Quantity::AngularVelocity, Quantity::AngularAcceleration];
+    let turns = reading.quantities.get(&letter);
+    let Some((first, second)) =
+        between(symbol).filter(|_| turns.is_some_and(|q| turning.contains(q)))
+    else {
+        return false;
+    };
+    let (from, of) = match symbol.superscripts.len() {
+        2 => (&first, &second),
+        _ => (&second, &first),
+    };
+    let frames = [from, of].map(|label| reading.frames.of_text(label));
+    let pair = |labels: [&str; 2]| {
+        labels == [first.as_str(), &second] || labels == [second.as_str(), &first]
+    };
+    let above = reading.usage.superscripts.get(&letter);
+    let mut above = above.into_iter().flatten().filter(|met| !met.is_empty());
+    let below = reading.usage.subscripts.get(&letter);
+    let mut below = below.into_iter().flatten().filter(|met| met.contains('/'));
+    frames == [Some(Frame::Space), Some(Frame::Moving)]
+        && above.all(|met| matches!(met.as_slice(), [a, b] if pair([a, b])))
+        && below.all(|met| {
+            met.split_once('/')
+                .is_some_and(|(a, b)| pair([a.trim(), b.trim()]))
+        })
 }
 
 /// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.

@@ -91,7 +91,11 @@ const FREE: &[&str] = &[
 ];
 const PRINCIPAL: &[&str] = &[
     "principal axes",
-    "principal axis",
+    "the principal axis",
+    "principal axis system",
+    "principal axis frame",
+    "principal axis form",
+    "principal axis version",
     "principal-axis",
     "principal moments",
     "principal body axes",

@@ -1,0 +1,89 @@
+//! A symbol with a bracket behind it: `R(t)`, `F(\omega)`, `m(a+b)`.
+
+use super::{Parser, split_outside};
+use crate::notation::ast::{Kind, Node};
+use crate::notation::token::Lexeme;
+use crate::source::Span;
+use num_traits::One;
+
+impl Parser<'_, '_> {
+    /// `m(a+b)`, `R(t)`: the reader can't tell a product from a call, so it says that a list stands there. A power
+    /// behind the bracket shows that it is a factor of its own.
+    pub(super) fn call(&mut self, head: Node, start: usize) -> Node {
+        if self.peek() != Some(Lexeme::Char('(')) {
+            return head;
+        }
+        let Some((from, to)) = self.bracket_inside() else {
+            return head;
+        };
+        let after = self.tokens.get(to + 1).map(|t| t.kind);
+        let inside = &self.tokens[from..to];
+        let of_time =
+            matches!(inside, [t] if matches!(t.kind, Lexeme::Letter('t') | Lexeme::Number("0")));
+        let callable = matches!(head.kind, Kind::Symbol(_)) || of_time;
+        if !callable || inside.is_empty() {
+            return head;
+        }
+        let parts = split_outside(inside, |t| t.kind == Lexeme::Char(','));
+        let arguments: Vec<Node> = parts
+            .into_iter()
+            .map(|part| self.inside(part).whole())
+            .collect();
+        // Of two vectors side by side no power is taken, so the `\mathbf S(\mathbf a)^T` is one of a matrix S(a).
+        let vector = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.style.vector);
+        let of_vector = vector(&head) && matches!(arguments.as_slice(), [one] if vector(one));
+        let scripted = matches!(after, Some(Lexeme::Superscript | Lexeme::Subscript));
+        // Nor is a number transposed, and `J(\omega)^{-1}` is the inverse of a matrix that depends on ω.
+        let of_state = may_be_matrix(&head)
+            && matches!(arguments.as_slice(), [one] if matches!(one.kind, Kind::Symbol(_)));
+        if scripted && !of_vector && !of_state {
+            return head;
+        }
+        let before = self.at;
+        self.at = to + 1;
+        let node = called(head.clone(), arguments, self.since(start));
+        let node = self.scripts(node, start);
+        if scripted && !of_vector && !is_turned_or_inverted(&node) {
+            self.at = before;
+            return head;
+        }
+        node
+    }
+}
+
+/// Whether a symbol is a capital without any mark or index.
+fn may_be_matrix(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Symbol(s) if s.subscripts.is_empty() && s.name.chars().all(|c| c.is_ascii_uppercase()))
+}
+
+/// Whether a call is transposed or inverted.
+fn is_turned_or_inverted(node: &Node) -> bool {
+    let one = |node: &Node| matches!(&node.kind, Kind::Number(n) if n.value.is_one());
+    match &node.kind {
+        Kind::Transpose(inside) => matches!(inside.kind, Kind::Call(..)),
+        Kind::Power(base, exponent) => {
+            matches!(base.kind, Kind::Call(..))
+                && matches!(&exponent.kind, Kind::Negate(inside) if one(inside))
+        }
+        _ => false,
+    }
+}
+
+/// A call of the innermost symbol: `\dot\theta(t)` is the rate of θ(t).
+fn called(head: Node, arguments: Vec<Node>, span: Span) -> Node {
+    let kind = match head.kind {
+        Kind::TimeDerivative {
+            operand,
+            order,
+            style,
+            frame,
+        } => Kind::TimeDerivative {
+            operand: Box::new(called(*operand, arguments, span)),
+            order,
+            style,
+            frame,
+        },
+        _ => Kind::Call(Box::new(head), arguments),
+    };
+    Node { kind, span }
+}

@@ -1,0 +1,83 @@
+//! Velocities and accelerations of a point in frames that a document names, `{}^N\vec v` and `{}^B\vec a`, and the angular
+//! velocity of one frame in the other turned round, `{}^B\vec\omega^N = -{}^N\vec\omega^B`.
+
+use crate::notation::ast::Symbol;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::lines::points::Law;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::subscript::{between, is_of_the_body};
+use crate::verify::values::value::Value;
+
+impl Checker<'_> {
+    /// The angular velocity of the axes at rest in those that turn.
+    pub(crate) fn turned_round(&mut self, symbol: &Symbol) -> Option<Law> {
+        let quantity = *self.reading.quantities.get(&Letter::of(symbol))?;
+        let turning = [Quantity::AngularVelocity, Quantity::AngularAcceleration];
+        if !turning.contains(&quantity) || !self.is_new(symbol) {
+            return None;
+        }
+        let (first, second) = between(symbol)?;
+        let mut other = symbol.clone();
+        match symbol.superscripts.len() {
+            2 => other.superscripts = vec![second, first],
+            _ => other.subscripts = vec![format!("{second}/{first}")],
+        }
+        if !is_of_the_body(&other, &self.reading) {
+            return None;
+        }
+        let own = self.theory.atoms.quantity(quantity);
+        let own = Value::column(self.theory.atoms.vector(own, 0));
+        let entity = self.entity_named(symbol)?;
+        Some(Law::new("frames turned round", entity, own.negated()))
+    }
+
+    /// The velocity or acceleration of the one point whose position is spoken of, in a frame that the document's
+    /// derivatives are taken in.
+    pub(crate) fn in_named_frame(&mut self, symbol: &Symbol) -> Option<Law> {
+        let quantity = self.reading.quantities.get(&Letter::of(symbol));
+        let order = match (quantity, symbol.name.as_str()) {
+            (Some(Quantity::Velocity), _) | (None, "v") => 1,
+            (Some(Quantity::Acceleration), _) | (None, "a") => 2,
+            _ => return None,
+        };
+        if !symbol.style.vector {
+            return None;
+        }
+        let [label] = symbol.superscripts.as_slice() else {
+            return None;
+        };
+        let frame = self.reading.frames.of_derivatives(label)?;
+        if !symbol.subscripts.is_empty() || !self.is_new(symbol) || !self.has_one_position() {
+            return None;
+        }
+        let position = self.theory.atoms.quantity(Quantity::Position);
+        let value = match frame {
+            Frame::Moving => Value::column(self.theory.atoms.vector(position, order)),
+            Frame::Space => {
+                let mut value = Value::column(self.theory.atoms.vector(position, 0));
+                for _ in 0..order {
+                    value = self.lowering(Frame::Space).space_rate(&value);
+                }
+                value
+            }
+        };
+        Some(Law::new("kinematics", self.entity_named(symbol)?, value))
+    }
+
+    /// Whether one vector is a position, and nothing tells it from others of its letter.
+    fn has_one_position(&self) -> bool {
+        let mut positions = self.reading.quantities.iter();
+        let mut positions = positions
+            .by_ref()
+            .filter(|(_, q)| **q == Quantity::Position);
+        let (Some((letter, _)), None) = (positions.next(), positions.next()) else {
+            return false;
+        };
+        let usage = &self.reading.usage;
+        let labels = usage.subscripts.get(letter).into_iter().flatten();
+        let marked = usage.superscripts.get(letter).into_iter().flatten();
+        labels.into_iter().all(|s| axis(s).is_some()) && marked.into_iter().all(Vec::is_empty)
+    }
+}

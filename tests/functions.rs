@@ -1,0 +1,57 @@
+//! Functions of the state, their Jacobians, and what they are elsewhere.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn a_jacobian_in_words_is_that_of_the_function_before_it() {
+    let text = |sign: &str| {
+        format!(
+            "The inertia tensor is $I$, the time step $h$, the old rate $\\omega_0$. The root of\n\n\
+             $$ g(\\omega) = I(\\omega - \\omega_0) + h\\,\\omega\\times(I\\omega) $$\n\n\
+             is wanted. The Jacobian of $g$ reads\n\n\
+             $$ J(\\omega) = I + h\\left([\\omega]_\\times I {sign} [I\\omega]_\\times\\right) $$\n\n\
+             and a step of Newton's method is\n\n\
+             $$ \\omega_1 = \\omega_0 - J(\\omega_0)^{{-1}}g(\\omega_0) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "apa");
+    assert_eq!(verdicts(&text("+")), "ara");
+}
+
+#[test]
+fn a_right_hand_side_of_several_arguments_has_its_name_from_the_left() {
+    let text = |entry: &str| {
+        format!(
+            "Principal axes, moments $J_1, J_2, J_3$, torque $u$. The state equation is $\\dot\\omega = f(\\omega, u)$. Its derivative is\n\n\
+             $$ F = \\frac{{\\partial f}}{{\\partial\\omega}} = \\begin{{pmatrix}} 0 & a\\omega_3 & a\\omega_2 \\\\ \
+             {entry} & 0 & b\\omega_1 \\\\ c\\omega_2 & c\\omega_1 & 0 \\end{{pmatrix}} $$\n\n"
+        )
+    };
+    let with = "Let $a = \\frac{J_2 - J_3}{J_1}$, $b = \\frac{J_3 - J_1}{J_2}$, $c = \\frac{J_1 - J_2}{J_3}$.\n\n";
+    let trace = "$$ \\operatorname{tr} F = 0 $$\n";
+    assert_eq!(
+        verdicts(&format!("{with}{}{trace}", text("b\\omega_3"))),
+        "aaaapp"
+    );
+    assert_eq!(
+        verdicts(&format!("{with}{}{trace}", text("-b\\omega_3"))),
+        "aaaarp"
+    );
+}
+
+#[test]
+fn an_energy_is_taken_at_the_rate_in_its_brackets() {
+    let text = |half: &str| {
+        format!(
+            "Before the step the angular velocity is $\\omega_0$. With the inertia tensor $I$ the kinetic energy is\n\n\
+             $$ T(\\omega) = \\tfrac12\\,\\omega^T I\\,\\omega $$\n\n\
+             $$ T(\\omega_0) = {half}\\,\\omega_0^T I\\,\\omega_0 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("\\tfrac12")), "ap");
+    assert_ne!(verdicts(&text("\\tfrac13")), "ap");
+}
