@@ -91,3 +91,28 @@ fn numbers_of_a_body_stay_what_they_are() {
         $$ \\dot\\omega_z = \\tfrac45\\omega_x\\omega_y $$\n\n$$ \\dot\\omega_z = -\\tfrac45\\omega_x\\omega_y $$\n";
     assert_eq!(verdicts(text), "aaappppr");
 }
+
+#[test]
+fn relations_of_moments_in_numbers_are_data_and_a_lamina_has_its_sum() {
+    let text = "The body is symmetric, with moments $A$, $A$, $C$. **Numbers.** For the Earth\n\n\
+        $$ \\frac{C - A}{A} = \\frac{1}{305} $$\n\nand one turn takes a day, $\\omega_3 = 2\\pi$ per day. Hence\n\n\
+        $$ 305\\,(C - A) = A $$\n\n$$ 305\\,(C - A) = C $$\n";
+    assert_eq!(verdicts(text), "aapr");
+    let text = "With the products $I_{xy}$, $I_{yz}$ and $I_{xz}$ the momentum is $L_x = I_{xx}\\omega_x - I_{xy}\\omega_y - I_{xz}\\omega_z$. \
+        For a thin plate this becomes\n\n$$ I_{zz} = I_{xx} + I_{yy} $$\n";
+    assert_eq!(verdicts(text), "pa");
+}
+
+#[test]
+fn numbered_axes_behind_lettered_ones_may_be_the_principal_ones() {
+    let text = "The momentum is $L_x = I_{xx}\\omega_x - I_{xy}\\omega_y - I_{xz}\\omega_z$.\n\n\
+        From here on the axes 1, 2, 3 are principal. Then\n\n$$ L_1 = I_1\\omega_1 $$\n\n$$ L_2 = I_1\\omega_2 $$\n";
+    assert_eq!(verdicts(text), "ppr");
+}
+
+#[test]
+fn a_constant_of_the_motion_is_for_laws_to_say() {
+    let text = "No torque acts; the axes are principal. The rate $\\omega_1$ is a constant of the motion? No:\n\n\
+        $$ \\dot\\omega_1 = 0 $$\n";
+    assert!(!verdicts(text).contains('p'));
+}

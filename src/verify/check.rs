@@ -313,7 +313,10 @@ impl<'a> Checker<'a> {
         for row in &formula.rows {
             match row {
                 Row::Line(line) if self.done.contains(&line.span.start) => {}
-                Row::Line(line) => self.line(line, role),
+                Row::Line(line) => {
+                    self.named.clear();
+                    self.line(line, role);
+                }
                 Row::Expression(node) => {
                     self.note_expression(node);
                     self.expression(node);

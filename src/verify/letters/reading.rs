@@ -20,7 +20,7 @@ use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
     apposition, letters_named, lists_moments, reaches, said_after, said_before, speaks_of_wheels,
 };
-use crate::verify::words::prose::{Said, said};
+use crate::verify::words::prose::{Said, said, turns_to_numbered_axes};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What letters stand for.
@@ -65,6 +65,8 @@ pub(crate) struct Reading {
     pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
+    /// Whether the words turn from lettered axes to numbered ones that are principal.
+    pub turns_to_numbers: bool,
     pub(crate) speaks_of_energy: bool,
     pub(crate) speaks_of_no_torque: bool,
     pub(crate) speaks_of_force: bool,
@@ -207,6 +209,7 @@ impl Reading {
                     self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
                     self.speaks_of_products |=
                         text.contains("products of inertia") || text.contains("product of inertia");
+                    self.turns_to_numbers |= turns_to_numbered_axes(&text);
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     let after = said_after(&text).filter(|_| !opens);
                     let after = after.or_else(|| apposition(&text, near));

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
@@ -13,7 +14,7 @@ use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
 /// Quantities that a problem hands over.
-const INPUTS: &[Quantity] = &[
+pub(crate) const INPUTS: &[Quantity] = &[
     Quantity::Inertia,
     Quantity::AngularVelocity,
     Quantity::FrameRate,
@@ -48,7 +49,10 @@ impl Checker<'_> {
             return true;
         }
         let zero = is_zero(last);
-        let number = zero || symbols(last).is_empty();
+        let number = zero || is_in_digits(last);
+        if number && !zero && !self.asserted && self.is_data_of_inputs(first) {
+            return true;
+        }
         if number && !self.asserted && !self.firm && self.is_any_moment(first, zero) {
             return true;
         }
@@ -183,7 +187,7 @@ impl Checker<'_> {
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
     /// that is no input.
     fn hands_over(&mut self, side: &Node) -> Option<bool> {
-        let mut foreign = symbols(side).is_empty();
+        let mut foreign = is_in_digits(side);
         for entity in self.entities([side]) {
             match &self.theory.atoms.info(entity).owner {
                 Owner::Symbol(_) => foreign |= self.is_free(entity),
@@ -217,19 +221,6 @@ impl Checker<'_> {
             told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
         });
         told && met
-    }
-
-    /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
-    fn is_form_of_inertia(&mut self, read: &Read) -> bool {
-        let [equation] = read.equations.as_slice() else {
-            return false;
-        };
-        let left = equation.left.entries.iter();
-        equation.left.rows == 3
-            && equation.left.columns == 3
-            && left.zip(&equation.right.entries).all(|(own, written)| {
-                written.is_zero() || (own.clone() - written.clone()).is_zero()
-            })
     }
 
     /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
@@ -283,31 +274,6 @@ impl Checker<'_> {
                 let rates = (0..3).map(|k| self.theory.atoms.part(omega, k, 1));
                 rates.into_iter().any(|rate| made_of.contains(&rate))
             })
-    }
-
-    /// Whether a line sets one moment of inertia equal to the sum of two others, as they are of a lamina: C = A + B.
-    fn narrows_the_body(&mut self, sides: &[Node], read: &Read) -> bool {
-        let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
-            return false;
-        };
-        let (Kind::Symbol(_), [residual]) =
-            (&inner(left).kind, equation.residual.entries.as_slice())
-        else {
-            return false;
-        };
-        let said = self.theory.normal(residual);
-        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
-        let [x, y, z] = [0, 1, 2].map(|c| self.theory.atoms.value(inertia, c, 0));
-        let sums = [
-            z.clone() - x.clone() - y.clone(),
-            x.clone() - y.clone() - z.clone(),
-            y - z - x,
-        ];
-        sums.iter().any(|sum| {
-            let flat = self.theory.normal(sum);
-            let own = flat.variables().len() > 1;
-            own && ((said.clone() - flat.clone()).is_zero() || (said.clone() + flat).is_zero())
-        })
     }
 
     /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
@@ -365,6 +331,8 @@ impl Checker<'_> {
         let role = if names { Role::Define } else { Role::Given };
         self.pass_name_on(sides, &self.line_name(finding));
         let input = self.is_free_input(&sides[0]);
+        let read = self.read(sides, Frame::Moving);
+        let flat = read.is_ok_and(|read| self.is_said_of_a_lamina(sides, &read));
         self.accept(sides, role, finding);
         if finding.verdict != Verdict::Accepted {
             return;
@@ -380,7 +348,8 @@ impl Checker<'_> {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;
             finding.remarks.push("taken as an assumption".to_owned());
-        } else if self.asserted && !sides.iter().all(lone) && !self.sets_motion(&sides[0]) {
+        } else if self.asserted && !sides.iter().all(lone) && !self.sets_motion(&sides[0]) && !flat
+        {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
         } else {
@@ -388,6 +357,11 @@ impl Checker<'_> {
             finding.remarks.push("taken as given".to_owned());
         }
     }
+}
+
+/// Whether a side is a number, π included.
+fn is_in_digits(side: &Node) -> bool {
+    symbols(side).iter().all(|symbol| symbol.name == "pi")
 }
 
 /// Whether a side is written as a zero, bold or not.

@@ -31,7 +31,8 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     // Beside I_xx, an I_1 is a moment with a name of its own.
     let letter = Letter::of(symbol);
     let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
-        && reading.usage.has_lettered_entries(&letter);
+        && reading.usage.has_lettered_entries(&letter)
+        && !reading.turns_to_numbers;
     for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
         // Beside axes 1, 2, 3, z is the vertical.

@@ -101,7 +101,8 @@ const PRINCIPAL: &[&str] = &[
     "principal body axes",
     "principal coordinates",
     "principal frame",
-    "axes are principal",
+    "are principal",
+    "be principal",
 ];
 const NOT_SO: &[&str] = &["not ", "need not", "n't ", "general axes", "arbitrary"];
 
@@ -249,6 +250,19 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         .iter()
         .find(|(name, _)| named.iter().any(|word| word == name))
         .map(|&(_, (a, b))| Said::SymmetryPlane(a, b))
+}
+
+/// "From here on the axes 1, 2, 3 are principal."
+pub(crate) fn turns_to_numbered_axes(text: &str) -> bool {
+    let words: Vec<&str> = text
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|word| !word.is_empty() && *word != "and")
+        .collect();
+    words
+        .windows(4)
+        .any(|w| w[..3] == ["1", "2", "3"] && w[3] == "are")
+        && words.contains(&"principal")
+        && words.contains(&"axes")
 }
 
 /// Whether one of the phrases stands there and is not denied right before or after it.

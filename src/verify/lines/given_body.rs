@@ -1,0 +1,83 @@
+//! Lines that hand over what a body is like: the form of its inertia matrix, a relation of its moments.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
+use crate::verify::lines::given::INPUTS;
+use crate::verify::lines::line::Read;
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
+use num_traits::Zero;
+
+impl Checker<'_> {
+    /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
+    pub(crate) fn is_form_of_inertia(&mut self, read: &Read) -> bool {
+        let [equation] = read.equations.as_slice() else {
+            return false;
+        };
+        let left = equation.left.entries.iter();
+        equation.left.rows == 3
+            && equation.left.columns == 3
+            && left.zip(&equation.right.entries).all(|(own, written)| {
+                written.is_zero() || (own.clone() - written.clone()).is_zero()
+            })
+    }
+
+    /// Whether a side is made of moments of inertia and rates that nothing determines, more than one: `(C - A)/A`.
+    pub(crate) fn is_data_of_inputs(&mut self, side: &Node) -> bool {
+        if matches!(inner(side).kind, Kind::Symbol(_)) {
+            return false;
+        }
+        let Ok(value) = self.lowering(Frame::Moving).value(side) else {
+            return false;
+        };
+        let inputs = |entry: &Fraction| {
+            entry.variables().into_iter().all(|v| {
+                let owner = self.theory.atoms.owner(v);
+                matches!(owner, Some(Owner::Quantity(q, _)) if INPUTS.contains(q))
+            })
+        };
+        let known = value.entries.iter().all(inputs);
+        known
+            && value.entries.iter().all(|entry| {
+                !entry.variables().is_empty()
+                    && self.theory.normal(entry).variables() == entry.variables()
+            })
+    }
+
+    /// Whether a line sets one moment of inertia equal to the sum of two others, as they are of a lamina: C = A + B.
+    pub(crate) fn narrows_the_body(&mut self, sides: &[Node], read: &Read) -> bool {
+        let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
+            return false;
+        };
+        let (Kind::Symbol(_), [residual]) =
+            (&inner(left).kind, equation.residual.entries.as_slice())
+        else {
+            return false;
+        };
+        let said = self.theory.normal(residual);
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let [x, y, z] = [0, 1, 2].map(|c| self.theory.atoms.value(inertia, c, 0));
+        let sums = [
+            z.clone() - x.clone() - y.clone(),
+            x.clone() - y.clone() - z.clone(),
+            y - z - x,
+        ];
+        sums.iter().any(|sum| {
+            let flat = self.theory.normal(sum);
+            let own = flat.variables().len() > 1;
+            own && ((said.clone() - flat.clone()).is_zero() || (said.clone() + flat).is_zero())
+        })
+    }
+
+    /// Whether a line says so, and its sentence speaks of a flat body.
+    pub(crate) fn is_said_of_a_lamina(&mut self, sides: &[Node], read: &Read) -> bool {
+        let text = self.sentence.to_lowercase();
+        let flat = ["thin", "lamina", "flat"]
+            .iter()
+            .any(|word| text.contains(word));
+        flat && self.narrows_the_body(sides, read)
+    }
+}
