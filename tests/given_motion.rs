@@ -116,3 +116,14 @@ fn a_constant_of_the_motion_is_for_laws_to_say() {
         $$ \\dot\\omega_1 = 0 $$\n";
     assert!(!verdicts(text).contains('p'));
 }
+
+#[test]
+fn unit_vectors_in_numbers_are_the_columns_of_a_matrix() {
+    let text = "A flat plate lies in the $xy$ plane, so\n\n$$ I_{xz} = I_{yz} = 0 $$\n\nUnit vectors along the principal axes:\n\n\
+        $$ \\mathbf u_1 = \\tfrac15\\begin{bmatrix} 3 \\\\ 4 \\\\ 0 \\end{bmatrix}, \\quad \
+        \\mathbf u_2 = \\tfrac15\\begin{bmatrix} -4 \\\\ 3 \\\\ 0 \\end{bmatrix}, \\quad \
+        \\mathbf u_3 = \\begin{bmatrix} 0 \\\\ 0 \\\\ 1 \\end{bmatrix} $$\n\n\
+        Let $R = [\\,\\mathbf u_1 \\;\\; \\mathbf u_2 \\;\\; \\mathbf u_3\\,]$. Then\n\n\
+        $$ R^T R = \\mathbf 1 $$\n\n$$ R\\,\\mathbf e_x = \\mathbf u_1 $$\n\n$$ R^T\\mathbf e_x = \\mathbf u_1 $$\n";
+    assert_eq!(verdicts(text), "paaaappr");
+}

@@ -137,7 +137,7 @@ impl Wholes {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return;
         };
-        let grid = matches!(&inner(right).kind, Kind::Matrix(rows) if rows.len() > 1);
+        let grid = is_grid(right);
         let square = |rows: &[Vec<Node>]| rows.len() == 3 && rows.iter().all(|r| r.len() == 3);
         if matches!(&inner(right).kind, Kind::Matrix(rows) if square(rows)) {
             self.grids
@@ -315,5 +315,23 @@ pub(super) fn lone(node: &Node) -> Option<&Symbol> {
         Kind::Negate(inside) => lone(inside),
         Kind::TimeDerivative { operand, .. } => lone(operand),
         _ => None,
+    }
+}
+
+/// Whether a side is written out row by row, with a number before it perhaps: `\frac{1}{\sqrt 5} [1, 2, 0]^T`.
+fn is_grid(side: &Node) -> bool {
+    match &inner(side).kind {
+        Kind::Matrix(rows) => rows.len() > 1,
+        Kind::Quotient(above, below) => is_grid(above) && symbols(below).is_empty(),
+        Kind::Product(factors) => {
+            let grids = factors.iter().filter(|factor| is_grid(&factor.node));
+            let plain = |factor: &&Factor| symbols(&factor.node).is_empty();
+            grids.count() == 1
+                && factors
+                    .iter()
+                    .filter(|f| !is_grid(&f.node))
+                    .all(|f| plain(&f))
+        }
+        _ => false,
     }
 }

@@ -29,6 +29,10 @@ impl Lowering<'_> {
             .iter()
             .map(|entry| self.value(entry))
             .collect::<Result<_, _>>()?;
+        // Three columns beside one another are a matrix.
+        if values.len() == 3 && values.iter().all(|v| (v.rows, v.columns) == (3, 1)) {
+            return joined(&[values]).map_err(|m| trouble(TroubleKind::IllTyped, node.span, m));
+        }
         match self.stacked(&values) {
             Some(column) => Ok(column),
             None => joined(&[values])

@@ -221,7 +221,13 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         "symmetrical about",
         "symmetric about",
     ];
-    if !symmetric.iter().any(|words| text.contains(words)) || !text.contains("plane") {
+    let flat = ["flat", "thin", "lamina", "plate"]
+        .iter()
+        .any(|word| text.contains(word))
+        && ["lies in the", "lying in the", "in the plane"]
+            .iter()
+            .any(|words| text.contains(words));
+    if !flat && !symmetric.iter().any(|words| text.contains(words)) || !text.contains("plane") {
         return None;
     }
     let planes = [
