@@ -127,3 +127,18 @@ fn unit_vectors_in_numbers_are_the_columns_of_a_matrix() {
         $$ R^T R = \\mathbf 1 $$\n\n$$ R\\,\\mathbf e_x = \\mathbf u_1 $$\n\n$$ R^T\\mathbf e_x = \\mathbf u_1 $$\n";
     assert_eq!(verdicts(text), "paaaappr");
 }
+
+#[test]
+fn an_equation_picks_its_roots_out_and_its_rewriting_is_a_claim() {
+    let text = "The principal moments are the roots of\n\n$$ (5 - \\lambda)(2 - \\lambda) - 4 = \\lambda^2 - 7\\lambda + 6 = 0 $$\n";
+    assert_eq!(verdicts(text), "a");
+    let false_one = text.replace("7\\lambda", "8\\lambda");
+    assert!(!verdicts(&false_one).contains('a'));
+}
+
+#[test]
+fn a_component_that_is_known_is_not_given_anew_by_its_own_symbol() {
+    let text = "The body turns with $\\boldsymbol\\omega = [\\,n\\;\\;0\\;\\;0\\,]^T$. The axes are principal. Take\n\n\
+        $$ \\omega_1 = \\tfrac12 n $$\n\n$$ n = 0 $$\n";
+    assert!(!verdicts(text).starts_with("aa"), "{}", verdicts(text));
+}

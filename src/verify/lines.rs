@@ -3,6 +3,7 @@
 pub(super) mod accept;
 pub(super) mod between_frames;
 pub(super) mod cases;
+pub(super) mod characteristic;
 pub(super) mod claim;
 pub(super) mod data;
 pub(super) mod decimals;

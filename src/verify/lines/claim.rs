@@ -54,7 +54,8 @@ impl Checker<'_> {
             if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);
             }
-            if self.hands_over_a_load(sides, finding)
+            if self.seeks_roots(sides, finding)
+                || self.hands_over_a_load(sides, finding)
                 || self.goes_on(sides, &read, finding)
                 || self.settled_by_numbers(sides, &read, open, finding)
                 || self.holds_still(sides, finding)

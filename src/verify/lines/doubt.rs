@@ -116,16 +116,28 @@ impl Checker<'_> {
         None
     }
 
-    /// Numbered moments of inertia in a line, where the letter has moments about x and y as well:
-    /// nothing says whether the two sets of axes are one.
+    /// Numbered components in a line, where moments of inertia are numbered and about x and y as well: nothing says
+    /// whether the two sets of axes are one.
     pub(crate) fn on_numbered_axes(&self, sides: &[Node]) -> Option<String> {
         let usage = &self.reading.usage;
+        let quantities = &self.reading.quantities;
+        let lettered =
+            |letter: &Letter| ["x", "y"].iter().all(|axis| usage.has_index(letter, axis));
+        let moment = |letter: &Letter| quantities.get(letter) == Some(&Quantity::Inertia);
+        let entries =
+            |letter: &Letter| usage.has_lettered_entries(letter) && usage.has_index(letter, "1");
+        let told_apart = !self.reading.turns_to_numbers
+            && quantities
+                .keys()
+                .any(|letter| moment(letter) && entries(letter));
         let of_both = |symbol: &&Symbol| {
             let letter = Letter::of(symbol);
             let numbered = matches!(symbol.subscripts.as_slice(), [s] if matches!(s.as_str(), "1" | "2" | "3"));
-            let lettered = ["x", "y"].iter().all(|axis| usage.has_index(&letter, axis));
-            let inertia = self.reading.quantities.get(&letter) == Some(&Quantity::Inertia);
-            numbered && lettered && inertia
+            let beside = match moment(&letter) {
+                true => lettered(&letter),
+                false => told_apart && quantities.contains_key(&letter),
+            };
+            numbered && beside
         };
         let found = sides.iter().flat_map(symbols).find(of_both)?;
         Some(format!(

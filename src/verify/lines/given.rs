@@ -1,5 +1,6 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -58,7 +59,7 @@ impl Checker<'_> {
         }
         let derived = zero && self.asserted && self.displayed;
         let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
-        if motion || !self.is_free_input(first) {
+        if motion || !self.is_free_input(first) || self.is_circular(first, read) {
             return false;
         }
         if sides.len() == 2
@@ -245,6 +246,29 @@ impl Checker<'_> {
                 let value = self.theory.atoms.value(entity, component, 0);
                 self.theory.normal(&value).as_variable().is_some()
             })
+    }
+
+    /// Whether a side stands for a symbol of the document by an earlier line, and the line says that symbol by itself.
+    fn is_circular(&mut self, side: &Node, read: &Read) -> bool {
+        let Ok(value) = self.lowering(Frame::Moving).value(side) else {
+            return false;
+        };
+        let own = value.entries.iter().flat_map(Fraction::variables);
+        let own: Vec<u32> = own.collect();
+        let named = value.entries.iter().map(|entry| self.theory.normal(entry));
+        let named: Vec<u32> = named.filter_map(|n| n.as_variable()).collect();
+        let other = |v: &u32| !own.contains(v);
+        let names = |v: u32| matches!(self.theory.atoms.owner(v), Some(Owner::Symbol(_)));
+        let renamed: Vec<u32> = named
+            .into_iter()
+            .filter(|v| other(v) && names(*v))
+            .collect();
+        let rights = read.equations.iter().flat_map(|e| e.right.entries.clone());
+        let rights: Vec<Fraction> = rights.collect();
+        rights.iter().any(|right| {
+            let right = self.theory.normal(right);
+            right.as_variable().is_none() && right.variables().iter().any(|v| renamed.contains(v))
+        })
     }
 
     /// Whether a side is the moment, or one component of it, that a free rate of ω̇ makes: its value follows from nothing.
