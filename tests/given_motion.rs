@@ -142,3 +142,10 @@ fn a_component_that_is_known_is_not_given_anew_by_its_own_symbol() {
         $$ \\omega_1 = \\tfrac12 n $$\n\n$$ n = 0 $$\n";
     assert!(!verdicts(text).starts_with("aa"), "{}", verdicts(text));
 }
+
+#[test]
+fn an_equation_of_motion_is_not_taken_for_a_gift() {
+    let text = "On a turntable with the constant rate $\\vec\\Omega = \\Omega\\hat k$ the position is $\\vec r = x\\hat i + y\\hat j$. \
+        No force acts in its plane. The equations of motion are\n\n$$ \\ddot y = 2\\Omega\\dot x + \\Omega^2 y $$\n";
+    assert!(!verdicts(text).ends_with('a'), "{}", verdicts(text));
+}

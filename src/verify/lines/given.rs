@@ -372,7 +372,10 @@ impl Checker<'_> {
             // It narrows the case down, for reasons that are not in symbols.
             finding.role = Role::Assume;
             finding.remarks.push("taken as an assumption".to_owned());
-        } else if self.asserted && !sides.iter().all(lone) && !self.sets_motion(&sides[0]) && !flat
+        } else if (self.asserted || self.is_equation_of_motion(sides))
+            && !sides.iter().all(lone)
+            && !self.sets_motion(&sides[0])
+            && !flat
         {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());

@@ -61,4 +61,24 @@ impl Checker<'_> {
         });
         handed && self.sets_motion(side)
     }
+
+    /// Whether a display says the second rate of a symbol of which earlier lines speak: what follows from laws, which
+    /// may not be known here.
+    pub(crate) fn is_equation_of_motion(&mut self, sides: &[Node]) -> bool {
+        let second = match &inner(&sides[0]).kind {
+            Kind::TimeDerivative { operand, order, .. } => {
+                *order >= 2 && self.is_mentioned(operand)
+            }
+            _ => false,
+        };
+        second && self.displayed
+    }
+
+    /// Whether an earlier line speaks of something in a node.
+    fn is_mentioned(&mut self, node: &Node) -> bool {
+        let entities = self.entities([node]);
+        entities
+            .into_iter()
+            .any(|entity| self.theory.mentions_entity(entity))
+    }
 }
