@@ -297,6 +297,9 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
+        if formula.display {
+            self.named.clear();
+        }
         let says = |row: &Row| !matches!(row, Row::Expression(_));
         let role = match formula.rows.iter().any(says) {
             true => self.listen(formula.display),

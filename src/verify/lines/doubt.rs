@@ -164,7 +164,8 @@ impl Checker<'_> {
     /// Whether the sentence of the line at hand has named a moment: "released at ⟨θ = π/2⟩, it passes … with".
     fn is_at_a_moment(&self) -> bool {
         let named = |f: &Finding| f.remarks.iter().any(|remark| remark == NAMES_A_MOMENT);
-        self.sentence.contains('⟩') && self.findings.last().is_some_and(named)
+        let near = self.sentence.matches('⟩').count().min(2);
+        self.findings.iter().rev().take(near).any(named)
     }
 
     /// Whether a difference has an angle in it, in a document that writes the vertical on the axes used and gives these
