@@ -14,9 +14,9 @@ use crate::verify::lines::index::merged;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
 use crate::verify::spelling::spell;
-use crate::verify::theory::Theory;
 use crate::verify::theory::law::{Axes, Dynamics, Setting};
 use crate::verify::theory::more_moments::OtherMoments;
+use crate::verify::theory::{Premise, Theory};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::figures::Figures;
 use crate::verify::values::lower::FunctionOf;
@@ -81,6 +81,8 @@ pub(super) struct Checker<'a> {
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
     pub(super) sentence: String,
+    /// What lines on the body's axes suppose, where other lines stand on axes of fixed orientation.
+    pub(super) on_body: Vec<Premise>,
     /// The vertical on the axes used, where the words say what it is there.
     pub(super) vertical: Option<Value>,
     /// What is called small.
@@ -161,6 +163,7 @@ impl<'a> Checker<'a> {
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),
+            on_body: vec![],
             vertical: None,
             small: BTreeSet::new(),
             small_turns: BTreeSet::new(),

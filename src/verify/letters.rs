@@ -15,6 +15,7 @@ pub(super) mod naming;
 pub(super) mod one_axis;
 pub(super) mod point_labels;
 pub(super) mod primes;
+pub(super) mod raised_labels;
 pub(super) mod reading;
 pub(super) mod rivals;
 pub(super) mod roles_by_law;

@@ -105,7 +105,7 @@ fn unbracketed(node: &mut Node) {
     node.children_mut().into_iter().for_each(unbracketed);
 }
 
-fn formulas_mut(document: &mut Document) -> impl Iterator<Item = &mut Node> {
+pub(crate) fn formulas_mut(document: &mut Document) -> impl Iterator<Item = &mut Node> {
     let rows = document.items.iter_mut().filter_map(|item| match item {
         Item::Formula(formula) => Some(&mut formula.rows),
         _ => None,

@@ -30,14 +30,16 @@ impl SpaceAxes {
         matrix: Option<&Letter>,
         quantities: &BTreeMap<Letter, Quantity>,
     ) -> Option<Self> {
-        let (plain, labelled) = turned_tensor(document, matrix)?;
-        let letter = Letter::of(plain);
-        if quantities.get(&letter) != Some(&Quantity::Inertia) {
-            return None;
-        }
+        let of = |quantity: Quantity| {
+            move |plain: &Symbol| quantities.get(&Letter::of(plain)) == Some(&quantity)
+        };
+        let tensor =
+            turned_tensor(document, matrix).filter(|(plain, _)| of(Quantity::Inertia)(plain));
+        let rate = || turned_vector(document, matrix?, &of(Quantity::AngularVelocity));
+        let (_, labelled) = tensor.or_else(rate)?;
         let found = Self {
             label: labelled.subscripts.concat().trim().to_owned(),
-            inertia: Some(letter),
+            inertia: tensor.map(|(plain, _)| Letter::of(plain)),
             beside_body: false,
         };
         // Where ω wears no label, words may put it on the body's axes all the same.
@@ -124,6 +126,35 @@ fn turned_tensor<'d>(
                     .then_some((plain, labelled))
             })
         })
+    })
+}
+
+/// The vector without and with the label in `ω = R ω_b`, for a vector of a kind.
+fn turned_vector<'d>(
+    document: &'d Document,
+    matrix: &Letter,
+    kind: &dyn Fn(&Symbol) -> bool,
+) -> Option<(&'d Symbol, &'d Symbol)> {
+    let lone = |node: &'d Node| match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        _ => None,
+    };
+    lines(document).find_map(|line| {
+        let [left, right] = line.sides.as_slice() else {
+            return None;
+        };
+        let Kind::Product(factors) = &inner(right).kind else {
+            return None;
+        };
+        let [turn, vector] = factors.as_slice() else {
+            return None;
+        };
+        let (plain, turn, labelled) = (lone(left)?, lone(&turn.node)?, lone(&vector.node)?);
+        let by = vector.operator == Operator::Juxtaposed && Letter::of(turn) == *matrix;
+        let same = Letter::of(plain) == Letter::of(labelled) && kind(plain);
+        let on_body = BODY.contains(&labelled.subscripts.concat().trim());
+        let told = on_body && is_label(labelled) && plain.subscripts.is_empty();
+        (by && same && told && !plain.style.hat).then_some((plain, labelled))
     })
 }
 

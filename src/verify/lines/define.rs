@@ -55,7 +55,8 @@ impl Checker<'_> {
             let mut tried = finding.clone();
             self.claim(sides, &mut tried);
             // What "yields" it and is not understood may have made it false.
-            let derived = self.asserted && self.known.contains(&entity);
+            let number = symbols(right).is_empty();
+            let derived = self.asserted && !number && self.known.contains(&entity);
             if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
                 *finding = tried;
                 return true;

@@ -30,13 +30,6 @@ const SETTING: &[Quantity] = &[
     Quantity::Moment,
 ];
 
-impl Doubts {
-    /// Notes a line that sets the motion up and is not in force behind it.
-    pub(crate) fn setting_left_open(&mut self, name: String) {
-        self.setting.get_or_insert(name);
-    }
-}
-
 impl Checker<'_> {
     /// Notes what a line that was left open leaves in doubt.
     pub(crate) fn note_doubt(&mut self, line: &Line, finding: &Finding) {

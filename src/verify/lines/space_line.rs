@@ -10,9 +10,10 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::theory::Premise;
 use crate::verify::theory::law::Axes;
-use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
 
 impl Checker<'_> {
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
@@ -42,14 +43,18 @@ impl Checker<'_> {
         let apart = self.part_premises(beside_body);
         let found = self.findings.len();
         let known = self.theory.premises().len();
+        if beside_body {
+            self.recall_on_body();
+        }
         self.line_as_set(line, role);
         self.dots = dots;
-        let restricts = apart.iter().any(|premise| !self.says_principal(premise));
+        let elsewhere = !beside_body && !self.on_body.is_empty();
+        let restricts = elsewhere || apart.iter().any(|premise| self.restricts(premise, &apart));
         if let Some(finding) = self.findings.get_mut(found).filter(|_| restricts) {
             leave_open(finding);
         }
         if beside_body {
-            self.forget_after(known, found);
+            self.part_after(known);
         }
         for premise in apart {
             self.theory.assume(premise);
@@ -103,6 +108,21 @@ impl Checker<'_> {
         numbers || vanishes
     }
 
+    /// Whether a premise says more than what a symbol of the document is, or that the axes are principal.
+    fn restricts(&self, premise: &Premise, apart: &[Premise]) -> bool {
+        let atoms = &self.theory.atoms;
+        let own = |premise: &Premise| -> BTreeSet<Entity> {
+            let variables = premise.residuals.iter().flat_map(|r| r.variables());
+            let entities = variables.filter_map(|v| atoms.entity_of(v));
+            let own = |e: &Entity| matches!(atoms.info(*e).owner, Owner::Symbol(_));
+            entities.filter(own).collect()
+        };
+        let others = apart.iter().filter(|other| other.name != premise.name);
+        let others: BTreeSet<Entity> = others.flat_map(own).collect();
+        let names = premise.definition || own(premise).difference(&others).next().is_some();
+        !names && !self.says_principal(premise)
+    }
+
     /// Whether a premise says that products of inertia vanish: a tensor of which that is true on the body's axes may be
     /// any symmetric one on others.
     fn says_principal(&self, premise: &Premise) -> bool {
@@ -114,18 +134,23 @@ impl Checker<'_> {
         })
     }
 
-    /// Drops what a line on the body's axes has brought in, and leaves the lines behind it in doubt.
-    fn forget_after(&mut self, known: usize, found: usize) {
+    /// Takes in again what lines on the body's axes have brought in, as far as it is still in force.
+    fn recall_on_body(&mut self) {
+        let scopes = &self.scopes;
+        let in_force = |premise: &Premise| scopes.iter().any(|(name, _)| *name == premise.name);
+        self.on_body.retain(in_force);
+        for premise in std::mem::take(&mut self.on_body) {
+            self.theory.assume(premise);
+        }
+    }
+
+    /// Keeps what lines on the body's axes have brought in apart, for other such lines.
+    fn part_after(&mut self, known: usize) {
         let news = self.theory.premises().get(known..).unwrap_or_default();
-        let names: Vec<String> = news.iter().map(|premise| premise.name.clone()).collect();
-        if names.is_empty() {
-            return;
-        }
-        self.theory.retain(|premise| !names.contains(&premise.name));
-        if let Some(finding) = self.findings.get(found) {
-            let name = format!("line {}", finding.source_line);
-            self.doubts.setting_left_open(name);
-        }
+        self.on_body = news.to_vec();
+        let names: Vec<&String> = self.on_body.iter().map(|premise| &premise.name).collect();
+        self.theory
+            .retain(|premise| !names.contains(&&premise.name));
     }
 }
 

@@ -164,7 +164,7 @@ fn main_clauses(sentence: &str) -> String {
         while let Some(at) = text[from..].find(&opening).map(|i| from + i) {
             let inside = &text[..at];
             let formula = inside.rfind('⟩').is_some();
-            if formula {
+            if formula && !(subject == "the" && goes_on_a_list(inside, &text[at..])) {
                 text.insert_str(at + 1, " then");
             }
             from = at + opening.len();
@@ -172,6 +172,58 @@ fn main_clauses(sentence: &str) -> String {
     }
     text
 }
+
+/// Whether what stands behind a comma is one more thing of a list: "take ⟨m = 2⟩, the rate ⟨⟩ and the arm".
+fn goes_on_a_list(before: &str, behind: &str) -> bool {
+    let clause = before.rsplit(". ").next().unwrap_or_default();
+    let first = clause
+        .split_whitespace()
+        .find(|word| *word != "we")
+        .unwrap_or_default();
+    let asks = [
+        "take", "let", "given", "assume", "suppose", "consider", "choose", "set",
+    ];
+    let noun = |piece: &str| {
+        let words = piece.rsplit('⟨').next().unwrap_or_default();
+        let words: Vec<&str> = words.split(|c: char| !c.is_alphanumeric()).collect();
+        words.iter().filter(|word| !word.is_empty()).count() <= 5
+            && !words.iter().any(|word| VERBS.contains(word))
+    };
+    asks.contains(&first.to_lowercase().as_str()) && behind.split('⟩').all(noun)
+}
+
+/// Words that make a main clause of what they stand in.
+const VERBS: &[&str] = &[
+    "is",
+    "are",
+    "becomes",
+    "become",
+    "reads",
+    "read",
+    "has",
+    "have",
+    "gives",
+    "give",
+    "must",
+    "can",
+    "will",
+    "follows",
+    "follow",
+    "reduces",
+    "simplifies",
+    "equals",
+    "turns",
+    "takes",
+    "then",
+    "so",
+    "hence",
+    "comes",
+    "come",
+    "shows",
+    "yields",
+    "vanishes",
+    "vanish",
+];
 
 /// Where the last of some phrases begins, with the space before it.
 fn last_of(text: &str, phrases: &[&str]) -> Option<usize> {
