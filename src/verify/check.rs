@@ -188,6 +188,7 @@ impl<'a> Checker<'a> {
         checker.single_moments();
         checker.moments_in_words();
         checker.note_parallel_axes();
+        checker.note_cones();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);
         }

@@ -5,6 +5,7 @@
 
 pub(super) mod attitude_law;
 pub(super) mod certify;
+pub(super) mod cones;
 pub(super) mod decide;
 pub(super) mod kept;
 pub(super) mod kernel_facts;
@@ -27,8 +28,9 @@ use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::mentioned::Mentioned;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
 use crate::verify::values::figures::Alternative;
+use crate::verify::values::quantity::Quantity;
 use num_traits::Zero;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// The name of a premise as it appears in `uses`: a law, `line 12`, or words of the document.
@@ -100,6 +102,8 @@ pub(super) struct Theory {
     mentioned: Mentioned,
     /// The turn of the premise that was solved last.
     last_turn: Option<solve::Turn>,
+    /// Angles that a vector makes with the axis of symmetry, and which vector.
+    pub(super) cones: BTreeMap<Variable, Quantity>,
     /// Premises that turned out to speak of a rate, by what they gave.
     of_rates: HashMap<Name, u8>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
@@ -130,6 +134,7 @@ impl Theory {
             premises: vec![],
             mentioned: Mentioned::default(),
             last_turn: None,
+            cones: BTreeMap::new(),
             of_rates: HashMap::new(),
             rules: HashMap::new(),
             normals: HashMap::new(),

@@ -101,7 +101,7 @@ impl Checker<'_> {
         laws
     }
 
-    fn take_law(&mut self, law: Law) -> Option<String> {
+    pub(crate) fn take_law(&mut self, law: Law) -> Option<String> {
         let entries = law.value.entries.iter().enumerate();
         let (preferred, residuals): (Vec<Variable>, Vec<Fraction>) = entries
             .map(|(i, entry)| {

@@ -72,6 +72,14 @@ impl Lowering<'_> {
                 );
                 continue;
             }
+            if let Some((v, n)) = angle.as_variable().zip(coefficient.to_integer())
+                && denominator.is_one()
+                && n.abs() <= MOST_TURNS
+                && let Some(one) = self.theory.cone(v)
+            {
+                total = turned(total, &one, n);
+                continue;
+            }
             let double = coefficient.clone() * Rational::from(2);
             let turns = double.to_integer().filter(|n| n.abs() <= 2 * MOST_TURNS);
             let (angle, turns) = match turns {
@@ -82,18 +90,7 @@ impl Lowering<'_> {
                 None => (Fraction::from(monomial) * constant(coefficient), 1),
             };
             let one = self.one_angle(angle / denominator.clone());
-            for _ in 0..turns.unsigned_abs() {
-                let (s, c) = total;
-                let sin = if turns < 0 {
-                    -one.0.clone()
-                } else {
-                    one.0.clone()
-                };
-                total = (
-                    s.clone() * one.1.clone() + c.clone() * sin.clone(),
-                    c * one.1.clone() - s * sin,
-                );
-            }
+            total = turned(total, &one, turns);
         }
         Some(total)
     }
@@ -198,4 +195,23 @@ impl Lowering<'_> {
         }
         slope
     }
+}
+
+/// Sine and cosine of an angle and so many times another, by the addition theorem.
+fn turned(
+    total: (Fraction, Fraction),
+    one: &(Fraction, Fraction),
+    turns: i64,
+) -> (Fraction, Fraction) {
+    let sin = if turns < 0 {
+        -one.0.clone()
+    } else {
+        one.0.clone()
+    };
+    (0..turns.unsigned_abs()).fold(total, |(s, c), _| {
+        (
+            s.clone() * one.1.clone() + c.clone() * sin.clone(),
+            c * one.1.clone() - s * sin.clone(),
+        )
+    })
 }

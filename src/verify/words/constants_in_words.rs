@@ -94,7 +94,7 @@ impl Checker<'_> {
         let text = text.trim_start().to_lowercase();
         let rest = text.trim_start_matches(',').trim_start();
         let goes_on = rest.is_empty() || rest.starts_with("and ");
-        if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains('.') {
+        if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains(['.', ';', ':']) {
             return;
         }
         let named = std::mem::take(&mut self.named);

@@ -1,0 +1,61 @@
+//! Angles that words give the momentum and the angular velocity of a free symmetric body.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const BODY: &str =
+    "On principal axes the body has $I_1 = I_2 = A$ and $I_3 = C$. No torque acts.\n\n";
+
+#[test]
+fn the_angle_of_the_momentum_is_that_of_its_parts() {
+    let text = |line: &str| {
+        format!(
+            "{BODY}Let $\\beta$ be the angle between the angular momentum $\\vec L$ and the axis of symmetry, and \
+             $\\omega_t$ the size of the transverse part of $\\vec\\omega$. Write $L = |\\vec L|$. Then\n\n$$ {line} $$\n"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(last("L\\cos\\beta = C\\,\\omega_3"), Some('p'));
+    assert_eq!(last("L\\cos\\beta = A\\,\\omega_3"), Some('r'));
+    assert_eq!(last("L\\sin\\beta = A\\,\\omega_t"), Some('p'));
+    assert_eq!(
+        last("\\tan\\beta = \\frac{A\\,\\omega_t}{C\\,\\omega_3}"),
+        Some('p')
+    );
+    assert_eq!(
+        last("\\tan\\beta = \\frac{C\\,\\omega_t}{A\\,\\omega_3}"),
+        Some('r')
+    );
+    assert_eq!(
+        last("L^2\\sin^2\\beta = A^2(\\omega_1^2 + \\omega_2^2)"),
+        Some('p')
+    );
+    assert_eq!(
+        last("L^2\\sin 2\\beta = 2AC\\,\\omega_t\\,\\omega_3"),
+        Some('p')
+    );
+}
+
+#[test]
+fn the_two_half_angles_of_the_cones_are_related() {
+    let text = |line: &str| {
+        format!(
+            "{BODY}The angular momentum makes the angle $\\theta$ with the symmetry axis, and the angular velocity the \
+             angle $\\gamma$ with the same axis.\n\n$$ {line} $$\n"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(last("\\tan\\theta = \\frac{A}{C}\\tan\\gamma"), Some('p'));
+    assert_eq!(last("\\tan\\theta = \\frac{C}{A}\\tan\\gamma"), Some('r'));
+}
+
+#[test]
+fn an_angle_of_something_else_is_none_of_these() {
+    let text = "On principal axes the top has $I_1 = I_2 = A$ and $I_3 = C$. The axis of symmetry makes the angle \
+                $\\theta$ with the vertical, and $\\vec L$ is the angular momentum.\n\n\
+                $$ L\\cos\\theta = C\\,\\omega_3 $$\n";
+    assert_eq!(verdicts(text).pop(), Some('u'));
+}
