@@ -15,6 +15,7 @@ pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod forward;
 pub(super) mod functions;
+pub(super) mod fundamental;
 pub(super) mod given;
 pub(super) mod given_body;
 pub(super) mod given_motion;

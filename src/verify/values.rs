@@ -15,6 +15,7 @@ pub(super) mod rate;
 pub(super) mod spatial;
 pub(super) mod subscript;
 pub(super) mod symbol;
+pub(super) mod time_integral;
 pub(super) mod turned_axes;
 pub(super) mod units;
 pub(super) mod value;

@@ -112,6 +112,10 @@ impl Checker<'_> {
             }
         }
         keeps_its_value(&mut sides);
+        let Some(gained) = self.puts_integral_for_gain(&mut sides) else {
+            finding.reason = Some(reason::INTEGRAL.to_owned());
+            return;
+        };
         if let Some(points) = &self.reading.points {
             points.unlabel_integrals(&mut sides);
         }
@@ -151,6 +155,7 @@ impl Checker<'_> {
                 _ => self.accept(&sides, role, finding),
             }
         }
+        self.leave_gain_open(gained, finding);
         self.note_flat_body(&sides, line.span);
         self.note_figures(&sides, finding);
     }

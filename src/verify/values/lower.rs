@@ -180,6 +180,13 @@ impl Lowering<'_> {
                 variable,
                 limits: None,
             } => self.integral(node, integrand, variable),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits: Some((from, to)),
+            } if matches!(&variable.kind, Kind::Symbol(s) if s.name == "t") => {
+                self.over_time(node, integrand, (&**from, &**to))
+            }
             Kind::Integral { .. } => Err(trouble(
                 TroubleKind::Unsupported,
                 node.span,
