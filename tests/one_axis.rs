@@ -89,3 +89,36 @@ $$ I_{xy} = 2\cdot 3 = 6 $$
 ";
     assert_eq!(verdicts(products), "pp");
 }
+
+#[test]
+fn a_bare_rate_is_about_the_axis_that_the_words_fix() {
+    let text = |row: &str| {
+        verdicts(&format!(
+            r"A rotor rotates about the fixed $z$ axis, and $I_{{yz}} = \int yz\,dm$.
+Data: $I_{{zz}} = 0.5\ \mathrm{{kg\,m^2}}$, $I_{{yz}} = 0.03\ \mathrm{{kg\,m^2}}$, $I_{{xz}} = 0$. The angular velocity is $\omega = 20\ \mathrm{{rad/s}}$ and the angular acceleration $\dot\omega = 4\ \mathrm{{rad/s^2}}$.
+Its angular momentum is $\mathbf L$. Of the moment of the bearings
+
+$$ \mathbf M = \dot{{\mathbf L}} + \boldsymbol\omega\times\mathbf L $$
+
+and one component of it
+
+$$ {row} $$
+"
+        ))
+    };
+    let last = |row: &str| text(row).pop();
+    assert_eq!(
+        last(r"M_x = I_{yz}\,\omega^2 = 12\ \mathrm{N\,m}"),
+        Some('p')
+    );
+    assert!(!matches!(
+        last(r"M_x = -I_{yz}\,\omega^2 = -12\ \mathrm{N\,m}"),
+        Some('p' | 'a')
+    ));
+    assert_eq!(
+        last(r"M_z = I_{zz}\,\dot\omega = 2\ \mathrm{N\,m}"),
+        Some('p')
+    );
+    assert_eq!(last(r"\tan\beta = \frac{I_{yz}}{I_{zz}} = 0.06"), Some('p'));
+    assert_eq!(last(r"\tan\beta = \frac{I_{yz}}{I_{zz}} = 0.6"), Some('r'));
+}

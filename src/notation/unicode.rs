@@ -358,6 +358,7 @@ fn undotted(word: &str) -> (&str, u8) {
 fn split_components(stem: &str) -> Option<(&str, &str)> {
     let head = [
         "omega", "Omega", "tau", "I", "J", "L", "H", "M", "N", "h", "w", "T", "v", "a", "F", "r",
+        "P", "D",
     ]
     .into_iter()
     .find(|head| stem.starts_with(head))?;
@@ -370,6 +371,12 @@ fn split_components(stem: &str) -> Option<(&str, &str)> {
     if point {
         return Some((head, tail));
     }
-    let long = if matches!(head, "I" | "J") { 2 } else { 1 };
-    (axes && tail.len() <= long).then_some((head, tail))
+    let long = if matches!(head, "I" | "J" | "P" | "D") {
+        2
+    } else {
+        1
+    };
+    // A P or a D with one axis may well be two letters.
+    let product = !matches!(head, "P" | "D") || tail.len() == 2;
+    (axes && product && tail.len() <= long).then_some((head, tail))
 }

@@ -1,5 +1,6 @@
 //! Goes through a document from top to bottom and keeps what is in force.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::Node;
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
@@ -110,6 +111,10 @@ pub(super) struct Checker<'a> {
     pub(super) triad: Option<Triad>,
     pub(super) convention: Convention,
     pub(super) figures: Figures,
+    /// The potential energy.
+    pub(super) potential: Option<Entity>,
+    /// How many findings stood before the equation of an oscillation, and the square of its frequency.
+    pub(super) oscillation: Option<(usize, Fraction)>,
     pub(super) from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
@@ -180,6 +185,8 @@ impl<'a> Checker<'a> {
             triad: None,
             convention,
             figures: Figures::default(),
+            potential: None,
+            oscillation: None,
             from_prose: vec![],
             passed: vec![],
             reading,
@@ -187,6 +194,7 @@ impl<'a> Checker<'a> {
         spell(document, &checker.reading, &mut checker.theory.atoms);
         checker.single_moments();
         checker.moments_in_words();
+        checker.turns_about_fixed_axis();
         checker.note_parallel_axes();
         checker.note_cones();
         if let Some(angles) = checker.reading.euler_angles.clone() {

@@ -43,6 +43,13 @@ impl<'a> Lexer<'a> {
             self.push(Lexeme::Command(name), start);
             return true;
         }
+        if word == "integral"
+            && let Some(behind) = self.rest().trim_start().strip_prefix("of ")
+        {
+            self.at = self.text.len() - behind.len();
+            self.push(Lexeme::Command("int"), start);
+            return true;
+        }
         if let Some(spelling) = unicode::word(word) {
             self.spelled(&spelling, start);
             return true;

@@ -1,7 +1,7 @@
 //! A symbol with a bracket behind it: `R(t)`, `F(\omega)`, `m(a+b)`.
 
 use super::{Parser, split_outside};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::token::Lexeme;
 use crate::source::Span;
 use num_traits::One;
@@ -43,7 +43,8 @@ impl Parser<'_, '_> {
         self.at = to + 1;
         let node = called(head.clone(), arguments, self.since(start));
         let node = self.scripts(node, start);
-        if scripted && !of_vector && !is_turned_or_inverted(&node) {
+        let power = matches!(&head.kind, Kind::Symbol(s) if is_greek_capital(s));
+        if scripted && !of_vector && !power && !is_turned_or_inverted(&node) {
             self.at = before;
             return head;
         }
@@ -51,9 +52,14 @@ impl Parser<'_, '_> {
     }
 }
 
-/// Whether a symbol is a capital without any mark or index.
+/// The Ω of `\Omega(\omega)^2`, which is a matrix.
+fn is_greek_capital(symbol: &Symbol) -> bool {
+    symbol.name.len() > 1 && symbol.name.starts_with(|c: char| c.is_ascii_uppercase())
+}
+
+/// Whether a symbol is a capital, Latin or Greek, without any mark or index.
 fn may_be_matrix(node: &Node) -> bool {
-    matches!(&node.kind, Kind::Symbol(s) if s.subscripts.is_empty() && s.name.chars().all(|c| c.is_ascii_uppercase()))
+    matches!(&node.kind, Kind::Symbol(s) if s.subscripts.is_empty() && (is_greek_capital(s) || s.name.chars().all(|c| c.is_ascii_uppercase())))
 }
 
 /// Whether a call is transposed or inverted.

@@ -62,6 +62,13 @@ fn look(word: &str) -> Look {
 
 /// More than two letters, or one of the short words.
 fn is_english(run: &str) -> bool {
+    // The dwz of `dwz/dt`, and the dm of an integral.
+    let differential = run
+        .strip_prefix('d')
+        .is_some_and(|rest| unicode::word(rest).is_some());
+    if differential {
+        return false;
+    }
     let letters = run.chars().filter(|c| c.is_alphabetic()).count();
     letters > 2 || SHORT.contains(&run.to_ascii_lowercase().as_str()) && !matches!(run, "A")
 }
@@ -145,7 +152,8 @@ pub(super) fn is_formula(text: &str) -> bool {
         true => text.trim_start().split_once(char::is_whitespace),
         false => None,
     };
-    related && is_mathematical(body.map_or(text, |(_, rest)| rest))
+    let body = body.map_or(text, |(_, rest)| rest);
+    related && is_mathematical(&body.replace("= integral of ", "= ∫ "))
 }
 
 /// The symbol of an entry in a list of symbols, `w    angular velocity`: its bytes, and those up to the words.

@@ -9,7 +9,7 @@ use crate::verify::words::attitude_words::Sentence;
 use std::collections::BTreeSet;
 
 /// Letters that an attitude matrix has.
-const MATRIX_LETTERS: &[&str] = &["R", "A", "C", "Q", "D", "T", "S", "B", "Lambda"];
+pub(crate) const MATRIX_LETTERS: &[&str] = &["R", "A", "C", "Q", "D", "T", "S", "B", "Lambda"];
 /// Words that name an attitude matrix.
 const MATRIX_WORDS: &[&str] = &[
     "rotation matrix",

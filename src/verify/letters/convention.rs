@@ -4,7 +4,7 @@ use crate::mechanics::Products;
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axes, symbols};
+use crate::verify::letters::usage::{Letter, axes, inner, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Convention;
 
@@ -38,6 +38,10 @@ pub(crate) fn convention(document: &Document, reading: &Reading) -> (Products, C
     if let Some(entries) = lines().find_map(|line| integral_convention(line, reading)) {
         return named(entries, "an integral of the document");
     }
+    let integrals: Vec<(Letter, bool)> = lines().filter_map(named_integral).collect();
+    if let Some(entries) = lines().find_map(|line| by_other_letter(line, &integrals, reading)) {
+        return named(entries, "an integral of the document");
+    }
     match lines()
         .flat_map(|line| &line.sides)
         .find_map(|side| matrix_convention(side, reading))
@@ -59,6 +63,43 @@ fn integral_convention(line: &Line, reading: &Reading) -> Option<bool> {
             Some(true)
         }
         _ => None,
+    }
+}
+
+/// The letter of `P_xy = ∫ xy dm`, and whether a sign stands before the integral.
+fn named_integral(line: &Line) -> Option<(Letter, bool)> {
+    let [left, right, ..] = line.sides.as_slice() else {
+        return None;
+    };
+    let Kind::Symbol(symbol) = &inner(left).kind else {
+        return None;
+    };
+    let (negative, inside) = signed(right);
+    let integral = matches!(inside.kind, Kind::Integral { .. });
+    (integral && across(symbol)).then(|| (Letter::of(symbol), negative))
+}
+
+/// `I_xy = −P_xy` for a P that is an integral says entries, `I_xy = P_xy` integrals.
+fn by_other_letter(line: &Line, integrals: &[(Letter, bool)], reading: &Reading) -> Option<bool> {
+    let [left, right, ..] = line.sides.as_slice() else {
+        return None;
+    };
+    let (negative, inside) = signed(right);
+    let (Kind::Symbol(own), Kind::Symbol(other)) = (&inner(left).kind, &inner(inside).kind) else {
+        return None;
+    };
+    let same = is_product(own, reading) && own.subscripts == other.subscripts;
+    let (_, turned) = integrals
+        .iter()
+        .find(|(l, _)| same && *l == Letter::of(other))?;
+    Some(negative != *turned)
+}
+
+/// A node without the sign before it, and whether there is one.
+fn signed(node: &Node) -> (bool, &Node) {
+    match &node.kind {
+        Kind::Negate(inside) => (true, inside),
+        _ => (false, node),
     }
 }
 
@@ -92,10 +133,11 @@ fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
 }
 
 fn is_product(symbol: &Symbol, reading: &Reading) -> bool {
-    reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Inertia)
-        && symbol
-            .subscripts
-            .iter()
-            .filter_map(|s| axes(s))
-            .any(|(r, c)| r != c)
+    reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Inertia) && across(symbol)
+}
+
+/// Whether a symbol has the indices of two axes.
+fn across(symbol: &Symbol) -> bool {
+    let mut pairs = symbol.subscripts.iter().filter_map(|s| axes(s));
+    pairs.any(|(r, c)| r != c)
 }

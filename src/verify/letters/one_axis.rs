@@ -1,8 +1,10 @@
-//! Documents of a turn about one fixed axis, in which ω, L, M and I are numbers.
+//! Documents of a turn about one fixed axis, in which ω, L, M and I are numbers, or ω alone is.
 
+use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::words::attitude_words::sentences;
 
 impl Reading {
     /// Whether the inertia and the rate of turning are only ever numbers, as of a turn about one fixed axis.
@@ -19,6 +21,24 @@ impl Reading {
             && ["omega", "Omega"]
                 .into_iter()
                 .any(|name| self.has_bare(name))
+    }
+
+    /// "The rotor turns about the fixed ⟨z⟩ axis": a bare ω of which no component is written is the one about that axis.
+    pub(crate) fn about_fixed_axis(&mut self, document: &Document) {
+        let letter = self.quantities.iter().find_map(|(letter, quantity)| {
+            let used = self.usage.get(letter);
+            let bare = used.bare > 0 && used.component == 0 && used.crossed_bare == 0;
+            (*quantity == Quantity::AngularVelocity && bare).then(|| letter.clone())
+        });
+        let others = self
+            .components
+            .values()
+            .any(|(q, _)| *q == Quantity::AngularVelocity);
+        let axis = sentences(document).iter().find_map(|s| fixed_axis(&s.text));
+        if let (Some(letter), Some(axis), false) = (letter, axis, others || self.plane) {
+            self.usage.components_named.insert(letter, axis);
+            self.fixed_axis = Some(axis);
+        }
     }
 
     /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
@@ -64,4 +84,21 @@ fn runs(index: &str) -> bool {
     let mut letters = index.chars().filter(|c| c.is_alphabetic());
     let runs = |c| matches!(c, 'i'..='n');
     index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
+}
+
+/// The axis that a sentence has the body turn about, where that is fixed in space.
+fn fixed_axis(sentence: &str) -> Option<u8> {
+    let turns = [
+        "turns", "rotates", "spins", "rotating", "turning", "spinning", "runs",
+    ];
+    let at = turns.iter().filter_map(|verb| sentence.find(verb)).min()?;
+    let about = &sentence[at + sentence[at..].find("about")?..];
+    let near: String = about.chars().take(40).collect();
+    let fixed = near.contains("fixed") && near.contains("axis");
+    let axes = ["⟨x⟩", "⟨y⟩", "⟨z⟩"];
+    let named = axes
+        .iter()
+        .position(|axis| near.contains(axis))
+        .filter(|_| fixed)?;
+    u8::try_from(named).ok()
 }

@@ -133,6 +133,11 @@ impl Usage {
                 self.vector_operand(operand);
                 self.node(operand);
             }
+            Kind::Power(base, exponent) => {
+                self.cubed(base, exponent);
+                self.node(base);
+                self.node(exponent);
+            }
             Kind::Product(factors) => {
                 self.crossed(factors);
                 factors.iter().for_each(|factor| self.node(&factor.node));
@@ -141,6 +146,18 @@ impl Usage {
                 .children()
                 .into_iter()
                 .for_each(|child| self.node(child)),
+        }
+    }
+
+    /// Of a vector no third power is taken: the R of `R^3` beside a vector **R** is its length.
+    fn cubed(&mut self, base: &Node, exponent: &Node) {
+        let high = matches!(&exponent.kind, Kind::Number(n) if n.value > two());
+        if let Kind::Symbol(symbol) = &inner(base).kind
+            && high
+            && !symbol.style.vector
+            && symbol.subscripts.is_empty()
+        {
+            self.lengths.insert(Letter::of(symbol));
         }
     }
 
@@ -178,6 +195,7 @@ impl Usage {
         {
             let entry = self.letters.entry(Letter::of(symbol)).or_default();
             entry.vector += 1;
+            entry.hatted += usize::from(symbol.style.vector && symbol.style.hat);
             entry.crossed_bare += usize::from(!symbol.style.vector && !symbol.style.bar);
         }
     }
@@ -209,4 +227,8 @@ impl Usage {
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
     }
+}
+
+fn two() -> num_rational::BigRational {
+    num_rational::BigRational::from_integer(2.into())
 }

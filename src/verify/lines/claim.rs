@@ -236,7 +236,9 @@ impl Checker<'_> {
             let arrow = symbol.style.vector
                 && symbol.name.len() > 1
                 && symbol.name.chars().all(|c| c.is_ascii_uppercase());
-            let unknown = strange && !arrow && !self.known.contains(&entity);
+            // The g of a weight needs no words.
+            let weight = symbol.name == "g" && symbol.subscripts.is_empty() && !symbol.style.vector;
+            let unknown = strange && !arrow && !weight && !self.known.contains(&entity);
             let scales = failed.is_some_and(|read| self.only_scales(entity, read));
             if unknown && !scales && self.is_free(entity) {
                 return Some(format!("`{}`", symbol.name));

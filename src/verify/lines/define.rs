@@ -1,7 +1,7 @@
 //! Definitions: lines that give a symbol its meaning.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::ast::{Function, Kind, Line, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
@@ -33,6 +33,10 @@ impl Checker<'_> {
         let [left, right, rest @ ..] = sides else {
             return false;
         };
+        if !rest.is_empty() && role == Role::Claim && self.names_an_angle(left) {
+            self.claim(&sides[1..], finding);
+            return true;
+        }
         let Some((entity, place)) = self.new_symbol(left) else {
             return rest.is_empty()
                 && (self.defines_entries(left, right, finding)
@@ -62,7 +66,10 @@ impl Checker<'_> {
                 return true;
             }
         }
-        if role == Role::Claim && self.is_more_than_a_name(left, right, finding) {
+        let claimed = role == Role::Claim;
+        if !self.firm && self.is_more_than_a_name(left, right, claimed, finding)
+            || claimed && rest.is_empty() && self.is_frequency(left, right, finding)
+        {
             return true;
         }
         let value = match self.lowering(Frame::Moving).value(right) {
@@ -111,6 +118,21 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    /// Whether a side is a function of an angle that nothing has spoken of: the β of `tan β = a/b = 0.05`.
+    fn names_an_angle(&mut self, side: &Node) -> bool {
+        let Kind::Function(Function::Sin | Function::Cos | Function::Tan, argument) =
+            &inner(side).kind
+        else {
+            return false;
+        };
+        let Some((entity, None)) = self.new_symbol(argument) else {
+            return false;
+        };
+        let new = !self.known.contains(&entity) && !self.theory.mentions_entity(entity);
+        self.known.extend(new.then_some(entity));
+        new
     }
 
     /// ⟨ρ = x i + y j + z k⟩ says what x, y and z are.

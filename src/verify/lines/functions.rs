@@ -99,10 +99,8 @@ impl Checker<'_> {
         let (Some(function), None) = (same.next().cloned(), same.next()) else {
             return None;
         };
-        Some(
-            self.lowering(Frame::Moving)
-                .jacobian(&function.value, parameter),
-        )
+        self.lowering(Frame::Moving)
+            .jacobian(&function.value, parameter)
     }
 
     /// `\dot\omega = f(\omega, u)` for an f that nothing has said anything of: the right side is the new name.

@@ -57,6 +57,9 @@ impl Checker<'_> {
         if number && !self.asserted && !self.firm && self.is_any_moment(first, zero) {
             return true;
         }
+        if number && !zero && !self.asserted && self.is_free_rate(first) {
+            return true;
+        }
         let derived = zero && self.asserted && self.displayed;
         let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
         if motion || !self.is_free_input(first) || self.is_circular(first, read) {

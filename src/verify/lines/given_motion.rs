@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::Owner;
@@ -9,6 +10,20 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Role, Verdict};
 
 impl Checker<'_> {
+    /// Whether a side is the rate of the angular velocity, or of a component of it, that nothing determines.
+    pub(crate) fn is_free_rate(&mut self, side: &Node) -> bool {
+        let Kind::TimeDerivative { operand, .. } = &inner(side).kind else {
+            return false;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let turning = self.entities([&**operand]) == [omega];
+        let Ok(value) = self.lowering(Frame::Moving).value(side) else {
+            return false;
+        };
+        let mut entries = value.entries.iter();
+        turning && entries.all(|entry| self.theory.normal(entry).as_variable().is_some())
+    }
+
     /// Whether a side is how the body or the axes turn, which no law determines: words that derive it speak of the
     /// figure ("the axes point so that").
     pub(crate) fn sets_motion(&mut self, side: &Node) -> bool {

@@ -41,6 +41,8 @@ impl Checker<'_> {
         self.leave_hypothesis(&line.sides, &mut finding);
         self.withhold_value(line, &mut finding);
         self.note_doubt(line, &finding);
+        self.note_energies(&line.sides, &finding);
+        self.note_oscillation(&line.sides, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained {
             self.diagnose(line, &mut finding);
@@ -110,6 +112,14 @@ impl Checker<'_> {
                     return;
                 }
             }
+        }
+        if self.is_first_order(&sides) {
+            finding.verdict = Verdict::Accepted;
+            finding.role = Role::Assume;
+            finding
+                .remarks
+                .push("to first order in what is small".to_owned());
+            return;
         }
         keeps_its_value(&mut sides);
         let Some(gained) = self.puts_integral_for_gain(&mut sides) else {
@@ -215,7 +225,10 @@ impl Checker<'_> {
     /// A kinetic energy that is set against a mass, the velocity of a point and the turning of the body has both parts.
     fn note_translation(&mut self, sides: &[Node]) {
         let [left, right @ ..] = sides else { return };
-        if self.theory.setting.translation.is_some() {
+        // About a point at rest, the turning is all there is.
+        let points = self.reading.points.as_ref();
+        let about_another = points.is_some_and(|points| points.main != points.centre);
+        if self.theory.setting.translation.is_some() || about_another {
             return;
         }
         let whole = |quantity| Owner::Quantity(quantity, String::new());

@@ -8,11 +8,12 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Finding;
 
 impl Checker<'_> {
-    /// Leaves a line open that would be a definition but for what it speaks of.
+    /// Leaves a line open that would be a definition but for what it speaks of, claimed or in passing.
     pub(crate) fn is_more_than_a_name(
         &mut self,
         left: &Node,
         right: &Node,
+        claimed: bool,
         finding: &mut Finding,
     ) -> bool {
         let Kind::Symbol(symbol) = &inner(left).kind else {
@@ -22,9 +23,9 @@ impl Checker<'_> {
         let of_a_surface = ["semi-ax", "semiax"]
             .iter()
             .any(|word| words.contains(word));
-        let reason = if of_a_surface {
+        let reason = if claimed && of_a_surface {
             "whether the surface has these axes is not decided"
-        } else if self.displayed && is_multiple_of_unprimed(symbol, right) {
+        } else if claimed && self.displayed && is_multiple_of_unprimed(symbol, right) {
             "how the new value follows from the old one is not decided"
         } else if self.speaks_of_vertical_momentum() {
             "which way the vertical points on the axes used is not known"
@@ -64,19 +65,53 @@ impl Checker<'_> {
         };
         let mut operands = factors.chunk_by(|_, next| next.operator != Operator::Cross);
         let (first, second) = (operands.next()?, operands.next()?);
-        let arm = |operand: &[Factor]| self.one_of(operand, &[Quantity::Position]);
+        let arm = |operand: &[Factor]| self.ends_of(operand, point);
         let moving = [
             Quantity::Velocity,
             Quantity::CentreVelocity,
             Quantity::LinearMomentum,
         ];
-        let (arm, before) = match (arm(first), arm(second)) {
-            (Some(arm), None) if self.one_of(second, &moving).is_some() => (arm, true),
-            (None, Some(arm)) if self.one_of(first, &moving).is_some() => (arm, false),
+        let (forward, before) = match (arm(first), arm(second)) {
+            (Some(forward), None) if self.one_of(second, &moving).is_some() => (forward, true),
+            (None, Some(forward)) if self.one_of(first, &moving).is_some() => (forward, false),
             _ => return None,
         };
-        let written = labels(&arm);
-        Some(before == starts_at(&written, point)?)
+        Some(before == forward?)
+    }
+
+    /// Whether the position in an operand, or the difference of two of them, starts at a point; `None` within where it
+    /// does not say.
+    fn ends_of(&self, operand: &[Factor], point: &str) -> Option<Option<bool>> {
+        let position = |node: &Node| match &inner(node).kind {
+            Kind::Symbol(s) => {
+                let quantity = self.reading.quantities.get(&Letter::of(s));
+                (quantity == Some(&Quantity::Position)).then(|| labels(s))
+            }
+            _ => None,
+        };
+        let difference = operand
+            .iter()
+            .find_map(|factor| match &inner(&factor.node).kind {
+                Kind::Sum(terms) => match terms.as_slice() {
+                    [one, other] if one.negative != other.negative => {
+                        let (to, from) = if one.negative {
+                            (other, one)
+                        } else {
+                            (one, other)
+                        };
+                        Some((position(&from.node)?, position(&to.node)?))
+                    }
+                    _ => None,
+                },
+                _ => None,
+            });
+        match difference {
+            Some((from, to)) => Some(tells_start(&from, &to, point)),
+            None => {
+                let arm = self.one_of(operand, &[Quantity::Position])?;
+                Some(starts_at(&labels(&arm), point))
+            }
+        }
     }
 
     /// The symbol of an operand that is one of some quantities.
@@ -96,6 +131,10 @@ fn starts_at(arrow: &str, point: &str) -> Option<bool> {
         Some((to, from)) => (from, to),
         None => arrow.split_at_checked(1)?,
     };
+    tells_start(from, to, point)
+}
+
+fn tells_start(from: &str, to: &str, point: &str) -> Option<bool> {
     match (from == point, to == point) {
         (true, false) => Some(true),
         (false, true) => Some(false),

@@ -1,6 +1,6 @@
 //! News: lines that say of forces, moments and symbols of the document what nothing before determines.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -75,6 +75,7 @@ impl Checker<'_> {
         {
             return false;
         }
+        let by_gradient = self.is_gravity_gradient(read);
         let mut new = vec![];
         for entity in self.entities([right]) {
             match &self.theory.atoms.info(entity).owner {
@@ -84,6 +85,7 @@ impl Checker<'_> {
                 {
                     new.push(entity);
                 }
+                Owner::Quantity(Quantity::Inertia, _) if by_gradient => {}
                 Owner::Quantity(Quantity::Inertia | Quantity::Momentum | Quantity::Moment, _) => {
                     return false;
                 }
@@ -130,6 +132,17 @@ impl Checker<'_> {
 
     /// Whether a variable is a symbol of the document, or a force or velocity, that nothing determines.
     fn is_own(&mut self, variable: Variable) -> bool {
+        self.is_own_free(variable) || self.is_length_of_own(variable)
+    }
+
+    /// Whether a variable is by definition a free component of a vector of the document over its length: of R/R.
+    fn is_length_of_own(&mut self, variable: Variable) -> bool {
+        let value = self.theory.normal(&variable_fraction(variable));
+        let own = |v: u32| matches!(self.theory.atoms.owner(v), Some(Owner::Symbol(_)));
+        value.variables().into_iter().all(own) && is_quotient(&value)
+    }
+
+    fn is_own_free(&mut self, variable: Variable) -> bool {
         let own = match self.theory.atoms.owner(variable) {
             Some(Owner::Symbol(_)) => true,
             Some(Owner::Quantity(quantity, variant)) => {
@@ -153,7 +166,10 @@ impl Checker<'_> {
             matches!(owner, Some(Owner::Quantity(Quantity::Acceleration, _)))
         };
         let mut variables = value.variables().into_iter();
-        let Some(own) = variables.find(|&v| v == variable || acceleration(v)) else {
+        let part = is_quotient(&value).then(|| value.numerator().variables().first().copied());
+        let part = part.flatten();
+        let Some(own) = variables.find(|&v| v == variable || acceleration(v) || Some(v) == part)
+        else {
             return false;
         };
         let above = difference.numerator();
@@ -161,6 +177,14 @@ impl Checker<'_> {
         above.degree_in(own) == 1
             && (factor.is_constant().is_some() || self.theory.never_zero(&factor))
     }
+}
+
+/// Whether a value is one variable over another.
+fn is_quotient(value: &Fraction) -> bool {
+    let lone = |p: &Polynomial| {
+        p.len() == 1 && matches!(p.variables().as_slice(), [v] if p.degree_in(*v) == 1)
+    };
+    lone(value.numerator()) && lone(value.denominator())
 }
 
 /// Whether a difference is a number times a variable, and more without it.

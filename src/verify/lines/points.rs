@@ -97,6 +97,9 @@ impl Checker<'_> {
             laws.extend(points.filter_map(|s| self.acceleration(s)));
         }
         laws.extend(self.momentum_about(left, &met));
+        if self.is_new(left) {
+            laws.extend(self.total_energy(left));
+        }
         laws.extend(met.iter().filter_map(|s| self.moment_about_axis(s)));
         laws
     }

@@ -12,7 +12,7 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Words before and behind symbols that are small.
 const BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
@@ -48,6 +48,25 @@ impl Checker<'_> {
         if BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_small(node));
         }
+    }
+
+    /// Whether sides say of a small angle what its functions are to first order: "we put ⟨sin α = α⟩ and ⟨cos α = 1⟩".
+    pub(crate) fn is_first_order(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Function(function, argument) = &inner(left).kind else {
+            return false;
+        };
+        let angle = self.entities([&**argument]);
+        let lone = matches!(&inner(argument).kind, Kind::Symbol(_));
+        let small = lone && angle.iter().all(|entity| self.small.contains(entity));
+        let one = matches!(&right.kind, Kind::Number(n) if n.value.is_one());
+        let same = matches!(&inner(right).kind, Kind::Symbol(_)) && self.entities([right]) == angle;
+        small
+            && match function {
+                Function::Sin | Function::Tan => same,
+                Function::Cos => one,
+                _ => false,
+            }
     }
 
     fn call_small(&mut self, node: &Node) {

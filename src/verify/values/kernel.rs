@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Rational};
 use crate::notation::ast::{Function, Kind, Node};
+use crate::verify::reason;
 use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::Atom;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind, constant};
@@ -10,6 +11,8 @@ use num_traits::{One, Zero};
 
 /// The most that an angle is multiplied out: sin 8x and no more.
 const MOST_TURNS: i64 = 8;
+/// Terms above times terms below of a fraction that is differentiated.
+const MOST_TERMS: usize = 4_000;
 
 impl Lowering<'_> {
     /// A function of an argument in normal form; `None` where nothing is known of it.
@@ -129,24 +132,18 @@ impl Lowering<'_> {
             let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
             let result = places.map(|places| {
                 let free = places.iter().all(|&p| self.theory.rule(p).is_none());
-                (free, self.jacobian(&value, &places))
+                let jacobian = free.then(|| self.jacobian(&value, &places));
+                jacobian.ok_or(
+                    "this symbol is determined by others; the derivative in it is not defined here",
+                )
             });
             self.theory.left_out = left_out;
             self.theory.set(|setting| setting.dynamics = dynamics);
-            match result {
-                Some((true, jacobian)) => value = jacobian,
-                Some((false, _)) => {
-                    return Err(unsupported(
-                        variable.span,
-                        "this symbol is determined by others; the derivative in it is not defined here",
-                    ));
-                }
-                None => {
-                    return Err(unsupported(
-                        variable.span,
-                        "a derivative is taken in symbols only",
-                    ));
-                }
+            let symbols_only = Err("a derivative is taken in symbols only");
+            match result.unwrap_or(symbols_only) {
+                Ok(Some(jacobian)) => value = jacobian,
+                Ok(None) => return Err(unsupported(variable.span, reason::BUDGET)),
+                Err(message) => return Err(unsupported(variable.span, message)),
             }
             if value.entries.is_empty() {
                 return Err(unsupported(node.span, "this derivative has no entries"));
@@ -155,26 +152,32 @@ impl Lowering<'_> {
         Ok(value)
     }
 
-    /// Rows are the entries of the value, columns the variables; a gradient of a scalar is a column.
-    pub(crate) fn jacobian(&mut self, value: &Value, places: &[u32]) -> Value {
+    /// Rows are the entries of the value, columns the variables; a gradient of a scalar is a column. `None` where an
+    /// entry is too long a fraction.
+    pub(crate) fn jacobian(&mut self, value: &Value, places: &[u32]) -> Option<Value> {
         let entries: Vec<Fraction> = value
             .entries
             .iter()
             .map(|entry| self.theory.normal(entry))
             .collect();
+        let long =
+            |entry: &Fraction| entry.numerator().len() * entry.denominator().len() > MOST_TERMS;
+        if entries.iter().any(long) {
+            return None;
+        }
         let (rows, columns) = if value.is_scalar() {
             (places.len(), 1)
         } else {
             (entries.len(), places.len())
         };
-        Value::from_fn(rows, columns, |r, c| {
+        Some(Value::from_fn(rows, columns, |r, c| {
             let (entry, place) = if value.is_scalar() {
                 (&entries[0], places[r])
             } else {
                 (&entries[r], places[c])
             };
             self.partial(entry, place)
-        })
+        }))
     }
 
     /// The partial derivative of a fraction in a variable, kernels by the chain rule.

@@ -77,6 +77,9 @@ pub(crate) fn trouble(kind: TroubleKind, span: Span, message: impl Into<String>)
     }
 }
 
+/// Rows of a unit matrix at most.
+const LARGEST_UNIT: usize = 12;
+
 impl Lowering<'_> {
     /// The value of a node.
     pub(crate) fn value(&mut self, node: &Node) -> Lowered {
@@ -99,6 +102,11 @@ impl Lowering<'_> {
             }
             Kind::Negate(a) => Ok(self.value(a)?.negated()),
             Kind::Group(_, a) => self.value(a),
+            Kind::InFrame(a, label)
+                if matches!(&a.kind, Kind::Bold(_)) && size(label).is_some() =>
+            {
+                Ok(Value::identity(size(label).unwrap_or(3)))
+            }
             // `[r × v]_x` is a component.
             Kind::InFrame(a, label) => {
                 let value = self.value(a)?;
@@ -272,4 +280,15 @@ pub(crate) fn constant(value: Rational) -> Fraction {
 pub(crate) fn substituted(fraction: &Fraction, image: &impl Fn(u32) -> Fraction) -> Fraction {
     let lift = |c: &Rational| constant(c.clone());
     fraction.numerator().evaluate(image, lift) / fraction.denominator().evaluate(image, lift)
+}
+
+/// The rows of a unit matrix, where they are written under it: `4×4`, `3`.
+fn size(label: &FrameLabel) -> Option<usize> {
+    let mut numbers = label
+        .text
+        .split('×')
+        .map(|n| n.trim().parse::<usize>().ok());
+    let rows = numbers.next()??;
+    let square = numbers.all(|n| n == Some(rows));
+    (square && (2..=LARGEST_UNIT).contains(&rows)).then_some(rows)
 }

@@ -333,7 +333,7 @@ fn of_symbol(
         || (symbol.style.bar && sorted.single.is_some())
         || reading.usage.wholes.is_vector(symbol)
         || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
-        || (reading.usage.is_vector(letter) && !named && !reading.scalars.contains(letter))
+        || (reading.usage.is_vector(letter) && !named && !reading.is_scalar(letter))
         || used.component > 1 && sorted.single.is_some();
     // A letter that some line sets against a square of numbers is a matrix before that line too.
     let square = used.tensor > 0 && symbol.subscripts.is_empty() && symbol.superscripts.is_empty();

@@ -3,6 +3,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
 use crate::verify::letters::usage::inner;
 
 /// A sentence in lower case, each formula of one symbol as `⟨name⟩`, every other as `⟨⟩`.
@@ -87,8 +88,19 @@ pub(crate) fn sentences(document: &Document) -> Vec<Sentence> {
 fn lone(node: &Node) -> Option<&str> {
     match &inner(node).kind {
         Kind::Symbol(symbol) => Some(&symbol.name),
+        // The matrix `R(q)` of a quaternion.
+        Kind::Call(head, arguments) if is_symbol(arguments) => match &inner(head).kind {
+            Kind::Symbol(symbol) if MATRIX_LETTERS.contains(&symbol.name.as_str()) => {
+                Some(&symbol.name)
+            }
+            _ => None,
+        },
         _ => None,
     }
+}
+
+fn is_symbol(arguments: &[Node]) -> bool {
+    matches!(arguments, [one] if matches!(inner(one).kind, Kind::Symbol(_)))
 }
 
 /// Which way a sentence says that something goes, if it does.

@@ -48,6 +48,9 @@ const BEFORE: &[&str] = &[
     "with a steady",
     "steady rate",
     "steady speed",
+    "at constant",
+    "at a constant",
+    "at the constant",
 ];
 
 /// Words of a supposition: what it calls constant may change elsewhere.

@@ -13,7 +13,7 @@ use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
-use crate::verify::values::atoms::Atom;
+use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::prose::Said;
@@ -129,6 +129,23 @@ impl Checker<'_> {
             }
         }
         met
+    }
+
+    /// The components of ω across an axis that is fixed in space vanish, where the words name such an axis.
+    pub(crate) fn turns_about_fixed_axis(&mut self) {
+        let Some(axis) = self.reading.fixed_axis else {
+            return;
+        };
+        let across: Vec<u8> = (0..3).filter(|&c| c != axis).collect();
+        let entity = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let parts = across.iter().map(|&c| self.theory.atoms.part(entity, c, 0));
+        let preferred: Vec<Variable> = parts.collect();
+        self.theory.assume(Premise {
+            name: "it turns about a fixed axis".to_owned(),
+            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
+            preferred,
+            definition: true,
+        });
     }
 
     /// Moments with one index and no product anywhere: the axes are principal, though no word says so.

@@ -65,7 +65,9 @@ fn has_left_its_condition(text: &str) -> bool {
     };
     let predicate = [" is ", " are "];
     let weak = [" with ", " for ", " if ", " when "];
+    let says_again = [" that is ", " which is "];
     predicate.iter().any(|verb| trailing.ends_with(verb))
+        && !says_again.iter().any(|words| trailing.ends_with(words))
         && weak.iter().any(|word| text.contains(word))
 }
 
@@ -263,6 +265,8 @@ mod tests {
             ("For ⟨c = 0⟩ the second line must fall back to", Role::Claim),
             ("For ⟨s > 0⟩ we may also write", Role::Claim),
             ("Solved for the acceleration,", Role::Claim),
+            ("If the spin is kept at constant ⟨s⟩, that is", Role::Assume),
+            ("With ⟨s = 0⟩ the rate of the spin is", Role::Claim),
         ];
         for (sentence, expected) in cases {
             assert_eq!(role(sentence), expected, "{sentence}");

@@ -1,0 +1,132 @@
+//! Frequencies: what a line calls the frequency of the oscillation that the line before it describes, ẍ + w²x = 0.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
+use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Diagnosis, Finding, Verdict};
+use num_traits::Zero;
+
+/// Findings that may stand between an equation and the frequency: conditions, numbers.
+const NEAR: usize = 2;
+
+impl Checker<'_> {
+    /// Notes w² of an equation ẍ + w²x = 0 in a symbol of the document.
+    pub(crate) fn note_oscillation(&mut self, sides: &[Node], finding: &Finding) {
+        if !matches!(finding.verdict, Verdict::Accepted | Verdict::Proved(_)) || sides.len() != 2 {
+            return;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return;
+        };
+        let [equation] = read.equations.as_slice() else {
+            return;
+        };
+        if let [residual] = equation.residual.entries.as_slice()
+            && let Some(square) = self.square_of_frequency(residual)
+        {
+            self.oscillation = Some((self.findings.len(), square));
+        }
+    }
+
+    fn square_of_frequency(&mut self, residual: &Fraction) -> Option<Fraction> {
+        let above = residual.numerator();
+        let atoms = &self.theory.atoms;
+        let (entity, second) =
+            above
+                .variables()
+                .into_iter()
+                .find_map(|v| match *atoms.atom(v) {
+                    Atom::Part {
+                        entity,
+                        component: 0,
+                        order: 2,
+                    } => Some((entity, v)),
+                    _ => None,
+                })?;
+        if !matches!(atoms.info(entity).owner, Owner::Symbol(_)) {
+            return None;
+        }
+        let first = self.theory.atoms.part(entity, 0, 0);
+        let (inertia, spring) = (
+            above.coefficient_of(second, 1),
+            above.coefficient_of(first, 1),
+        );
+        let made = inertia.clone() * crate::algebra::Polynomial::variable(second)
+            + spring.clone() * crate::algebra::Polynomial::variable(first);
+        let apart = |v: &u32| self.theory.atoms.entity_of(*v) != Some(entity);
+        let constant = inertia
+            .variables()
+            .iter()
+            .chain(&spring.variables())
+            .all(apart);
+        let oscillates = constant && !spring.is_zero() && (above.clone() - made).is_zero();
+        oscillates.then(|| Fraction::from(spring) / Fraction::from(inertia))
+    }
+
+    /// Decides a new symbol that the words call the frequency of the oscillation before it.
+    pub(crate) fn is_frequency(
+        &mut self,
+        left: &Node,
+        right: &Node,
+        finding: &mut Finding,
+    ) -> bool {
+        let words = self.sentence.to_lowercase();
+        let Some((at, square)) = self.oscillation.clone() else {
+            return false;
+        };
+        let near = self.findings.len() <= at + 1 + NEAR;
+        if !near || !words.contains("frequency") || !matches!(inner(left).kind, Kind::Symbol(_)) {
+            return false;
+        }
+        let named = self.entities([left]);
+        let inside = square.variables();
+        if inside.iter().any(|&v| {
+            self.theory
+                .atoms
+                .entity_of(v)
+                .is_some_and(|e| named.contains(&e))
+        }) {
+            return false;
+        }
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let ([value], true) = (value.entries.as_slice(), value.is_scalar()) else {
+            return false;
+        };
+        let [left, right] = [square, value.clone() * value.clone()].map(Value::scalar);
+        let Ok(residual) = left.plus(&right, true) else {
+            return false;
+        };
+        match decide(
+            &mut self.theory,
+            &[Equation {
+                left,
+                right,
+                residual,
+            }],
+        ) {
+            Decision::False(witness) => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason =
+                    Some("its square is not what the equation of the oscillation has".to_owned());
+                finding.counterexample = Some(*witness);
+                finding.diagnosis = Some(Diagnosis {
+                    kind: "frequency",
+                    message:
+                        "the equation of the oscillation has another ratio of its coefficients"
+                            .to_owned(),
+                    suggestion: None,
+                    place: Some(finding.place),
+                });
+                true
+            }
+            _ => false,
+        }
+    }
+}
