@@ -4,9 +4,11 @@ pub(super) mod carried;
 pub(super) mod convention_slips;
 pub(super) mod edit;
 pub(super) mod hollow;
+pub(super) mod lost_factors;
 pub(super) mod lost_terms;
 pub(super) mod lost_vectors;
 pub(super) mod order;
+pub(super) mod other_letters;
 pub(super) mod places;
 pub(super) mod shown;
 pub(super) mod slips;
@@ -63,11 +65,14 @@ impl Checker<'_> {
             all.extend(wanted.symbols());
         }
         all.extend(self.lost_vectors(line, &mut search));
+        all.extend(self.lost_masses(line));
+        all.extend(self.other_letters(line, wanted.as_ref()));
         all.sort_by_key(|edit| (edit.cost, edit.span));
         finding.diagnosis = self
             .single(&all, &mut search)
             .or_else(|| self.alike(&edits, &mut search))
             .or_else(|| self.by_component(&edits, &mut search))
+            .or_else(|| self.inertia_held(line, &mut search))
             .or_else(|| self.single(&wanted.as_ref()?.terms(), &mut search))
             .or_else(|| self.lost_term(line, &mut search))
             .or_else(|| self.pairs(&edits, &mut search));

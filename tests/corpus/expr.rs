@@ -7,6 +7,26 @@ pub(crate) enum Vector {
     Frame,
     Momentum,
     Moment,
+    /// The velocity of the mass centre, where the page has no other.
+    Velocity,
+    Force,
+    /// The momentum m v.
+    LinearMomentum,
+    /// From a moving point P to the mass centre G.
+    Arm,
+    CentreVelocity,
+    PointVelocity,
+    CentreMomentum,
+    PointMomentum,
+    CentreMoment,
+    PointMoment,
+}
+
+/// What a moment of inertia is taken about, where the page has two points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Point {
+    Centre,
+    Origin,
 }
 
 /// A number of the motion.
@@ -23,6 +43,11 @@ pub(crate) enum Atom {
     Partial((Vector, usize, u8), usize),
     /// ∂T/∂ω_i.
     EnergyPartial(usize),
+    Mass,
+    /// A moment or product of inertia about one of two points.
+    About(Point, usize, usize),
+    /// A coordinate of the mass centre from the other of the two.
+    Place(usize),
 }
 
 /// Who sees the rate of a vector.
@@ -40,8 +65,13 @@ pub(crate) enum Expr {
     Number(i64, i64),
     Atom(Atom),
     Whole(Vector, Seen),
-    /// The inertia tensor.
-    Tensor,
+    /// The inertia tensor, with dots.
+    Tensor(u8),
+    /// The matrix that takes components on the body's axes to those in space, with dots, and whether transposed.
+    Attitude(u8, bool),
+    /// The matrix of ω ×.
+    Skew,
+    Identity,
     /// Terms, each with whether it is subtracted.
     Sum(Vec<(bool, Expr)>),
     Product(Vec<Expr>),
@@ -65,7 +95,13 @@ pub(crate) struct Line {
 impl Expr {
     pub(crate) fn children(&self) -> Vec<&Expr> {
         match self {
-            Self::Number(..) | Self::Atom(_) | Self::Whole(..) | Self::Tensor => vec![],
+            Self::Number(..)
+            | Self::Atom(_)
+            | Self::Whole(..)
+            | Self::Tensor(_)
+            | Self::Attitude(..)
+            | Self::Skew
+            | Self::Identity => vec![],
             Self::Sum(terms) => terms.iter().map(|(_, e)| e).collect(),
             Self::Product(all) | Self::Column(all) | Self::Matrix(all) => all.iter().collect(),
             Self::Quotient(a, b) | Self::Cross(a, b) | Self::Dot(a, b) => vec![a, b],
@@ -75,13 +111,13 @@ impl Expr {
 
     fn child_mut(&mut self, at: usize) -> Option<&mut Expr> {
         match self {
-            Self::Number(..) | Self::Atom(_) | Self::Whole(..) | Self::Tensor => None,
             Self::Sum(terms) => terms.get_mut(at).map(|(_, e)| e),
             Self::Product(all) | Self::Column(all) | Self::Matrix(all) => all.get_mut(at),
             Self::Quotient(a, b) | Self::Cross(a, b) | Self::Dot(a, b) => {
                 [a, b].into_iter().nth(at).map(|boxed| &mut **boxed)
             }
             Self::Square(a) | Self::Rate(a) => (at == 0).then_some(a),
+            _ => None,
         }
     }
 
@@ -121,7 +157,10 @@ impl Expr {
     pub(crate) fn is_scalar(&self) -> bool {
         match self {
             Self::Whole(..)
-            | Self::Tensor
+            | Self::Tensor(_)
+            | Self::Attitude(..)
+            | Self::Skew
+            | Self::Identity
             | Self::Cross(..)
             | Self::Column(_)
             | Self::Matrix(_) => false,

@@ -1,16 +1,29 @@
 //! What is true of a rigid body, by subject: the lines that a page about it writes.
 
+use super::energy::{conservation, energy, principal_energy};
 use super::expr::{
-    Atom, Expr, Line, Seen, Vector, cross, dot, equal, frame, half, inertia, minus, moment,
-    momentum, momentum_dot, omega, omega_dot, over, plus, rate, square, times,
+    Expr, Line, Seen, Vector, cross, equal, frame, inertia, minus, moment, momentum, momentum_dot,
+    omega, omega_dot, over, plus, square, times,
 };
+use super::moving_centre::{
+    moving_point, newton, parallel_axes, said_of_moving_point, said_of_newton,
+    said_of_parallel_axes,
+};
+use super::random::Random;
 use super::slopes::{gradients, jacobian, quaternion, quaternion_rule, tensor_rate};
+use super::style::Style;
+use super::tensors::{attitude, changing_inertia, tensor_and_vectors};
 use super::world::{Body, Premises};
 
 /// Lines of one subject and what is presupposed.
 pub(crate) struct Family {
     pub(crate) name: &'static str,
     pub(crate) premises: Premises,
+    /// What the words say of its own symbols.
+    pub(crate) said: fn(&Style) -> String,
+    /// How it can be written: in plain text too, with indices 1, 2, 3 too.
+    plain: bool,
+    digits: bool,
     /// Lines that the page assumes before it begins.
     pub(crate) assumed: Vec<Line>,
     pub(crate) lines: Vec<Line>,
@@ -34,6 +47,9 @@ pub(crate) fn all() -> Vec<Family> {
     let family = |name, premises, lines| Family {
         name,
         premises,
+        said: |_| "The origin is the mass centre. ".to_owned(),
+        plain: true,
+        digits: true,
         assumed: vec![],
         lines,
     };
@@ -48,7 +64,10 @@ pub(crate) fn all() -> Vec<Family> {
         ),
         family("angular momentum", BODY, momenta()),
         family("full moments", BODY, moments()),
-        family("matrices", BODY, matrices()),
+        Family {
+            plain: false,
+            ..family("matrices", BODY, matrices())
+        },
         family("Euler's equations", PRINCIPAL, euler()),
         family(
             "free Euler's equations",
@@ -80,7 +99,48 @@ pub(crate) fn all() -> Vec<Family> {
             ..family("quaternion", BODY, quaternion())
         },
         family("rate of the tensor", TURNING, tensor_rate()),
+        family("changing inertia", TURNING, changing_inertia()),
+        family("tensor and vectors", BODY, tensor_and_vectors()),
+        Family {
+            plain: false,
+            ..family("attitude", BODY, attitude())
+        },
+        Family {
+            said: said_of_newton,
+            plain: false,
+            ..family("Newton's law", BODY, newton())
+        },
+        Family {
+            said: said_of_parallel_axes,
+            plain: false,
+            digits: false,
+            ..family("parallel axes", BODY, parallel_axes())
+        },
+        Family {
+            said: said_of_moving_point,
+            plain: false,
+            ..family("moving point", BODY, moving_point())
+        },
     ]
+}
+
+impl Family {
+    /// A way to write that can say all that the family says.
+    pub(crate) fn style(&self, random: &mut Random) -> Style {
+        self.fitted(Style::draw(random))
+    }
+
+    /// A way to write, changed where the family cannot be written so.
+    pub(crate) fn fitted(&self, style: Style) -> Style {
+        let style = match style.plain && !self.plain {
+            true => style.in_latex(),
+            false => style,
+        };
+        Style {
+            digits: style.digits && self.digits,
+            ..style
+        }
+    }
 }
 
 pub(crate) fn ring(line: impl Fn(usize) -> Line) -> Vec<Line> {
@@ -111,7 +171,7 @@ fn components(turn: &dyn Fn(usize) -> Expr) -> Vec<Line> {
     })
 }
 
-fn whole(vector: Vector) -> Expr {
+pub(crate) fn whole(vector: Vector) -> Expr {
     Expr::Whole(vector, Seen::Value)
 }
 
@@ -130,13 +190,13 @@ fn vector_laws(turn: Vector) -> Vec<Line> {
         ),
         equal(
             whole(Vector::Momentum),
-            product([Expr::Tensor, whole(Vector::Omega)]),
+            product([Expr::Tensor(0), whole(Vector::Omega)]),
         ),
     ];
     if turn == Vector::Omega {
-        let turned = product([Expr::Tensor, whole(Vector::Omega)]);
+        let turned = product([Expr::Tensor(0), whole(Vector::Omega)]);
         let rate = Expr::Whole(Vector::Omega, Seen::Moving);
-        let inertial = product([Expr::Tensor, rate]);
+        let inertial = product([Expr::Tensor(0), rate]);
         let gyroscopic = cross(whole(Vector::Omega), turned);
         lines.push(equal(
             whole(Vector::Moment),
@@ -280,79 +340,4 @@ fn symmetric() -> Vec<Line> {
 /// ω_y for ω_x: (I_xx − I_zz) ω_x ω_z is written with the moments of the second and third axes.
 fn swap_rate(expr: Expr) -> Expr {
     if expr == omega(0) { omega(1) } else { expr }
-}
-
-fn energy() -> Vec<Line> {
-    let energy = || Expr::Atom(Atom::Energy(0));
-    let rate_of_energy = || Expr::Atom(Atom::Energy(1));
-    let sum = |a: &dyn Fn(usize) -> Expr, b: &dyn Fn(usize) -> Expr| {
-        plus((0..3).map(|i| product([a(i), b(i)])).collect())
-    };
-    let squares = (0..3).map(|i| product([inertia(i, i), square(omega(i))]));
-    let mixed =
-        [(0, 1), (0, 2), (1, 2)].map(|(i, j)| times(vec![inertia(i, j), omega(i), omega(j)]));
-    let mut all = vec![(false, product([half(), plus(squares.collect())]))];
-    all.extend(mixed.into_iter().map(|e| (true, e)));
-    vec![
-        equal(
-            energy(),
-            product([half(), dot(whole(Vector::Omega), whole(Vector::Momentum))]),
-        ),
-        equal(energy(), product([half(), sum(&momentum, &omega)])),
-        equal(energy(), signed(all)),
-        equal(
-            rate_of_energy(),
-            dot(whole(Vector::Moment), whole(Vector::Omega)),
-        ),
-        equal(rate_of_energy(), sum(&moment, &omega)),
-        equal(rate_of_energy(), sum(&omega, &momentum_dot)),
-    ]
-}
-
-fn principal_energy() -> Vec<Line> {
-    let energy = || Expr::Atom(Atom::Energy(0));
-    let squares = |of: &dyn Fn(usize) -> Expr| {
-        plus(
-            (0..3)
-                .map(|i| product([inertia(i, i), square(of(i))]))
-                .collect(),
-        )
-    };
-    let quotients = (0..3)
-        .map(|i| over(square(momentum(i)), inertia(i, i)))
-        .collect();
-    let powers = (0..3)
-        .map(|i| times(vec![inertia(i, i), omega(i), omega_dot(i)]))
-        .collect();
-    vec![
-        equal(energy(), product([half(), squares(&omega)])),
-        equal(product([Expr::Number(2, 1), energy()]), plus(quotients)),
-        equal(Expr::Atom(Atom::Energy(1)), plus(powers)),
-    ]
-}
-
-fn conservation() -> Vec<Line> {
-    let zero = || Expr::Number(0, 1);
-    let squares = plus((0..3).map(|i| square(momentum(i))).collect());
-    let products = plus(
-        (0..3)
-            .map(|i| product([momentum(i), momentum_dot(i)]))
-            .collect(),
-    );
-    vec![
-        equal(Expr::Atom(Atom::Energy(1)), zero()),
-        equal(rate(squares), zero()),
-        equal(products, zero()),
-        equal(
-            Expr::Whole(Vector::Momentum, Seen::Moving),
-            cross(whole(Vector::Momentum), whole(Vector::Omega)),
-        ),
-        equal(
-            momentum_dot(0),
-            minus(
-                product([momentum(1), omega(2)]),
-                product([momentum(2), omega(1)]),
-            ),
-        ),
-    ]
 }

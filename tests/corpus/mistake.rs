@@ -12,10 +12,18 @@ pub(crate) enum Mistake {
     Frame,
     CrossOrder,
     LostTerm,
+    LostTransport,
+    LostProduct,
     MomentDifference,
     Factor,
     Convention,
+    LostMass,
+    Transpose,
+    ScalarInertia,
+    InertiaRate,
+    MovingPoint,
     OtherRate,
+    OtherSymbol,
 }
 
 pub(crate) const ALL: &[Mistake] = &[
@@ -26,10 +34,18 @@ pub(crate) const ALL: &[Mistake] = &[
     Mistake::Frame,
     Mistake::CrossOrder,
     Mistake::LostTerm,
+    Mistake::LostTransport,
+    Mistake::LostProduct,
     Mistake::MomentDifference,
     Mistake::Factor,
     Mistake::Convention,
+    Mistake::LostMass,
+    Mistake::Transpose,
+    Mistake::ScalarInertia,
+    Mistake::InertiaRate,
+    Mistake::MovingPoint,
     Mistake::OtherRate,
+    Mistake::OtherSymbol,
 ];
 
 impl Mistake {
@@ -46,12 +62,30 @@ impl Mistake {
             Self::Frame => &["frame", "missing-term", "extra-term"],
             Self::CrossOrder => &["cross-order", "sign"],
             // M = (dL/dt)_xyz lacks ω × L, or names the wrong frame.
-            Self::LostTerm => &["missing-term", "frame"],
+            Self::LostTerm | Self::LostTransport => &["missing-term", "frame"],
+            Self::LostProduct | Self::InertiaRate | Self::MovingPoint => &["missing-term"],
             Self::MomentDifference => &["inertia-difference", "sign", "index"],
             Self::Factor => &["factor"],
             Self::Convention => &["convention", "sign"],
+            Self::LostMass => &["factor"],
+            Self::Transpose => &["transpose"],
+            Self::ScalarInertia => &["scalar-inertia"],
             Self::OtherRate => &["symbol"],
+            // Where the moment belongs, the momentum lacks a dot.
+            Self::OtherSymbol => &["symbol", "missing-dot", "extra-dot"],
         }
+    }
+
+    /// Whether few families have a place for it.
+    pub(crate) fn is_rare(self) -> bool {
+        matches!(
+            self,
+            Self::LostMass
+                | Self::Transpose
+                | Self::ScalarInertia
+                | Self::InertiaRate
+                | Self::MovingPoint
+        )
     }
 
     /// Every line with this mistake made once.
@@ -67,10 +101,18 @@ impl Mistake {
                 _ => vec![],
             }),
             Self::LostTerm => line.changed(&lost_term),
+            Self::LostTransport => line.changed(&|e| lost(e, &is_cross)),
+            Self::LostProduct => line.changed(&|e| lost(e, &is_product_of_inertia)),
             Self::MomentDifference => line.changed(&difference),
             Self::Factor => line.changed(&factor),
             Self::Convention => vec![other_convention(line)],
+            Self::LostMass => line.changed(&lost_mass),
+            Self::Transpose => line.changed(&transposed),
+            Self::ScalarInertia => line.changed(&inertia_put_first),
+            Self::InertiaRate => inertia_held(line),
+            Self::MovingPoint => line.changed(&|e| lost(e, &is_of_moving_point)),
             Self::OtherRate => line.changed(&other_rate),
+            Self::OtherSymbol => other_symbols(line),
         }
     }
 }
@@ -131,19 +173,52 @@ fn frame(expr: &Expr) -> Vec<Expr> {
 }
 
 fn lost_term(expr: &Expr) -> Vec<Expr> {
-    match expr {
-        Expr::Sum(terms) if terms.len() > 1 => (0..terms.len())
-            .map(|at| {
-                let mut terms = terms.clone();
-                terms.remove(at);
-                match terms.as_slice() {
-                    [(false, one)] => one.clone(),
-                    _ => Expr::Sum(terms),
-                }
-            })
-            .collect(),
-        _ => vec![],
+    lost(expr, &|_| true)
+}
+
+/// One of the terms of a sum lost, of those of some kind.
+fn lost(expr: &Expr, kind: &dyn Fn(&Expr) -> bool) -> Vec<Expr> {
+    let Expr::Sum(terms) = expr else {
+        return vec![];
+    };
+    let of_kind = (0..terms.len()).filter(|&at| terms.len() > 1 && kind(&terms[at].1));
+    of_kind
+        .map(|at| {
+            let mut terms = terms.clone();
+            terms.remove(at);
+            sum(terms)
+        })
+        .collect()
+}
+
+/// A sum, which a single term is not.
+fn sum(terms: Vec<(bool, Expr)>) -> Expr {
+    match terms.as_slice() {
+        [(false, one)] => one.clone(),
+        _ => Expr::Sum(terms),
     }
+}
+
+/// A product, which a single factor is not.
+fn product(factors: Vec<Expr>) -> Expr {
+    match factors.as_slice() {
+        [one] => one.clone(),
+        _ => Expr::Product(factors),
+    }
+}
+
+fn is_cross(term: &Expr) -> bool {
+    matches!(term, Expr::Cross(..))
+}
+
+fn is_product_of_inertia(term: &Expr) -> bool {
+    term.any(&|e| matches!(e, Expr::Atom(Atom::Inertia(i, j, _)) if i != j))
+        && !matches!(term, Expr::Sum(_))
+}
+
+fn is_of_moving_point(term: &Expr) -> bool {
+    term.any(&|e| matches!(e, Expr::Whole(Vector::PointVelocity, _)))
+        && matches!(term, Expr::Cross(..) | Expr::Product(_))
 }
 
 /// The two moments of a difference changed for each other, or one of them for the third.
@@ -155,48 +230,108 @@ fn difference(expr: &Expr) -> Vec<Expr> {
         Some((_, Expr::Atom(Atom::Inertia(i, j, 0)))) if i == j => Some(*i),
         _ => None,
     };
-    match (moment(0), moment(1), terms.len()) {
-        (Some(_), Some(_), 2) => {
-            let mut turned = terms.clone();
-            turned[0].1 = terms[1].1.clone();
-            turned[1].1 = terms[0].1.clone();
-            vec![Expr::Sum(turned)]
+    let (Some(i), Some(j), 2) = (moment(0), moment(1), terms.len()) else {
+        return vec![];
+    };
+    let with = |i: usize, j: usize| {
+        let mut terms = terms.clone();
+        terms[0].1 = Expr::Atom(Atom::Inertia(i, i, 0));
+        terms[1].1 = Expr::Atom(Atom::Inertia(j, j, 0));
+        Expr::Sum(terms)
+    };
+    let mut all = vec![with(j, i)];
+    if i != j {
+        all.extend([with(i, 3 - i - j), with(3 - i - j, j)]);
+    }
+    all
+}
+
+/// A factor ½ or 2 lost, or one too many.
+fn factor(expr: &Expr) -> Vec<Expr> {
+    let Expr::Product(factors) = expr else {
+        return vec![];
+    };
+    let numbers = [Expr::Number(1, 2), Expr::Number(2, 1)];
+    if let Some(at) = factors.iter().position(|f| numbers.contains(f)) {
+        let mut rest = factors.clone();
+        rest.remove(at);
+        return vec![product(rest)];
+    }
+    if factors.iter().all(Expr::is_scalar) {
+        let more = |number: &Expr| {
+            let first = std::iter::once(number.clone());
+            Expr::Product(first.chain(factors.iter().cloned()).collect())
+        };
+        return numbers.iter().map(more).collect();
+    }
+    vec![]
+}
+
+fn lost_mass(expr: &Expr) -> Vec<Expr> {
+    match expr {
+        Expr::Product(factors) => {
+            let mass = |f: &Expr| *f == Expr::Atom(Atom::Mass);
+            let rest: Vec<Expr> = factors.iter().filter(|f| !mass(f)).cloned().collect();
+            match rest.len() == factors.len() || rest.is_empty() {
+                true => vec![],
+                false => vec![product(rest)],
+            }
         }
         _ => vec![],
     }
 }
 
-fn factor(expr: &Expr) -> Vec<Expr> {
+fn transposed(expr: &Expr) -> Vec<Expr> {
     match expr {
-        Expr::Product(factors) if factors.contains(&Expr::Number(1, 2)) => {
-            let rest: Vec<Expr> = factors
-                .iter()
-                .filter(|f| **f != Expr::Number(1, 2))
-                .cloned()
-                .collect();
-            match rest.as_slice() {
-                [one] => vec![one.clone()],
-                _ => vec![Expr::Product(rest)],
-            }
-        }
-        Expr::Product(factors) if factors.contains(&Expr::Number(2, 1)) => {
-            let rest: Vec<Expr> = factors
-                .iter()
-                .filter(|f| **f != Expr::Number(2, 1))
-                .cloned()
-                .collect();
-            match rest.as_slice() {
-                [one] => vec![one.clone()],
-                _ => vec![Expr::Product(rest)],
-            }
-        }
+        Expr::Attitude(dots, turned) => vec![Expr::Attitude(*dots, !turned)],
         _ => vec![],
     }
+}
+
+/// `a × (I b)` written as `I (a × b)`, as if I were a number.
+fn inertia_put_first(expr: &Expr) -> Vec<Expr> {
+    let split = |factor: &Expr| match factor {
+        Expr::Product(factors) => match factors.as_slice() {
+            [Expr::Tensor(0), rest @ ..] => Some(product(rest.to_vec())),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (a, b) = match expr {
+        Expr::Cross(a, b) | Expr::Dot(a, b) => (a, b),
+        _ => return vec![],
+    };
+    let joined = |a: Expr, b: Expr| match expr {
+        Expr::Cross(..) => Expr::Cross(Box::new(a), Box::new(b)),
+        _ => Expr::Dot(Box::new(a), Box::new(b)),
+    };
+    let first = |inner: Expr| Expr::Product(vec![Expr::Tensor(0), inner]);
+    let left = split(a).map(|a| first(joined(a, (**b).clone())));
+    let right = split(b).map(|b| first(joined((**a).clone(), b)));
+    left.into_iter().chain(right).collect()
+}
+
+/// The rates of the inertia left out, as if the axes turned with the body.
+fn inertia_held(line: &Line) -> Vec<Line> {
+    let changes = |term: &Expr| {
+        let rate = |e: &Expr| matches!(e, Expr::Tensor(1) | Expr::Atom(Atom::Inertia(_, _, 1)));
+        !matches!(term, Expr::Sum(_)) && term.any(&rate)
+    };
+    let mut without = |expr: Expr| match expr {
+        Expr::Sum(terms) if !terms.iter().all(|(_, term)| changes(term)) => sum(terms
+            .into_iter()
+            .filter(|(_, term)| !changes(term))
+            .collect()),
+        other => other,
+    };
+    let (left, right) = (line.left.map(&mut without), line.right.map(&mut without));
+    let held = Line { left, right };
+    if held == *line { vec![] } else { vec![held] }
 }
 
 /// Every product of inertia with the other sign.
 fn other_convention(line: &Line) -> Line {
-    let product = |e: &Expr| matches!(e, Expr::Atom(Atom::Inertia(i, j, 0)) if i != j);
+    let product = |e: &Expr| matches!(e, Expr::Atom(Atom::Inertia(i, j, _)) if i != j);
     let flip = |e: Expr| match e {
         Expr::Sum(terms) => Expr::Sum(
             terms
@@ -233,4 +368,23 @@ fn other_rate(expr: &Expr) -> Vec<Expr> {
             .collect(),
         _ => vec![],
     }
+}
+
+/// A component of the momentum for one of the moment, and the other way, or for one of the angular velocity.
+fn other_symbols(line: &Line) -> Vec<Line> {
+    // A derivative in ω says which letter is meant.
+    if line.any(&|e| matches!(e, Expr::Atom(Atom::EnergyPartial(_)))) {
+        return vec![];
+    }
+    line.changed(&|e| match e {
+        Expr::Atom(Atom::Part(vector, i, 0)) => {
+            let other = match vector {
+                Vector::Moment | Vector::Omega => Vector::Momentum,
+                Vector::Momentum => Vector::Moment,
+                _ => return vec![],
+            };
+            vec![Expr::Atom(Atom::Part(other, *i, 0))]
+        }
+        _ => vec![],
+    })
 }

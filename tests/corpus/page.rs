@@ -58,19 +58,13 @@ impl Page {
 /// The words before the first line: what the letters are, and what is assumed.
 fn opening(family: &Family, style: &Style, lines: &[Line]) -> String {
     let premises = family.premises;
-    let formula = |text: String| {
-        if style.plain {
-            text
-        } else {
-            format!("${text}$")
-        }
-    };
+    let formula = |text: String| style.formula(&text);
     let mut text = String::from("# A page\n\n");
     text.push_str(match premises.turning {
         true => "The axes xyz turn with an angular velocity of their own, not that of the body, and XYZ keep their orientation. ",
         false => "The axes xyz are attached to the body, and XYZ keep their orientation. ",
     });
-    text.push_str("The origin is the mass centre. ");
+    text.push_str(&(family.said)(style));
     let uses = |vector: Vector| {
         lines.iter().any(|line| {
             line.any(&|e| match e {

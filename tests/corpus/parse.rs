@@ -1,6 +1,7 @@
 //! A line back from its text, so that a suggested repair can be put to the oracle.
 
 use super::expr::{Atom, Expr, Line, Seen, Vector, cross, dot, over, rate, square};
+use super::symbol::moving;
 
 /// Reads an equation in the notation that `style` writes, or that a repair in it may use.
 pub(crate) fn line(text: &str) -> Option<Line> {
@@ -26,36 +27,12 @@ pub(crate) fn line(text: &str) -> Option<Line> {
         .then_some(Line { left, right })
 }
 
-struct Reader<'a> {
-    rest: &'a str,
+pub(super) struct Reader<'a> {
+    pub(super) rest: &'a str,
 }
-
-/// A letter with what it stands for.
-enum Letter {
-    Vector(Vector),
-    Inertia,
-    Scalar(Atom),
-}
-
-const LETTERS: &[(&str, Vector)] = &[
-    ("\\Sigma \\vec{M}", Vector::Moment),
-    ("\\Sigma M", Vector::Moment),
-    ("ΣM", Vector::Moment),
-    ("M", Vector::Moment),
-    ("N", Vector::Moment),
-    ("\\tau", Vector::Moment),
-    ("τ", Vector::Moment),
-    ("\\Gamma", Vector::Moment),
-    ("L", Vector::Momentum),
-    ("H", Vector::Momentum),
-    ("\\omega", Vector::Omega),
-    ("ω", Vector::Omega),
-    ("\\Omega", Vector::Frame),
-    ("Ω", Vector::Frame),
-];
 
 impl<'a> Reader<'a> {
-    fn take(&mut self, text: &str) -> bool {
+    pub(super) fn take(&mut self, text: &str) -> bool {
         self.rest = self.rest.trim_start();
         match self.rest.strip_prefix(text) {
             Some(rest) => {
@@ -105,6 +82,17 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// What stands before a T in the exponent, turned over.
+    pub(super) fn transposed(&mut self, inside: Expr) -> Expr {
+        match inside {
+            Expr::Attitude(dots, turned) => {
+                let turns = self.take("^T") || self.take("^{T}");
+                Expr::Attitude(dots, turned != turns)
+            }
+            other => other,
+        }
+    }
+
     /// Factors side by side; a stroke divides what stands before it by the factor behind it.
     fn product(&mut self) -> Option<Expr> {
         let mut factors = vec![self.factor()?];
@@ -136,9 +124,16 @@ impl<'a> Reader<'a> {
         if let Some(seen) = self.attempt(Self::seen_rate) {
             return Some(seen);
         }
+        if self.take("[\\vec{\\omega}]_\\times") {
+            return Some(Expr::Skew);
+        }
+        if self.take("\\vec{1}") {
+            return Some(Expr::Identity);
+        }
         if self.take("(") || self.take("[") {
             let inside = self.sum()?;
-            return (self.take(")") || self.take("]")).then_some(inside);
+            (self.take(")") || self.take("]")).then_some(())?;
+            return Some(self.transposed(inside));
         }
         if self.take("\\begin{bmatrix}") {
             return self.grid();
@@ -241,89 +236,6 @@ impl<'a> Reader<'a> {
             _ => None,
         }
     }
-
-    fn symbol(&mut self) -> Option<Expr> {
-        let mut dots = u8::from(self.take("\\dot"));
-        let braced = self.take("{");
-        let letter = self.letter()?;
-        dots += u8::from(self.take("\u{307}"));
-        let mut index = self.index();
-        if braced {
-            self.take("}").then_some(())?;
-            index.extend(self.index());
-        }
-        Some(match letter {
-            Letter::Vector(vector) => match index.as_slice() {
-                [] if dots == 0 => Expr::Whole(vector, Seen::Value),
-                [] => Expr::Whole(vector, Seen::Moving),
-                [i] => Expr::Atom(Atom::Part(vector, *i, dots)),
-                _ => return None,
-            },
-            Letter::Inertia => match index.as_slice() {
-                [] => Expr::Tensor,
-                [i] => Expr::Atom(Atom::Inertia(*i, *i, dots)),
-                [i, j] => Expr::Atom(Atom::Inertia(*i.min(j), *i.max(j), dots)),
-                _ => return None,
-            },
-            Letter::Scalar(Atom::Part(vector, i, _)) => Expr::Atom(Atom::Part(vector, i, dots)),
-            Letter::Scalar(Atom::Quaternion(i, _)) => Expr::Atom(Atom::Quaternion(i, dots)),
-            Letter::Scalar(_) => Expr::Atom(Atom::Energy(dots)),
-        })
-    }
-
-    fn letter(&mut self) -> Option<Letter> {
-        for (name, vector) in LETTERS {
-            if self.take(name) {
-                return Some(Letter::Vector(*vector));
-            }
-        }
-        if self.take("\\vec{") {
-            let inside = self.letter()?;
-            return self.take("}").then_some(inside);
-        }
-        if self.take("\\vec") {
-            return self.letter();
-        }
-        if self.take("I") || self.take("J") {
-            return Some(Letter::Inertia);
-        }
-        if self.take("T") {
-            return Some(Letter::Scalar(Atom::Energy(0)));
-        }
-        let rates = ["p", "q", "r"].iter().position(|name| self.take(name));
-        if let Some(i) = rates {
-            return Some(Letter::Scalar(Atom::Part(Vector::Omega, i, 0)));
-        }
-        let part = ["w", "x", "y", "z"]
-            .iter()
-            .position(|name| self.take(name))?;
-        Some(Letter::Scalar(Atom::Quaternion(part, 0)))
-    }
-
-    fn index(&mut self) -> Vec<usize> {
-        let Some(rest) = self.rest.strip_prefix('_') else {
-            return vec![];
-        };
-        let braced = rest.strip_prefix('{');
-        let rest = braced.unwrap_or(rest);
-        let axis = |c: char| "xyz".find(c).or_else(|| "123".find(c));
-        let index: Vec<usize> = rest.chars().map_while(axis).collect();
-        let rest = &rest[index.len()..];
-        self.rest = braced.and_then(|_| rest.strip_prefix('}')).unwrap_or(rest);
-        index
-    }
-}
-
-/// The rate of a symbol, as one with a dot.
-fn moving(inside: Expr) -> Option<Expr> {
-    Some(match inside {
-        Expr::Whole(vector, Seen::Value) => Expr::Whole(vector, Seen::Moving),
-        Expr::Atom(Atom::Part(vector, i, 0)) => Expr::Atom(Atom::Part(vector, i, 1)),
-        Expr::Atom(Atom::Inertia(i, j, 0)) => Expr::Atom(Atom::Inertia(i, j, 1)),
-        Expr::Atom(Atom::Energy(0)) => Expr::Atom(Atom::Energy(1)),
-        Expr::Atom(Atom::Quaternion(i, 0)) => Expr::Atom(Atom::Quaternion(i, 1)),
-        _ => return None,
-    })
 }
 
 fn joined(mut factors: Vec<Expr>) -> Option<Expr> {

@@ -1,6 +1,6 @@
 //! How a document writes its symbols, and its lines in that notation.
 
-use super::expr::{Atom, Expr, Line, Seen, Vector};
+use super::expr::{Atom, Expr, Line, Point, Seen, Vector};
 use super::random::Random;
 
 /// A choice of letters and marks.
@@ -21,6 +21,8 @@ pub(crate) struct Style {
     pub(crate) dress: &'static str,
     /// Rates as quotients rather than dots.
     pub(crate) quotients: bool,
+    /// The letter of the vector from a moving point to the mass centre.
+    pub(crate) arm: &'static str,
 }
 
 const LATEX_MOMENTS: &[&str] = &["\\Sigma M", "M", "N", "\\tau", "\\Gamma"];
@@ -38,6 +40,7 @@ impl Style {
         rates: false,
         dress: "\\vec",
         quotients: false,
+        arm: "r",
     };
 
     pub(crate) fn draw(random: &mut Random) -> Self {
@@ -55,6 +58,29 @@ impl Style {
             rates: !plain && random.one_in(6),
             dress: one(random, &["\\vec", "\\mathbf", "\\boldsymbol", "\\vec"]),
             quotients: random.one_in(5),
+            arm: one(random, &["r", "\\rho"]),
+        }
+    }
+
+    /// The same letters in LaTeX.
+    pub(crate) fn in_latex(self) -> Self {
+        let moment = match self.moment {
+            "ΣM" => "\\Sigma M",
+            "τ" => "\\tau",
+            other => other,
+        };
+        Self {
+            plain: false,
+            moment,
+            ..self
+        }
+    }
+
+    /// A formula in a sentence.
+    pub(crate) fn formula(&self, text: &str) -> String {
+        match self.plain {
+            true => text.to_owned(),
+            false => format!("${text}$"),
         }
     }
 
@@ -73,8 +99,14 @@ impl Style {
             (Vector::Omega, false) => "\\omega",
             (Vector::Frame, true) => "Ω",
             (Vector::Frame, false) => "\\Omega",
-            (Vector::Momentum, _) => self.momentum,
-            (Vector::Moment, _) => self.moment,
+            (Vector::Momentum | Vector::CentreMomentum | Vector::PointMomentum, _) => self.momentum,
+            (Vector::Moment | Vector::CentreMoment | Vector::PointMoment, _) => self.moment,
+            (Vector::Velocity | Vector::CentreVelocity | Vector::PointVelocity, _) => "v",
+            (Vector::Force, _) => "F",
+            (Vector::LinearMomentum, _) if self.rates || self.plain => "Q",
+            (Vector::LinearMomentum, _) => "p",
+            (Vector::Arm, _) if self.rates => "\\rho",
+            (Vector::Arm, _) => self.arm,
         }
     }
 
@@ -128,6 +160,12 @@ impl Style {
             Atom::EnergyPartial(i) => {
                 self.partial("T", &self.atom(Atom::Part(Vector::Omega, i, 0)))
             }
+            Atom::Mass => "m".to_owned(),
+            Atom::About(point, i, j) => {
+                let label = if point == Point::Centre { "G" } else { "O" };
+                format!("{}^{label}", self.atom(Atom::Inertia(i, j, 0)))
+            }
+            Atom::Place(i) => format!("{}_G", ["x", "y", "z"][i % 3]),
         }
     }
 
@@ -145,9 +183,22 @@ impl Style {
             Some(rest) => ("\\Sigma ", rest),
             None => ("", letter),
         };
+        let label = match vector {
+            Vector::CentreVelocity | Vector::CentreMomentum | Vector::CentreMoment => "_G",
+            Vector::PointVelocity | Vector::PointMomentum | Vector::PointMoment => "_P",
+            _ => "",
+        };
         match self.plain {
-            true => format!("{sum}{letter}"),
-            false => format!("{sum}{}{{{letter}}}", self.dress),
+            true => format!("{sum}{letter}{label}"),
+            false => format!("{sum}{}{{{letter}}}{label}", self.dress),
+        }
+    }
+
+    fn attitude(&self, dots: u8, turned: bool) -> String {
+        match (turned, dots > 0 && self.quotients) {
+            (false, _) => self.dotted("R", "", dots),
+            (true, true) => format!("({})^T", self.dotted("R", "", dots)),
+            (true, false) => format!("{}^T", self.dotted("R", "", dots)),
         }
     }
 
@@ -177,7 +228,10 @@ impl Style {
             Expr::Number(a, b) => format!("\\tfrac{{{a}}}{{{b}}}"),
             Expr::Atom(atom) => self.atom(*atom),
             Expr::Whole(vector, seen) => self.whole(*vector, *seen),
-            Expr::Tensor => self.inertia.to_owned(),
+            Expr::Tensor(dots) => self.dotted(self.inertia, "", *dots),
+            Expr::Attitude(dots, turned) => self.attitude(*dots, *turned),
+            Expr::Skew => format!("[{}]_\\times", self.vector(Vector::Omega)),
+            Expr::Identity => "\\mathbf{1}".to_owned(),
             Expr::Sum(terms) => self.sum(terms),
             Expr::Product(factors) => factors
                 .iter()

@@ -3,13 +3,14 @@
 //! Nothing of the crate is used: the tensor's rate, the momentum and the moment are worked out here once more.
 
 use super::expr::{Atom, Expr, Line, Seen, Vector};
+use super::points::{Points, identity, product, skew, transposed};
 use super::random::Random;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
 pub(crate) type Number = BigRational;
-type Triple = [Number; 3];
-type Nine = [Triple; 3];
+pub(crate) type Triple = [Number; 3];
+pub(crate) type Nine = [Triple; 3];
 
 /// The body that a document speaks of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,7 @@ pub(crate) struct World {
     momentum: [Triple; 2],
     moment: Triple,
     quaternion: [[Number; 4]; 2],
+    points: Points,
 }
 
 /// A value with its rate, for scalars; vectors and matrices have the value alone.
@@ -48,11 +50,11 @@ pub(crate) enum Value {
     Nine(Box<Nine>),
 }
 
-fn n(value: i64) -> Number {
+pub(crate) fn n(value: i64) -> Number {
     Number::from_integer(value.into())
 }
 
-fn cross(a: &Triple, b: &Triple) -> Triple {
+pub(crate) fn cross(a: &Triple, b: &Triple) -> Triple {
     std::array::from_fn(|i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         &a[j] * &b[k] - &a[k] * &b[j]
@@ -63,11 +65,11 @@ fn dot(a: &Triple, b: &Triple) -> Number {
     (0..3).map(|i| &a[i] * &b[i]).sum()
 }
 
-fn add(a: &Triple, b: &Triple) -> Triple {
+pub(crate) fn add(a: &Triple, b: &Triple) -> Triple {
     std::array::from_fn(|i| &a[i] + &b[i])
 }
 
-fn scaled(a: &Triple, by: &Number) -> Triple {
+pub(crate) fn scaled(a: &Triple, by: &Number) -> Triple {
     std::array::from_fn(|i| &a[i] * by)
 }
 
@@ -129,12 +131,14 @@ impl World {
         } else {
             omega_rate.clone()
         };
+        let momenta = [momentum, momentum_rate];
         Self {
+            points: Points::draw(&frame, &omega, &momenta, &moment, random),
             quaternion: [quaternion.clone(), hamilton_rate(&quaternion, &omega)],
             omega: [omega, omega_rate],
             frame: [frame, frame_rate],
             inertia: [tensor, tensor_dot],
-            momentum: [momentum, momentum_rate],
+            momentum: momenta,
             moment,
         }
     }
@@ -143,8 +147,9 @@ impl World {
         match vector {
             Vector::Omega => self.omega.get(dots),
             Vector::Frame => self.frame.get(dots),
-            Vector::Momentum => self.momentum.get(dots),
-            Vector::Moment => (dots == 0).then_some(&self.moment),
+            Vector::Momentum | Vector::CentreMomentum => self.momentum.get(dots),
+            Vector::Moment | Vector::CentreMoment => (dots == 0).then_some(&self.moment),
+            moving => self.points.triple(moving, dots),
         }
     }
 
@@ -166,6 +171,11 @@ impl World {
             Atom::Partial((Vector::Omega, i, 1), j) => self.acceleration_slope(i, j),
             Atom::Partial(..) => return None,
             Atom::EnergyPartial(i) => self.momentum[0][i].clone(),
+            Atom::Mass => self.points.mass.clone(),
+            Atom::About(point, i, j) => {
+                self.atom(Atom::Inertia(i, j, 0))? + self.points.shift(point, i, j)
+            }
+            Atom::Place(i) => self.points.place[i].clone(),
         })
     }
 
@@ -192,7 +202,17 @@ impl World {
             Expr::Number(a, b) => Value::Scalar(n(*a) / n(*b), Some(Number::zero())),
             Expr::Atom(atom) => Value::Scalar(self.atom(*atom)?, self.atom_rate(*atom)),
             Expr::Whole(vector, seen) => self.whole(*vector, *seen)?,
-            Expr::Tensor => Value::Nine(Box::new(self.inertia[0].clone())),
+            Expr::Tensor(dots) => nine(self.inertia.get(usize::from(*dots))?.clone()),
+            Expr::Attitude(dots, turned) => {
+                let matrix = self.points.attitude.get(usize::from(*dots))?;
+                nine(if *turned {
+                    transposed(matrix)
+                } else {
+                    matrix.clone()
+                })
+            }
+            Expr::Skew => nine(skew(&self.omega[0])),
+            Expr::Identity => nine(identity()),
             Expr::Sum(terms) => {
                 let mut terms = terms.iter().map(|(negative, e)| {
                     let value = self.value(e)?;
@@ -229,7 +249,7 @@ impl World {
                     .chunks(3)
                     .map(|row| self.three(row))
                     .collect::<Option<_>>()?;
-                Value::Nine(Box::new(rows.try_into().ok()?))
+                nine(rows.try_into().ok()?)
             }
         })
     }
@@ -262,7 +282,8 @@ impl World {
             Atom::Inertia(i, j, dots) => Atom::Inertia(i, j, dots + 1),
             Atom::Energy(dots) => Atom::Energy(dots + 1),
             Atom::Quaternion(i, dots) => Atom::Quaternion(i, dots + 1),
-            Atom::Partial(..) | Atom::EnergyPartial(_) => return None,
+            Atom::Mass => return Some(Number::zero()),
+            _ => return None,
         })
     }
 
@@ -302,6 +323,10 @@ fn hamilton_rate(q: &[Number; 4], omega: &Triple) -> [Number; 4] {
     [first, x, y, z]
 }
 
+fn nine(entries: Nine) -> Value {
+    Value::Nine(Box::new(entries))
+}
+
 impl Value {
     fn triple(self) -> Option<Triple> {
         match self {
@@ -314,7 +339,7 @@ impl Value {
         match self {
             Self::Scalar(a, rate) => Self::Scalar(a * by, rate.map(|r| r * by)),
             Self::Triple(a) => Self::Triple(scaled(&a, by)),
-            Self::Nine(a) => Self::Nine(Box::new(a.map(|row| scaled(&row, by)))),
+            Self::Nine(a) => nine(a.map(|row| scaled(&row, by))),
         }
     }
 
@@ -324,6 +349,7 @@ impl Value {
                 Self::Scalar(a + b, da.zip(db.as_ref()).map(|(da, db)| da + db))
             }
             (Self::Triple(a), Self::Triple(b)) => Self::Triple(add(&a, b)),
+            (Self::Nine(a), Self::Nine(b)) => nine(std::array::from_fn(|i| add(&a[i], &b[i]))),
             _ => return None,
         })
     }
@@ -337,6 +363,7 @@ impl Value {
             (Self::Scalar(a, _), other) => other.clone().scaled(&a),
             (whole, Self::Scalar(b, _)) => whole.scaled(b),
             (Self::Nine(a), Self::Triple(b)) => Self::Triple(apply(&a, b)),
+            (Self::Nine(a), Self::Nine(b)) => nine(product(&a, b)),
             _ => return None,
         })
     }

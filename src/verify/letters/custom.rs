@@ -1,6 +1,6 @@
 //! What letters mean by the custom of the field, where no word says it.
 
-use crate::notation::ast::{Kind, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
@@ -14,7 +14,7 @@ impl Reading {
         for letter in letters {
             let free = matches!(
                 letter.name.as_str(),
-                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta"
+                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta" | "r"
             );
             if self.quantities.contains_key(&letter) || free && self.apart.contains(&letter) {
                 continue;
@@ -36,6 +36,31 @@ impl Reading {
                 && rest.iter().flat_map(symbols).any(weight)
             {
                 self.totals.insert(Letter::of(symbol));
+            }
+        }
+    }
+
+    /// A vector whose rate is the velocity of another point less that of P, `\dot{r} = v_G - v_P`, begins at P and does
+    /// not end there: it is no position of P.
+    pub(crate) fn note_arms(&mut self, document: &Document) {
+        let of_point = |term: &Term| {
+            let point = |symbol: &Symbol| {
+                matches!(symbol.name.as_str(), "v" | "V")
+                    && matches!(symbol.subscripts.as_slice(), [p] if matches!(p.as_str(), "P" | "p"))
+            };
+            term.negative && matches!(&inner(&term.node).kind, Kind::Symbol(s) if point(s))
+        };
+        for line in lines(document) {
+            for side in &line.sides {
+                let Kind::TimeDerivative { operand, .. } = &inner(side).kind else {
+                    continue;
+                };
+                let less = |other: &Node| matches!(&inner(other).kind, Kind::Sum(terms) if terms.iter().any(of_point));
+                if let Kind::Symbol(symbol) = &inner(operand).kind
+                    && line.sides.iter().any(less)
+                {
+                    self.apart.insert(Letter::of(symbol));
+                }
             }
         }
     }

@@ -103,6 +103,7 @@ impl Reading {
         reading.by_moments(document);
         reading.flat = reading.is_flat();
         reading.note_totals(document);
+        reading.note_arms(document);
         reading.note_beginnings(document);
         reading.by_words();
         reading.part_rivals(document);

@@ -347,7 +347,13 @@ impl Checker<'_> {
 
     /// Whether an accepted line has a rate of an entity in it.
     fn rate_is_tied(&self, entity: Entity) -> bool {
-        let rate = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Part { entity: e, order, .. } if *e == entity && *order > 0);
+        let atoms = &self.theory.atoms;
+        let own = |v: u32| atoms.entity_of(v) == Some(entity);
+        let rate = |v: u32| match atoms.atom(v) {
+            Atom::Part { order, .. } => *order > 0 && own(v),
+            Atom::SpaceRate { of, .. } => of.iter().flat_map(Fraction::variables).any(own),
+            _ => false,
+        };
         let premises = self.theory.premises().iter();
         premises
             .flat_map(|p| &p.residuals)

@@ -2,11 +2,12 @@
 
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::names;
-use crate::verify::repair::edit::Edit;
+use crate::verify::repair::edit::{Edit, dotted, undotted};
 use crate::verify::repair::lost_vectors::added;
 use crate::verify::repair::{Search, first_symbol};
+use crate::verify::theory::law::Axes;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Diagnosis;
 use num_traits::Zero;
@@ -47,6 +48,64 @@ impl Checker<'_> {
         });
         let node = marked.or_else(|| first_symbol(self.document, &vector))?;
         Some(self.document.source.slice(node).to_owned())
+    }
+
+    /// The rates of the inertia, where the rate of I ω was taken as if I were constant: `İ ω` beside each `I ω̇`.
+    pub(crate) fn inertia_held(
+        &mut self,
+        line: &Line,
+        search: &mut Search<'_>,
+    ) -> Option<Diagnosis> {
+        if self.theory.setting.axes != Axes::Turning {
+            return None;
+        }
+        let mut edits = vec![];
+        for side in &line.sides {
+            let mut terms = vec![];
+            innermost(side, false, &mut terms);
+            let terms = terms.into_iter();
+            edits.extend(terms.filter_map(|(term, negative)| self.other_half(term, negative)));
+        }
+        let all: Vec<&Edit> = edits.iter().collect();
+        (!all.is_empty())
+            .then(|| self.tried(&all, search))
+            .flatten()
+    }
+
+    /// `+ İ ω` behind a term `I ω̇`.
+    fn other_half(&self, term: &Node, negative: bool) -> Option<Edit> {
+        let Kind::Product(factors) = &inner(term).kind else {
+            return None;
+        };
+        let is_inertia = |node: &Node| {
+            let of = |s: &Symbol| self.reading.quantities.get(&Letter::of(s)).copied();
+            matches!(&node.kind, Kind::Symbol(s) if of(s) == Some(Quantity::Inertia))
+        };
+        let mut texts = vec![];
+        let (mut inertia, mut rate) = (0, 0);
+        for factor in factors {
+            let text = self.document.source.slice(factor.node.span).trim();
+            let single = matches!(factor.node.kind, Kind::TimeDerivative { order: 1, .. });
+            texts.push(match (is_inertia(&factor.node), single) {
+                (true, _) => {
+                    inertia += 1;
+                    dotted(text)
+                }
+                (_, true) => {
+                    rate += 1;
+                    undotted(text)?
+                }
+                _ => text.to_owned(),
+            });
+        }
+        let sign = if negative { '-' } else { '+' };
+        ((inertia, rate) == (1, 1)).then(|| Edit {
+            span: term.span.behind(),
+            text: format!(" {sign} {}", texts.join(" ")),
+            kind: "missing-term",
+            message: "the inertia changes on axes that do not turn with the body".to_owned(),
+            cost: 13,
+        })
     }
 
     /// What the right side lacks, written in the author's letters, where it is short.
@@ -97,6 +156,17 @@ impl Checker<'_> {
         (!all.is_empty())
             .then(|| self.tried(&all, search))
             .flatten()
+    }
+}
+
+/// The terms of a side, those in brackets too, each with the sign that stands before it.
+fn innermost<'n>(node: &'n Node, negative: bool, terms: &mut Vec<(&'n Node, bool)>) {
+    match &inner(node).kind {
+        Kind::Sum(all) => all
+            .iter()
+            .for_each(|term| innermost(&term.node, term.negative, terms)),
+        Kind::Negate(inside) => innermost(inside, true, terms),
+        _ => terms.push((node, negative)),
     }
 }
 

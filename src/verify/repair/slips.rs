@@ -18,7 +18,7 @@ pub(crate) struct Slips<'a> {
     pub(crate) labels: [String; 2],
     /// Whether the line is written in Unicode rather than in LaTeX.
     unicode: bool,
-    edits: Vec<Edit>,
+    pub(crate) edits: Vec<Edit>,
 }
 
 impl<'a> Slips<'a> {
@@ -135,7 +135,17 @@ impl<'a> Slips<'a> {
                     self.push(label.span, text, "frame", 10, message);
                 }
             }
-            Kind::Product(factors) => self.swapped(factors),
+            Kind::Product(factors) => {
+                self.swapped(factors);
+                if let [tensor, group] = factors.as_slice() {
+                    self.tensor_put_first(node, &tensor.node, &group.node);
+                }
+            }
+            Kind::Call(head, arguments) => {
+                if let [group] = arguments.as_slice() {
+                    self.tensor_put_first(node, head, group);
+                }
+            }
             Kind::Power(base, exponent) => {
                 let base_text = self.slice(base).to_owned();
                 if self.slice(exponent).trim_matches(['{', '}', ' ']) == "2" {
@@ -171,6 +181,7 @@ impl<'a> Slips<'a> {
         for child in node.children() {
             self.node(child);
         }
+        self.transposes(node);
     }
 
     /// The label of the other frame: in the other case where that is one, otherwise as the document writes it.
@@ -337,15 +348,6 @@ impl<'a> Slips<'a> {
                 "factor",
                 22,
                 "a square is missing",
-            );
-        }
-        if quantity == Some(Quantity::Inertia) && symbol.subscripts.is_empty() {
-            self.push(
-                node.span,
-                format!("{text}^T"),
-                "transpose",
-                20,
-                "a transpose is missing",
             );
         }
         if let (Some(Quantity::AngularVelocity | Quantity::FrameRate), Some(other)) =

@@ -93,6 +93,19 @@ impl Checker<'_> {
     }
 }
 
+impl Word {
+    /// Whether another word differs from it in the letter alone.
+    pub(crate) fn has_sibling(&self, other: &Self) -> bool {
+        let same = self.subscripts == other.subscripts && self.order == other.order;
+        same && !self.subscripts.is_empty() && self.letter != other.letter
+    }
+
+    /// Whether it is a number beside the motion: the mass, a length.
+    pub(crate) fn is_parameter(&self) -> bool {
+        self.order == 0 && self.subscripts.is_empty() && self.of.is_none()
+    }
+}
+
 /// The expression that a text holds.
 pub(crate) fn expression(document: &Document, text: &str) -> Option<Node> {
     let rows = reread(document, &format!("{text} = 0"));

@@ -196,7 +196,8 @@ impl Wanted<'_> {
                 Role::Term => slot.other_factor(self.unicode),
                 Role::Sum => self.lost_symbol(slot),
             };
-            slot.place.roles.iter().filter_map(edit).collect()
+            let single = slot.place.roles.iter().filter_map(edit);
+            single.chain(self.lost_parameter(slot)).collect()
         };
         self.slots.iter().flat_map(each).collect()
     }
@@ -207,6 +208,19 @@ impl Wanted<'_> {
             .into_iter()
             .find_map(|(sign, value)| Some(format!(" {sign} {}", self.word(value)?.text)))?;
         Some(slot.with_term(&term, 18))
+    }
+
+    /// A mass, or another number of the document, that a term or a sum is to be multiplied by.
+    fn lost_parameter(&self, slot: &Slot<'_>) -> Option<Edit> {
+        let ratio = (slot.now + slot.more) * slot.now.inverse()?;
+        let word = self.word(ratio).filter(|word| word.is_parameter())?;
+        let sum = matches!(slot.place.node.kind, Kind::Negate(_) | Kind::Sum(_));
+        let text = match sum {
+            true => format!("{} ({})", word.text, slot.text),
+            false => format!("{} {}", word.text, slot.text),
+        };
+        let message = format!("a factor {} is missing", word.text);
+        Some(slot.edit(text, "factor", 12, message))
     }
 
     /// Whether every other symbol at these bytes has been thought of.

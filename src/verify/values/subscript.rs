@@ -60,10 +60,11 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         .usage
         .always_wears(&Letter::of(symbol), &symbol.superscripts);
     let told = !always && !is_of_the_body(symbol, reading);
+    let apart = frames || has_inertia_about_points(&letter, reading);
     for text in symbol
         .superscripts
         .iter()
-        .filter(|s| told && (frames || !POINTS.contains(&s.trim())))
+        .filter(|s| told && (apart || !POINTS.contains(&s.trim())))
     {
         sorted.variant.push('^');
         sorted.variant.push_str(text.trim());
@@ -73,6 +74,14 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         sorted.variant.push('δ');
     }
     sorted
+}
+
+/// Whether a letter of the inertia has the labels of two points: `I_{xx}^O` beside `I_{xx}^G`.
+fn has_inertia_about_points(letter: &Letter, reading: &Reading) -> bool {
+    let point =
+        |label: &&Vec<String>| matches!(label.as_slice(), [p] if POINTS.contains(&p.trim()));
+    let labels = reading.usage.superscripts.get(letter).into_iter().flatten();
+    reading.quantities.get(letter) == Some(&Quantity::Inertia) && labels.filter(point).count() > 1
 }
 
 /// `d1` and `gg,x` are components of the vectors `d` and `gg` of that letter.
