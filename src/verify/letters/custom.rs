@@ -14,9 +14,10 @@ impl Reading {
         for letter in letters {
             let free = matches!(
                 letter.name.as_str(),
-                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta" | "r"
+                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta"
             );
-            if self.quantities.contains_key(&letter) || free && self.apart.contains(&letter) {
+            let apart = free && self.apart.contains(&letter) || self.arms.contains(&letter);
+            if self.quantities.contains_key(&letter) || apart {
                 continue;
             }
             if let Some(quantity) = self.custom(&letter) {
@@ -59,7 +60,7 @@ impl Reading {
                 if let Kind::Symbol(symbol) = &inner(operand).kind
                     && line.sides.iter().any(less)
                 {
-                    self.apart.insert(Letter::of(symbol));
+                    self.arms.insert(Letter::of(symbol));
                 }
             }
         }

@@ -45,6 +45,8 @@ pub(crate) struct Reading {
     votes: BTreeMap<(Letter, Quantity), usize>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
     pub(crate) apart: BTreeSet<Letter>,
+    /// Vectors from one point to another that are no position: their rate is the difference of two velocities.
+    pub(crate) arms: BTreeSet<Letter>,
     /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
