@@ -50,7 +50,7 @@ pub use block::{Block, LANES, Lane, Tensors};
 pub use body::Body;
 pub use dop853::{Dop853, Dop853Motion};
 pub use error::MotionError;
-pub use free_body::FreeBody;
+pub use free_body::{FreeBody, FreeMotion};
 pub use implicit_midpoint::ImplicitMidpoint;
 pub use jacobian::StepJacobian;
 pub use moser_veselov::MoserVeselov;

@@ -5,7 +5,8 @@ mod turning;
 
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use polhode::motion::{
-    Body, FreeBody, Rk4, State, StepJacobian, Stepper, System, TaylorMotion, Torque, jacobian::flow,
+    Body, Frame, FreeBody, Rk4, State, StepJacobian, Stepper, System, TaylorMotion, Torque,
+    jacobian::flow,
 };
 use turning::{bracket_defect, start, tensor};
 
@@ -19,12 +20,31 @@ fn top() -> Torque {
 #[test]
 fn all_ways_lead_to_one_jacobian() {
     let body = Body::new(&tensor()).expect("a body");
-    for law in [Torque::None, top(), Torque::Damping { coefficient: 0.3 }] {
+    let value = Vector3::new(0.4, -0.3, 0.7);
+    let constant = |frame| Torque::Constant { frame, value };
+    let sinusoid = |frame| Torque::Sinusoid {
+        frame,
+        amplitude: value,
+        angular_frequency: 1.7,
+        phase: 0.4,
+    };
+    for law in [
+        Torque::None,
+        top(),
+        Torque::Damping { coefficient: 0.3 },
+        constant(Frame::Body),
+        constant(Frame::Space),
+        sinusoid(Frame::Body),
+        sinusoid(Frame::Space),
+    ] {
         let system = System::new(tensor(), law).expect("a body");
         let series = flow::by_taylor::<16>(&body, law, &start(), 1e-15, 3.0).expect("finite");
         let stages = flow::by_dop853::<16, _>(&system, &start(), 1e-13, 3.0).expect("finite");
         assert!((series.matrix - stages.matrix).amax() < 1e-10, "{law:?}");
         assert!(series.state.difference(&stages.state).amax() < 1e-11);
+        let varied = flow::by_variation::<16>(&body, law, &start(), 1e-13, 3.0).expect("finite");
+        assert!((series.matrix - varied.matrix).amax() < 1e-10, "{law:?}");
+        assert!(series.state.difference(&varied.state).amax() < 1e-11);
         let error = |h: f64| {
             let steps = flow::by_steps::<16, _, _>(&Rk4, &system, &start(), h, 3.0);
             (steps.expect("finite").matrix - series.matrix).amax()

@@ -26,7 +26,7 @@ fn assert_products<S: Scheme<Torque>>(
     let (state, along) = scheme.jvp(&system, case.time, &case.state, case.step, direction);
     assert!((whole.matrix * direction - along).amax() < loss);
     assert!(whole.state.difference(&state).amax() < loss);
-    let (state, back) = scheme.vjp(&system, case.time, &case.state, case.step, covector);
+    let (state, back) = scheme.vjp::<16>(&system, case.time, &case.state, case.step, covector);
     assert!((whole.matrix.tr_mul(covector) - back).amax() < loss);
     assert!(whole.state.difference(&state).amax() < loss);
 }

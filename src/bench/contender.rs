@@ -146,7 +146,7 @@ impl Contender {
         let Problem {
             member, duration, ..
         } = problem;
-        let by = |way: Way| Course::new(member, &way).ok()?.at(*duration).ok();
+        let by = |way: Way| Course::new(member, &way).ok()?.last(*duration).ok();
         let tolerance = setting;
         match self {
             Self::Plan => by(way(member, &asked(tolerance, *duration)).ok()?),

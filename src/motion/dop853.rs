@@ -1,15 +1,18 @@
 //! The Runge–Kutta method of Dormand and Prince of order 8, with error control and dense output.
 
+mod motion;
 mod tableau;
 
-use crate::motion::{
-    MotionError, Number, Quaternion, Scheme, State, Stepper, System, TorqueLaw, stepper,
-};
+pub use motion::Dop853Motion;
+pub(crate) use motion::Taken;
+pub(in crate::motion) use tableau::{END, Row, STAGES, TIMES};
+
+use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
 use nalgebra::Vector3;
-use tableau::{DENSE, DENSE_STAGES, END, OVER_FIFTH, Row, STAGES, THIRD, TIMES};
+use tableau::{DENSE, DENSE_STAGES};
 
 /// Attitude and angular velocity side by side, and one place to fill a register.
-type Lane<T> = [T; 8];
+pub(crate) type Lane<T> = [T; 8];
 
 /// One step of the method of twelve stages, order 8; the quaternion is made unit after the step. It conserves
 /// neither energy nor momentum: both drift as t h⁸.
@@ -35,267 +38,8 @@ impl<L> Scheme<L> for Dop853 {
     }
 }
 
-/// A motion by DOP853 whose steps follow from a tolerance, for any law of torque, closures included.
-///
-/// Output lies on a polynomial of order 7 through each step, so the times asked for do not change the steps.
-/// For a body that is given with products of inertia, [`System::principal`] costs less and keeps the digits of a
-/// needle.
-///
-/// ```
-/// use nalgebra::{Matrix3, Vector3};
-/// use polhode::motion::{Dop853Motion, State, Stepper, System};
-///
-/// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
-/// // A drag that grows with the square of the speed.
-/// let drag = |_: f64, s: &State<f64>| s.angular_velocity * (-0.1 * s.angular_velocity.norm());
-/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
-/// let mut motion = Dop853Motion::new(System::new(inertia, drag)?, &start, 1e-10)?;
-/// motion.advance_to(10.0)?;
-/// assert!(motion.state().angular_velocity.norm() < 2.0);
-/// # Ok::<(), polhode::motion::MotionError>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct Dop853Motion<L> {
-    system: System<f64, L>,
-    tolerance: f64,
-    longest: f64,
-    /// The step in use: its start, its end, the state there with its rate.
-    start: f64,
-    end: f64,
-    last: Lane<f64>,
-    slope: Lane<f64>,
-    dense: [Lane<f64>; 8],
-    /// The step to try next, and the longest that was tried.
-    next: f64,
-    scale: f64,
-    /// How many steps in a row were too short to refuse.
-    forced: u32,
-    taken: u64,
-    rejected: u64,
-    time: f64,
-    state: State<f64>,
-}
-
-/// The most steps that one call takes.
-const MOST_STEPS: u64 = 1 << 32;
-
-/// The most refusals of one step: each makes it shorter, down to [`SHORTEST`].
-const MOST_REFUSALS: u32 = 700;
-
-/// A step of this part of the time is not refused for its error: a jump of the torque is stepped over so.
-const SHORTEST: f64 = 64.0 * f64::EPSILON;
-
-/// The most steps in a row that are too short to refuse. A jump takes one; a motion that runs away, all.
-const MOST_FORCED: u32 = 16;
-
-impl<L: TorqueLaw<f64>> Dop853Motion<L> {
-    /// The motion of `system` from `state` at time 0. `tolerance` bounds the error of each step, of the
-    /// attitude in radians and of ω against |ω|: from 1e-16 to 0.1.
-    ///
-    /// # Errors
-    /// A tolerance outside of these bounds; a torque that is not finite at the start.
-    pub fn new(
-        system: System<f64, L>,
-        state: &State<f64>,
-        tolerance: f64,
-    ) -> Result<Self, MotionError> {
-        if !(1e-16..=0.1).contains(&tolerance) {
-            return Err(MotionError::Tolerance { tolerance });
-        }
-        let last = pack(state);
-        let slope = rate(&system, 0.0, &last);
-        if slope.iter().any(|r| !r.is_finite()) {
-            return Err(MotionError::Diverged { time: 0.0 });
-        }
-        let mut dense = [[0.0; 8]; 8];
-        dense[0] = last;
-        let next = first_step(&last, &slope, tolerance);
-        Ok(Self {
-            next,
-            scale: next,
-            forced: 0,
-            system,
-            tolerance,
-            longest: f64::INFINITY,
-            start: 0.0,
-            end: 0.0,
-            last,
-            slope,
-            dense,
-            taken: 0,
-            rejected: 0,
-            time: 0.0,
-            state: *state,
-        })
-    }
-
-    /// The same with no step longer than `longest` (s): a torque that sets in for less than a step can be missed.
-    ///
-    /// # Errors
-    /// A step that is not positive and finite.
-    pub fn with_longest_step(mut self, longest: f64) -> Result<Self, MotionError> {
-        stepper::positive(longest)?;
-        self.longest = longest;
-        Ok(self)
-    }
-
-    /// How many steps were taken.
-    pub fn steps(&self) -> u64 {
-        self.taken
-    }
-
-    /// How many steps were tried and refused.
-    pub fn rejected(&self) -> u64 {
-        self.rejected
-    }
-
-    /// The system that moves.
-    pub fn system(&self) -> &System<f64, L> {
-        &self.system
-    }
-
-    /// Takes steps until `time` is reached, and calls `each` with the end of every one; the last ends at `time`.
-    pub(crate) fn steps_to(
-        &mut self,
-        time: f64,
-        mut each: impl FnMut(f64),
-    ) -> Result<(), MotionError> {
-        stepper::onward(time, self.time)?;
-        let first = self.taken;
-        while self.end < time {
-            if self.taken - first >= MOST_STEPS {
-                return Err(MotionError::TooManySteps {
-                    needed: f64::INFINITY,
-                    most: MOST_STEPS,
-                });
-            }
-            self.take(time)?;
-            each(self.end.min(time));
-        }
-        Ok(())
-    }
-
-    /// One step of the error control's own length, with dense output if it reaches `time`.
-    fn take(&mut self, time: f64) -> Result<(), MotionError> {
-        let mut slopes = [[0.0; 8]; 16];
-        slopes[0] = self.slope;
-        let mut most = 6.0;
-        for _ in 0..MOST_REFUSALS {
-            let step = self.next.min(self.longest);
-            let forced = step <= SHORTEST * self.end.max(self.scale);
-            if self.end + step <= self.end || (forced && self.forced >= MOST_FORCED) {
-                break;
-            }
-            let raw = end(&self.system, self.end, &self.last, step, &mut slopes);
-            let error = self.error(&slopes, &raw, step);
-            // A NaN is an error that no step brings down.
-            let growth = if error.is_finite() {
-                (0.9 * error.powf(-0.125)).clamp(1.0 / 3.0, most)
-            } else {
-                1.0 / 3.0
-            };
-            if error <= 1.0 || (forced && error.is_finite()) {
-                let unit = pack(&unit(&raw));
-                let slope = rate(&self.system, self.end + step, &unit);
-                if slope.iter().all(|r| r.is_finite()) {
-                    self.forced = if forced { self.forced + 1 } else { 0 };
-                    self.next = step * if forced { 6.0 } else { growth };
-                    self.accept(slopes, unit, slope, step, time);
-                    return Ok(());
-                }
-            }
-            self.next = step * growth.min(1.0 / 1.5);
-            most = 1.0;
-            self.rejected += 1;
-        }
-        Err(MotionError::Diverged { time: self.end })
-    }
-
-    fn accept(
-        &mut self,
-        mut slopes: [Lane<f64>; 16],
-        unit: Lane<f64>,
-        slope: Lane<f64>,
-        step: f64,
-        time: f64,
-    ) {
-        slopes[12] = slope;
-        if self.end + step >= time {
-            self.dense = dense(&self.system, self.end, &self.last, &unit, step, &mut slopes);
-        }
-        self.scale = self.scale.max(step);
-        self.start = self.end;
-        self.end += step;
-        (self.last, self.slope) = (unit, slope);
-        self.taken += 1;
-    }
-
-    /// The error of a step against the tolerance, from the comparison with orders 5 and 3.
-    fn error(&self, slopes: &[Lane<f64>; 16], end: &Lane<f64>, step: f64) -> f64 {
-        let fifth = sum(slopes, OVER_FIFTH);
-        let (eighth, low) = (sum(slopes, END), sum(slopes, THIRD));
-        let third: Lane<f64> = std::array::from_fn(|i| eighth[i] - low[i]);
-        let size = |lane: &Lane<f64>| {
-            let speed = self.last[4..7].iter().chain(&end[4..7]);
-            let speed = speed.fold(0.0_f64, |m, w| m.max(w.abs()));
-            // From rest under no torque the error is 0 of 0.
-            let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
-            // Over the step first, for the square of a rate of 1e-160 is 0. An error δq is an angle of 2 |δq|.
-            let square = |part: &[f64], factor: f64| {
-                part.iter()
-                    .map(|c| (c * step * factor).powi(2))
-                    .sum::<f64>()
-            };
-            square(&lane[..4], 2.0) + square(&lane[4..], over)
-        };
-        let (fine, coarse) = (size(&fifth), size(&third));
-        let whole = fine + 0.01 * coarse;
-        if whole == 0.0 {
-            return 0.0;
-        }
-        fine / whole.sqrt() / self.tolerance
-    }
-
-    fn state_at(&self, time: f64) -> State<f64> {
-        let span = self.end - self.start;
-        if span == 0.0 {
-            return self.state;
-        }
-        let s = (time - self.start) / span;
-        let mut value = self.dense[7];
-        for (n, lane) in self.dense[..7].iter().enumerate().rev() {
-            let factor = if n.is_multiple_of(2) { s } else { 1.0 - s };
-            for (v, c) in value.iter_mut().zip(lane) {
-                *v = *v * factor + c;
-            }
-        }
-        unit(&value)
-    }
-}
-
-impl<L: TorqueLaw<f64>> Stepper for Dop853Motion<L> {
-    fn time(&self) -> f64 {
-        self.time
-    }
-
-    fn state(&self) -> &State<f64> {
-        &self.state
-    }
-
-    fn advance_to(&mut self, time: f64) -> Result<(), MotionError> {
-        self.steps_to(time, |_| {})?;
-        (self.time, self.state) = (time, self.state_at(time));
-        Ok(())
-    }
-
-    fn at(&self, time: f64) -> Result<State<f64>, MotionError> {
-        stepper::within(time, self.start, self.end)?;
-        Ok(self.state_at(time))
-    }
-}
-
 /// The stages of a step whose first is known, and where they lead; the quaternion is not made unit.
-#[inline]
+#[inline(always)]
 fn end<T: Number, L: TorqueLaw<T>>(
     system: &System<T, L>,
     time: T,
@@ -330,31 +74,21 @@ fn dense<L: TorqueLaw<f64>>(
     [*start, change, bend, twist, a, b, c, d]
 }
 
-/// A step to begin with, from the rates of turning and of its change.
-fn first_step(state: &Lane<f64>, slope: &Lane<f64>, tolerance: f64) -> f64 {
-    // No squares: that of 1e160 is no number.
-    let size = |lane: &Lane<f64>| Vector3::from_column_slice(&lane[4..7]).amax();
-    let pace = size(state) + size(slope).sqrt();
-    let span = if pace > 0.0 { 1.0 / pace } else { 1.0 };
-    // The error control trebles or sixths it from here.
-    tolerance.powf(0.125) * span
-}
-
-#[inline]
+#[inline(always)]
 fn pack<T: Number>(state: &State<T>) -> Lane<T> {
     let ([w, x, y, z], o) = (state.attitude.components(), &state.angular_velocity);
     [w, x, y, z, o.x, o.y, o.z, T::zero()]
 }
 
-#[inline]
-fn unpack<T: Number>([w, x, y, z, a, b, c, _]: &Lane<T>) -> State<T> {
+#[inline(always)]
+pub(crate) fn unpack<T: Number>([w, x, y, z, a, b, c, _]: &Lane<T>) -> State<T> {
     State {
         attitude: Quaternion::new([*w, *x, *y, *z]),
         angular_velocity: Vector3::new(*a, *b, *c),
     }
 }
 
-#[inline]
+#[inline(always)]
 fn unit<T: Number>(lane: &Lane<T>) -> State<T> {
     let state = unpack(lane);
     State {
@@ -363,7 +97,7 @@ fn unit<T: Number>(lane: &Lane<T>) -> State<T> {
     }
 }
 
-#[inline]
+#[inline(always)]
 fn rate<T: Number, L: TorqueLaw<T>>(system: &System<T, L>, time: T, lane: &Lane<T>) -> Lane<T> {
     let rates = system.rates(time, &unpack(lane));
     pack(&State {
@@ -372,8 +106,8 @@ fn rate<T: Number, L: TorqueLaw<T>>(system: &System<T, L>, time: T, lane: &Lane<
     })
 }
 
-#[inline]
-fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
+#[inline(always)]
+pub(crate) fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
     let mut sum = [T::zero(); 8];
     for (stage, coefficient) in row {
         let factor = T::of(*coefficient);
@@ -384,7 +118,7 @@ fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
     sum
 }
 
-#[inline]
-fn along<T: Number>(start: &Lane<T>, slope: &Lane<T>, step: T) -> Lane<T> {
+#[inline(always)]
+pub(crate) fn along<T: Number>(start: &Lane<T>, slope: &Lane<T>, step: T) -> Lane<T> {
     std::array::from_fn(|i| start[i] + slope[i] * step)
 }

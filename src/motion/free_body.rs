@@ -11,7 +11,10 @@
 //! them; and where k' is small the series are those of the complementary nome.
 
 mod elliptic;
+mod motion;
 mod series;
+
+pub use motion::FreeMotion;
 
 use crate::motion::{Body, MotionError, Quaternion, State};
 use nalgebra::{Matrix3, Vector3};

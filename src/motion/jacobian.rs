@@ -38,6 +38,7 @@
 
 pub mod flow;
 pub(crate) mod runge_kutta;
+mod variation;
 
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
@@ -98,29 +99,29 @@ where
     read(&end)
 }
 
-impl StepJacobian<16> {
+impl<const N: usize> StepJacobian<N> {
     /// The state, and a covector of (θ', ω') times the matrix.
-    pub(crate) fn pulled_back(&self, covector: &Vector6<f64>) -> (State<f64>, SVector<f64, 16>) {
+    pub(crate) fn pulled_back(&self, covector: &Vector6<f64>) -> (State<f64>, SVector<f64, N>) {
         (self.state, self.matrix.tr_mul(covector))
     }
 }
 
-/// One step of `scheme`, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), by running the step on
+/// One step of `scheme`, and its Jacobian times a `direction` of the first `N` of (θ, ω, torque, inertia, dt), by running the step on
 /// dual numbers of one derivative.
-pub fn jvp<S, L>(
+pub fn jvp<const N: usize, S, L>(
     scheme: &S,
     system: &System<f64, L>,
     time: f64,
     state: &State<f64>,
     step: f64,
-    direction: &SVector<f64, 16>,
+    direction: &SVector<f64, N>,
 ) -> (State<f64>, Vector6<f64>)
 where
     S: Scheme<L> + ?Sized,
     L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
 {
     let seed = Seed::new(
-        &|value, column| Dual64::new(value, direction[column]),
+        &|value, column| Dual64::new(value, direction.get(column).copied().unwrap_or(0.0)),
         system.inertia(),
         state,
         step,

@@ -92,6 +92,21 @@ pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
     pulp::Arch::new().dispatch(dispatched::OneAtATime(work))
 }
 
+/// Calls `work` compiled for all that the machine knows to do, to the bit what it gives elsewhere. To be inlined, as what it
+/// calls.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn at_its_best<T>(work: impl FnOnce() -> T) -> T {
+    pulp::Arch::new().dispatch(dispatched::Plain(work))
+}
+
+/// Calls `work`.
+#[cfg(not(feature = "batch"))]
+#[inline(always)]
+pub(crate) fn at_its_best<T>(work: impl FnOnce() -> T) -> T {
+    work()
+}
+
 /// Does the work, a double at a time.
 #[cfg(not(feature = "batch"))]
 #[inline(always)]
@@ -151,6 +166,17 @@ mod dispatched {
         #[inline(always)]
         fn with_simd<S: Simd>(self, simd: S) -> W::Output {
             self.0.run(Widest(simd))
+        }
+    }
+
+    pub(super) struct Plain<F>(pub(super) F);
+
+    impl<T, F: FnOnce() -> T> WithSimd for Plain<F> {
+        type Output = T;
+
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, _: S) -> T {
+            (self.0)()
         }
     }
 

@@ -99,13 +99,13 @@ impl<L> Scheme<L> for Rk4 {
 
     /// Forward through the stages where the torque does not look at the attitude, else by dual numbers.
     #[inline]
-    fn jvp(
+    fn jvp<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,
         state: &State<f64>,
         step: f64,
-        direction: &SVector<f64, 16>,
+        direction: &SVector<f64, N>,
     ) -> (State<f64>, Vector6<f64>)
     where
         L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
@@ -116,16 +116,17 @@ impl<L> Scheme<L> for Rk4 {
 
     /// Backwards through the stages where the torque does not look at the attitude, else by the whole matrix.
     #[inline]
-    fn vjp(
+    fn vjp<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,
         state: &State<f64>,
         step: f64,
         covector: &Vector6<f64>,
-    ) -> (State<f64>, SVector<f64, 16>)
+    ) -> (State<f64>, SVector<f64, N>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<16>>,
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
     {
         runge_kutta::vjp(system, time, state, step, covector).unwrap_or_else(|| {
             jacobian::by_dual_numbers(self, system, time, state, step).pulled_back(covector)

@@ -75,14 +75,14 @@ pub trait Scheme<L> {
         one_by_one(self, system, time, block, step, columns);
     }
 
-    /// The step, and its Jacobian times a `direction` of (θ, ω, torque, inertia, dt), without the matrix.
-    fn jvp(
+    /// The step, and its Jacobian times a `direction` of the first `N` of (θ, ω, torque, inertia, dt), without the matrix.
+    fn jvp<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,
         state: &State<f64>,
         step: f64,
-        direction: &SVector<f64, 16>,
+        direction: &SVector<f64, N>,
     ) -> (State<f64>, Vector6<f64>)
     where
         L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
@@ -90,20 +90,21 @@ pub trait Scheme<L> {
         jacobian::jvp(self, system, time, state, step, direction)
     }
 
-    /// The step, and a `covector` of (θ', ω') times its Jacobian: the gradient of a cost of the result in all of
+    /// The step, and a `covector` of (θ', ω') times its Jacobian: the gradient of a cost of the result in the first `N` of
     /// (θ, ω, torque, inertia, dt). By the whole matrix, unless the method knows better.
-    fn vjp(
+    fn vjp<const N: usize>(
         &self,
         system: &System<f64, L>,
         time: f64,
         state: &State<f64>,
         step: f64,
         covector: &Vector6<f64>,
-    ) -> (State<f64>, SVector<f64, 16>)
+    ) -> (State<f64>, SVector<f64, N>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<16>>,
+        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
     {
-        self.step_with_jacobian(system, time, state, step)
+        self.step_with_jacobian::<N>(system, time, state, step)
             .pulled_back(covector)
     }
 }

@@ -2,6 +2,7 @@
 
 mod series;
 
+use crate::motion::registers::at_its_best;
 use crate::motion::{
     Body, MotionError, Number, Scheme, State, Stepper, System, Torque, TorqueLaw, stepper,
 };
@@ -254,12 +255,18 @@ fn series(
     order: usize,
     with_attitude: bool,
 ) -> Series<f64> {
-    let mut series = Series::new(system, start, order, with_attitude, 1.0);
+    let in_unit = |unit| {
+        at_its_best(
+            #[inline(always)]
+            || Series::new(system, start, order, with_attitude, unit),
+        )
+    };
+    let mut series = in_unit(1.0);
     for _ in 0..MOST_UNITS {
         let Some(unit) = series.better_unit() else {
             break;
         };
-        series = Series::new(system, start, order, with_attitude, unit);
+        series = in_unit(unit);
     }
     series
 }

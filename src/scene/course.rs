@@ -60,6 +60,20 @@ impl Course {
         }
     }
 
+    /// The state at `time`, at which the motion ends: steps of error control end there too.
+    ///
+    /// # Errors
+    /// As of [`at`](Self::at).
+    pub fn last(mut self, time: f64) -> Result<State<f64>, MotionError> {
+        match &mut self {
+            Self::Dop853(motion, member) => {
+                motion.end_at(time)?;
+                Ok(member.body.state_from(motion.state()))
+            }
+            other => other.at(time),
+        }
+    }
+
     /// The state at `time`, which is not before the last one asked for.
     ///
     /// # Errors

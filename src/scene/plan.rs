@@ -83,6 +83,8 @@ const SAFETY: [f64; 2] = [2.5, 8.0];
 const GROWTH: f64 = 2.0;
 /// The least bound of a step: rounding makes more error than a smaller one would save.
 pub(crate) const LEAST: f64 = 1e-16;
+/// The least bound of a step of DOP853 that carries a Jacobian: its estimate knows no less.
+const FINEST: f64 = 1e-15;
 /// The largest bound that methods take.
 const MOST: f64 = 0.1;
 
@@ -131,11 +133,16 @@ pub(crate) fn safety(way: &Way) -> f64 {
     }
 }
 
-/// The bound of a step of the series that carry the Jacobian: that of the motion's own steps; of a closed form a hundredth
+/// The bound of a step of DOP853 that carries the Jacobian: as exact as the motion's own steps; of a closed form a hundredth
 /// of the tolerance, as a Jacobian may be large.
 pub fn jacobian_bound(way: &Way, tolerance: f64) -> f64 {
-    let of_closed_form = (0.01 * tolerance).max(LEAST);
-    way.step_tolerance().unwrap_or(of_closed_form)
+    let [taylor, dop853] = SAFETY;
+    let bound = match way {
+        Way::Taylor { tolerance } => tolerance * (taylor / dop853),
+        Way::Dop853 { tolerance } => *tolerance,
+        _ => 0.01 * tolerance,
+    };
+    bound.max(FINEST)
 }
 
 /// The cheapest of those ways that may be used for the motion. Where none may, each does its best, and the estimate of the

@@ -2,10 +2,9 @@
 
 use crate::mechanics::Products;
 use crate::motion::jacobian::flow;
-use crate::motion::{MotionError, Number, State, System, TorqueLaw};
+use crate::motion::{MotionError, State, System, TorqueLaw};
 use crate::scene::{Member, Wrt};
 use nalgebra::SMatrix;
-use num_dual::DualSVec64;
 
 /// The blocks of the Jacobian that were asked for; rows (θ, ω), θ' = Log(q⁻¹ q_perturbed).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,8 +23,8 @@ pub struct Sensitivity {
 
 /// The blocks that `wrt` names, at the `last` state of the motion of `member` after `duration`.
 ///
-/// The derivatives are chained over the steps of a run by Taylor series, each step's last terms below `bound`: right
-/// derivatives of a right motion. What is known by symmetry is written down: turned as a whole, a motion under a
+/// The derivatives are carried along the motion by the equation of variation, the error of each step of DOP853 below
+/// `bound`: right derivatives of a right motion. What is known by symmetry is written down: turned as a whole, a motion under a
 /// torque that does not look at the attitude is turned as a whole.
 ///
 /// # Errors
@@ -74,16 +73,13 @@ fn carried<const N: usize>(
     member: &Member,
     duration: f64,
     bound: f64,
-) -> Result<SMatrix<f64, 6, N>, MotionError>
-where
-    DualSVec64<N>: Number,
-{
+) -> Result<SMatrix<f64, 6, N>, MotionError> {
     let Member {
         body,
         start,
         torque,
     } = member;
-    Ok(flow::by_taylor::<N>(body, *torque, start, bound, duration)?.matrix)
+    Ok(flow::by_variation::<N>(body, *torque, start, bound, duration)?.matrix)
 }
 
 impl Sensitivity {

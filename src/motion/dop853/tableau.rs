@@ -4,10 +4,10 @@
 //! `dop853.f`; the tests hold them against the order conditions.
 
 /// One row: which stages it takes, and how much of each.
-pub(super) type Row = &'static [(usize, f64)];
+pub(in crate::motion) type Row = &'static [(usize, f64)];
 
 /// Times of the stages, in parts of the step; 0 to 11 make the step, 12 is its end, 13 to 15 are for dense output.
-pub(super) const TIMES: [f64; 16] = [
+pub(in crate::motion) const TIMES: [f64; 16] = [
     0.0,
     0.05260015195876773,
     0.0789002279381516,
@@ -27,7 +27,7 @@ pub(super) const TIMES: [f64; 16] = [
 ];
 
 /// Stages 1 to 11.
-pub(super) const STAGES: [Row; 11] = [
+pub(in crate::motion) const STAGES: [Row; 11] = [
     &[(0, 0.05260015195876773)],
     &[(0, 0.0197250569845379), (1, 0.0591751709536137)],
     &[(0, 0.02958758547680685), (2, 0.08876275643042054)],
@@ -95,7 +95,7 @@ pub(super) const STAGES: [Row; 11] = [
 ];
 
 /// The step, of order 8.
-pub(super) const END: Row = &[
+pub(in crate::motion) const END: Row = &[
     (0, 0.054293734116568765),
     (5, 4.450312892752409),
     (6, 1.8915178993145003),
@@ -107,7 +107,7 @@ pub(super) const END: Row = &[
 ];
 
 /// Stages 13 to 15, which see the end as stage 12.
-pub(super) const DENSE_STAGES: [Row; 3] = [
+pub(in crate::motion) const DENSE_STAGES: [Row; 3] = [
     &[
         (0, 0.056167502283047954),
         (6, 0.25350021021662483),
@@ -141,7 +141,7 @@ pub(super) const DENSE_STAGES: [Row; 3] = [
 ];
 
 /// What the step has over one of order 5.
-pub(super) const OVER_FIFTH: Row = &[
+pub(in crate::motion) const OVER_FIFTH: Row = &[
     (0, 0.01312004499419488),
     (5, -1.2251564463762044),
     (6, -0.4957589496572502),
@@ -153,14 +153,14 @@ pub(super) const OVER_FIFTH: Row = &[
 ];
 
 /// A step of order 3 from the same stages.
-pub(super) const THIRD: Row = &[
+pub(in crate::motion) const THIRD: Row = &[
     (0, 0.2440944881889764),
     (8, 0.7338466882816118),
     (11, 0.022058823529411766),
 ];
 
 /// The four highest coefficients of the dense output.
-pub(super) const DENSE: [Row; 4] = [
+pub(in crate::motion) const DENSE: [Row; 4] = [
     &[
         (0, -8.428938276109013),
         (5, 0.5667149535193777),

@@ -9,9 +9,10 @@
 //! that hold the same row of many bodies, and for a single covector. Everything is inlined into the code for the machine
 //! at hand; without optimisation the largest functions are not, for their values would not fit on the stack together.
 
-mod algebra;
+pub(super) mod algebra;
 mod alone;
 mod block;
+mod momentum;
 mod products;
 mod rows;
 mod stages;

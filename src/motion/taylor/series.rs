@@ -25,6 +25,7 @@ pub(crate) struct Series<T> {
 impl<T: Number> Series<T> {
     /// The motion of `system` from `state` at `time`, to `order` (at most [`MOST`]), in powers of the time over `unit`
     /// (s). The attitude is left as it is unless it is asked for: right where the torque does not look at it.
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn new(
         system: &System<T, Torque>,
         (time, state): (T, &State<T>),
@@ -147,7 +148,7 @@ impl<T: Number> Default for Turned<T> {
 
 impl<T: Number> Turned<T> {
     /// Sets coefficient `n`, and returns it as a lane.
-    #[inline]
+    #[inline(always)]
     fn set(&mut self, n: usize, v: &Vector3<T>) -> Lane<T> {
         let zero = T::zero();
         self.ahead[n] = [v.y, v.z, v.x, zero];
@@ -156,7 +157,7 @@ impl<T: Number> Turned<T> {
     }
 
     /// Coefficient `n` of (yz, zx, xy).
-    #[inline]
+    #[inline(always)]
     fn products(&self, n: usize) -> Vector3<T> {
         let mut sum = [T::zero(); 4];
         for m in 0..=n {
@@ -169,7 +170,7 @@ impl<T: Number> Turned<T> {
     }
 
     /// Coefficient `n` of the cross product of this and another vector.
-    #[inline]
+    #[inline(always)]
     fn cross(&self, other: &Self, n: usize) -> Vector3<T> {
         let mut sum = [T::zero(); 4];
         for m in 0..=n {
@@ -184,7 +185,7 @@ impl<T: Number> Turned<T> {
 }
 
 /// Coefficient `n` of q ω, from q i, q j, q k.
-#[inline]
+#[inline(always)]
 fn quaternion_rate<T: Number>(
     units: &[[Lane<T>; MOST + 1]; 3],
     omega: &[Lane<T>; MOST + 1],
@@ -201,6 +202,7 @@ fn quaternion_rate<T: Number>(
 }
 
 /// Coefficient `n` of (x², y², z²).
+#[inline(always)]
 fn square<T: Number>(omega: &[Lane<T>; MOST + 1], n: usize) -> Vector3<T> {
     let mut sum = [T::zero(); 4];
     for m in 0..=n {
@@ -212,7 +214,7 @@ fn square<T: Number>(omega: &[Lane<T>; MOST + 1], n: usize) -> Vector3<T> {
     Vector3::new(sum[0], sum[1], sum[2])
 }
 
-#[inline]
+#[inline(always)]
 fn set_units<T: Number>(units: &mut [[Lane<T>; MOST + 1]; 3], n: usize, q: &Lane<T>) {
     let [w, x, y, z] = *q;
     units[0][n] = [-x, w, z, -y];
@@ -290,6 +292,7 @@ impl<T: Number> Moments<T> {
     }
 
     /// Coefficient `n` of the torque in body axes, from those of ω to the same order.
+    #[inline(always)]
     fn coefficient(&self, n: usize, omega: &[Lane<T>; MOST + 1]) -> Vector3<T> {
         let mut sum = if n == 0 {
             self.body
@@ -329,6 +332,7 @@ impl<T: Number> Moments<T> {
     }
 
     /// Grows the carried series from coefficient `n` to the next; `next` is 1/(n + 1).
+    #[inline(always)]
     fn carry(&mut self, n: usize, omega: &Turned<T>, next: T) {
         for series in [&mut self.space, &mut self.amplitude].into_iter().flatten() {
             let rate = series.cross(omega, n);

@@ -85,7 +85,7 @@ impl Task<'_> {
             (outcome.last, outcome.error, outcome.way) =
                 (settled.state, settled.error, settled.way);
         } else {
-            outcome.last = Course::new(member, &way)?.at(duration)?;
+            outcome.last = Course::new(member, &way)?.last(duration)?;
         }
         let last = outcome.last;
         outcome.note_drift(&balance, duration, &last);

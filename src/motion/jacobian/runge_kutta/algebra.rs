@@ -5,7 +5,7 @@
 use crate::motion::block::Lane;
 use crate::motion::registers::{Arithmetic, Registers};
 
-pub(super) type Vector<T> = [T; 3];
+pub(in crate::motion::jacobian) type Vector<T> = [T; 3];
 
 /// Scalar first.
 pub(super) type Turn<T> = [T; 4];
@@ -67,7 +67,7 @@ pub(super) fn cross<T: Arithmetic>([a, b, c]: Vector<T>, [x, y, z]: Vector<T>) -
 
 /// A vector plus a product of two.
 #[inline(always)]
-pub(super) fn plus_cross<T: Arithmetic>(
+pub(in crate::motion::jacobian) fn plus_cross<T: Arithmetic>(
     [p, q, r]: Vector<T>,
     [a, b, c]: Vector<T>,
     [x, y, z]: Vector<T>,
@@ -93,7 +93,10 @@ pub(super) fn pulled<T: Arithmetic>([a, b, c]: [Vector<T>; 3], [x, y, z]: Vector
 
 /// Each number in all lanes.
 #[inline(always)]
-pub(super) fn splat<R: Registers, const N: usize>(registers: R, values: [f64; N]) -> [R::Wide; N] {
+pub(in crate::motion::jacobian) fn splat<R: Registers, const N: usize>(
+    registers: R,
+    values: [f64; N],
+) -> [R::Wide; N] {
     let mut wide = [registers.splat(0.0); N];
     for i in 0..N {
         wide[i] = registers.splat(values[i]);
@@ -116,7 +119,7 @@ pub(super) fn splat_rows<R: Registers>(
 
 /// Numbers of each lane from `first` on.
 #[inline(always)]
-pub(super) fn loaded<R: Registers, const N: usize>(
+pub(in crate::motion::jacobian) fn loaded<R: Registers, const N: usize>(
     registers: R,
     lanes: &[Lane; N],
     first: usize,
@@ -215,7 +218,7 @@ pub(super) struct Principal<T> {
 
 /// A symmetric matrix times a vector.
 #[inline(always)]
-pub(super) fn symmetric<T: Arithmetic>(
+pub(in crate::motion::jacobian) fn symmetric<T: Arithmetic>(
     [xx, yy, zz, xy, xz, yz]: [T; 6],
     v: Vector<T>,
 ) -> Vector<T> {

@@ -11,7 +11,7 @@ pub(super) struct Alone<R: Registers> {
     pub(super) registers: R,
     pub(super) step: f64,
     pub(super) moments: [Moment<R::Wide>; 3],
-    attitude: Turn<R::Wide>,
+    pub(super) attitude: Turn<R::Wide>,
     pub(super) omega: Vector<R::Wide>,
 }
 
@@ -43,7 +43,12 @@ impl<R: Registers> Alone<R> {
     /// The state after the step.
     #[inline(always)]
     pub(super) fn end<I: Tensor<R::Wide>>(&self, stages: &Stages<R::Wide, I>) -> State<f64> {
-        let (attitude, omega) = stages.state(self.attitude, self.omega);
+        self.state(stages.state(self.attitude, self.omega))
+    }
+
+    /// A state in the first lanes.
+    #[inline(always)]
+    pub(super) fn state(&self, (attitude, omega): (Turn<R::Wide>, Vector<R::Wide>)) -> State<f64> {
         State {
             attitude: Quaternion::new(self.firsts(attitude)),
             angular_velocity: self.firsts(omega).into(),

@@ -1,63 +1,73 @@
 //! Products of the Jacobian with one vector, from either side, without the matrix.
 
 use super::algebra::{
-    Tensor, Turn, Vector, applied, between, matrix, minus, plus, plus_times, pulled, splat,
-    symmetric, times, turned,
+    Full, Principal, Tensor, Turn, Vector, applied, between, matrix, minus, plus, plus_times,
+    pulled, splat, symmetric, times, turned,
 };
 use super::alone::{Alone, full, principal};
+use super::momentum;
 use super::stages::{PARTS, Stage, Stages, mean};
 use crate::motion::registers::{Arithmetic, Registers, Work, one_at_a_time};
 use crate::motion::{State, System, TorqueLaw};
 use nalgebra::{SVector, Vector6};
 
-/// The step and its Jacobian times a direction of the input, or `None` if the law gives a torque that depends on the
-/// attitude.
+/// The step and its Jacobian times a direction of its first `N` inputs, or `None` if the law gives a torque that depends on
+/// the attitude.
 #[inline(always)]
-pub(crate) fn jvp<L: TorqueLaw<f64>>(
+pub(crate) fn jvp<const N: usize, L: TorqueLaw<f64>>(
     system: &System<f64, L>,
     time: f64,
     state: &State<f64>,
     step: f64,
-    direction: &SVector<f64, 16>,
+    direction: &SVector<f64, N>,
 ) -> Option<(State<f64>, Vector6<f64>)> {
     let forward = Forward(&direction.data.0[0]);
-    let (state, along) = one_at_a_time(One::new(system, (time, state, step), forward))?;
+    let one = One::<6, _, _>::new(system, (time, state, step), forward);
+    let (state, along) = one_at_a_time(one)?;
     Some((state, along.into()))
 }
 
-/// The step and a covector of its result times the Jacobian, or `None` if the law gives a torque that depends on the
-/// attitude.
+/// The step and a covector of its result times the first `N` columns of the Jacobian, or `None` if the law gives a torque
+/// that depends on the attitude.
 #[inline(always)]
-pub(crate) fn vjp<L: TorqueLaw<f64>>(
+pub(crate) fn vjp<const N: usize, L: TorqueLaw<f64>>(
     system: &System<f64, L>,
     time: f64,
     state: &State<f64>,
     step: f64,
     covector: &Vector6<f64>,
-) -> Option<(State<f64>, SVector<f64, 16>)> {
+) -> Option<(State<f64>, SVector<f64, N>)> {
     let backward = Backward(&covector.data.0[0]);
-    let (state, back) = one_at_a_time(One::new(system, (time, state, step), backward))?;
+    let one = One::<N, _, _>::new(system, (time, state, step), backward);
+    let (state, back) = one_at_a_time(one)?;
     Some((state, back.into()))
 }
 
-/// A product with the Jacobian, of `N` components.
-trait Product<const N: usize> {
-    /// The stages of the step, and the product.
-    fn of<R: Registers, I: Tensor<R::Wide>>(
+/// A product with the Jacobian, of `M` components.
+trait Product<const M: usize> {
+    /// The state after the step, and the product, for a body of any axes.
+    fn of_full<R: Registers>(
         &self,
         alone: &Alone<R>,
-        tensor: I,
-    ) -> (Stages<R::Wide, I>, [R::Wide; N]);
+        tensor: Full<R::Wide>,
+    ) -> (State<f64>, [R::Wide; M]);
+
+    /// The same for one along its principal axes.
+    fn of_principal<R: Registers>(
+        &self,
+        alone: &Alone<R>,
+        tensor: Principal<R::Wide>,
+    ) -> (State<f64>, [R::Wide; M]);
 }
 
 /// One body and a product.
-struct One<'a, const N: usize, L, P> {
+struct One<'a, const M: usize, L, P> {
     system: &'a System<f64, L>,
     step: (f64, &'a State<f64>, f64),
     product: P,
 }
 
-impl<'a, const N: usize, L: TorqueLaw<f64>, P: Product<N>> One<'a, N, L, P> {
+impl<'a, const M: usize, L: TorqueLaw<f64>, P: Product<M>> One<'a, M, L, P> {
     #[inline(always)]
     fn new(system: &'a System<f64, L>, step: (f64, &'a State<f64>, f64), product: P) -> Self {
         Self {
@@ -66,50 +76,71 @@ impl<'a, const N: usize, L: TorqueLaw<f64>, P: Product<N>> One<'a, N, L, P> {
             product,
         }
     }
-
-    #[inline(always)]
-    fn with<R: Registers>(
-        &self,
-        alone: &Alone<R>,
-        tensor: impl Tensor<R::Wide>,
-    ) -> (State<f64>, [f64; N]) {
-        let (stages, product) = self.product.of(alone, tensor);
-        (alone.end(&stages), alone.firsts(product))
-    }
 }
 
-impl<const N: usize, L: TorqueLaw<f64>, P: Product<N>> Work for One<'_, N, L, P> {
-    type Output = Option<(State<f64>, [f64; N])>;
+impl<const M: usize, L: TorqueLaw<f64>, P: Product<M>> Work for One<'_, M, L, P> {
+    type Output = Option<(State<f64>, [f64; M])>;
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> Self::Output {
         let (system, (time, state, step)) = (self.system, self.step);
         let alone = Alone::new(registers, system, time, state, step)?;
-        Some(if system.is_principal() {
-            self.with(&alone, principal(system).splat(registers))
+        let (state, product) = if system.is_principal() {
+            let tensor = principal(system).splat(registers);
+            self.product.of_principal(&alone, tensor)
         } else {
-            self.with(&alone, full(system).splat(registers))
-        })
+            let tensor = full(system).splat(registers);
+            self.product.of_full(&alone, tensor)
+        };
+        Some((state, alone.firsts(product)))
     }
 }
 
-/// The Jacobian times a direction of the input (θ, ω, torque, inertia, dt).
-struct Forward<'a>(&'a [f64; 16]);
+/// The Jacobian times a direction of the first `N` of the input (θ, ω, torque, inertia, dt).
+struct Forward<'a, const N: usize>(&'a [f64; N]);
 
-impl Product<6> for Forward<'_> {
+impl<const N: usize> Forward<'_, N> {
     #[inline(always)]
-    fn of<R: Registers, I: Tensor<R::Wide>>(
-        &self,
-        alone: &Alone<R>,
-        tensor: I,
-    ) -> (Stages<R::Wide, I>, [R::Wide; 6]) {
-        let direction = splat(alone.registers, *self.0);
-        let [_, _, _, a, b, c, d, e, f, inertia @ .., span] = direction;
-        let along = Direction {
-            omega: [a, b, c],
-            torque: [d, e, f],
+    fn direction<R: Registers>(&self, registers: R) -> momentum::Direction<R::Wide> {
+        let mut all = [registers.splat(0.0); 16];
+        for i in 0..N.min(16) {
+            all[i] = registers.splat(self.0[i]);
+        }
+        let [a, b, c, d, e, f, g, h, i, inertia @ .., span] = all;
+        momentum::Direction {
+            theta: [a, b, c],
+            omega: [d, e, f],
+            torque: [g, h, i],
             inertia,
             span,
+        }
+    }
+}
+
+impl<const N: usize> Product<6> for Forward<'_, N> {
+    #[inline(always)]
+    fn of_full<R: Registers>(
+        &self,
+        alone: &Alone<R>,
+        tensor: Full<R::Wide>,
+    ) -> (State<f64>, [R::Wide; 6]) {
+        let step = momentum::Step::new(tensor, alone.omega, alone.step, &alone.moments);
+        let along = step.along::<N>(&self.direction(alone.registers));
+        (alone.state(step.state(alone.attitude, alone.omega)), along)
+    }
+
+    #[inline(always)]
+    fn of_principal<R: Registers>(
+        &self,
+        alone: &Alone<R>,
+        tensor: Principal<R::Wide>,
+    ) -> (State<f64>, [R::Wide; 6]) {
+        let given = self.direction(alone.registers);
+        let along = Direction {
+            omega: given.omega,
+            torque: given.torque,
+            inertia: given.inertia,
+            span: given.span,
             step: alone.step,
         };
         let ([at_start, midway, at_end], start) = (&alone.moments, alone.omega);
@@ -132,28 +163,50 @@ impl Product<6> for Forward<'_> {
                 d.acceleration,
             ]),
         };
-        let product = stages.moved(direction, &mean);
-        (stages, product)
+        let product = stages.moved((given.theta, given.omega, given.span), &mean);
+        (alone.end(&stages), product)
     }
 }
 
-/// A covector of the result (θ', ω') times the Jacobian.
+/// A covector of the result (θ', ω') times the first `N` columns of the Jacobian.
 struct Backward<'a>(&'a [f64; 6]);
 
-impl Product<16> for Backward<'_> {
+/// The first `N` of a covector of the input.
+#[inline(always)]
+fn firsts<T: Arithmetic, const N: usize>(all: [T; 16]) -> [T; N] {
+    let mut firsts = [all[0]; N];
+    for i in 0..N.min(16) {
+        firsts[i] = all[i];
+    }
+    firsts
+}
+
+impl<const N: usize> Product<N> for Backward<'_> {
     #[inline(always)]
-    fn of<R: Registers, I: Tensor<R::Wide>>(
+    fn of_full<R: Registers>(
         &self,
         alone: &Alone<R>,
-        tensor: I,
-    ) -> (Stages<R::Wide, I>, [R::Wide; 16]) {
+        tensor: Full<R::Wide>,
+    ) -> (State<f64>, [R::Wide; N]) {
+        let [a, b, c, x, y, z] = splat(alone.registers, *self.0);
+        let step = momentum::Step::new(tensor, alone.omega, alone.step, &alone.moments);
+        let pulled = step.back::<N>([a, b, c], [x, y, z]);
+        (
+            alone.state(step.state(alone.attitude, alone.omega)),
+            firsts(pulled.flat()),
+        )
+    }
+
+    #[inline(always)]
+    fn of_principal<R: Registers>(
+        &self,
+        alone: &Alone<R>,
+        tensor: Principal<R::Wide>,
+    ) -> (State<f64>, [R::Wide; N]) {
         let [a, b, c, x, y, z] = splat(alone.registers, *self.0);
         let stages = alone.stages(tensor);
-        let pulled = stages.pulled_back::<16>(Some([a, b, c]), Some([x, y, z]));
-        let ([a, b, c], [d, e, f], [g, h, i]) = (pulled.theta, pulled.omega, pulled.torque);
-        let [j, k, l, m, n, o] = pulled.inertia;
-        let span = pulled.span;
-        (stages, [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, span])
+        let pulled = stages.pulled_back::<N>(Some([a, b, c]), Some([x, y, z]));
+        (alone.end(&stages), firsts(pulled.flat()))
     }
 }
 
@@ -230,14 +283,14 @@ impl<T: Arithmetic> Direction<T> {
 impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
     /// The change of the result with a direction of the input and the mean of the stages' changes.
     #[inline(always)]
-    fn moved(&self, [a, b, c, p, q, r, .., span]: [T; 16], mean: &Change<T>) -> [T; 6] {
+    fn moved(&self, (theta, omega, span): (Vector<T>, Vector<T>, T), mean: &Change<T>) -> [T; 6] {
         let step = span.constant(self.step);
         let moved = plus_times(times(mean.turn_rate, step), self.mean_turn, span);
         let turned = times(between(self.end, moved), self.unit + self.unit);
         // ∂θ'/∂θ is the turn of the step backwards.
-        let theta = pulled(matrix(self.end), [a, b, c]);
+        let theta = pulled(matrix(self.end), theta);
         let [a, b, c] = plus_times(turned, theta, self.unit);
-        let gained = plus_times([p, q, r], mean.acceleration, step);
+        let gained = plus_times(omega, mean.acceleration, step);
         let [x, y, z] = plus_times(gained, self.mean, span);
         [a, b, c, x, y, z]
     }

@@ -330,9 +330,17 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
 }
 
 impl<T: Arithmetic> Pulled<T> {
+    /// In the order of the columns.
+    #[inline(always)]
+    pub(super) fn flat(self) -> [T; 16] {
+        let ([a, b, c], [d, e, f], [g, h, i]) = (self.theta, self.omega, self.torque);
+        let ([j, k, l, m, n, o], span) = (self.inertia, self.span);
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, span]
+    }
+
     /// A covector of δI v on its way back to the entries of −δI.
     #[inline(always)]
-    fn of_tensor(&mut self, [a, b, c]: Vector<T>, [x, y, z]: Vector<T>) {
+    pub(super) fn of_tensor(&mut self, [a, b, c]: Vector<T>, [x, y, z]: Vector<T>) {
         let [xx, yy, zz, xy, xz, yz] = self.inertia;
         self.inertia = [
             xx.less_product(a, x),
