@@ -103,8 +103,8 @@ impl<const N: usize> Forward<'_, N> {
     #[inline(always)]
     fn direction<R: Registers>(&self, registers: R) -> momentum::Direction<R::Wide> {
         let mut all = [registers.splat(0.0); 16];
-        for i in 0..N.min(16) {
-            all[i] = registers.splat(self.0[i]);
+        for (place, value) in all.iter_mut().zip(self.0) {
+            *place = registers.splat(*value);
         }
         let [a, b, c, d, e, f, g, h, i, inertia @ .., span] = all;
         momentum::Direction {
@@ -175,8 +175,8 @@ struct Backward<'a>(&'a [f64; 6]);
 #[inline(always)]
 fn firsts<T: Arithmetic, const N: usize>(all: [T; 16]) -> [T; N] {
     let mut firsts = [all[0]; N];
-    for i in 0..N.min(16) {
-        firsts[i] = all[i];
+    for (first, value) in firsts.iter_mut().zip(all) {
+        *first = value;
     }
     firsts
 }
