@@ -8,6 +8,7 @@ use num_traits::Zero;
 use polhode::algebra::Polynomial;
 use polhode::scalar::{Prime, Ring};
 use std::hint::black_box;
+use std::process::Command;
 
 /// Moments and products of inertia in the order xx, yy, zz, xy, xz, yz, the angular velocity and its rate.
 struct World<T> {
@@ -146,5 +147,14 @@ fn power(c: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, line, dynamics, power);
+/// The same work in other systems, where Python has them.
+fn rivals(_: &mut Criterion) {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/rivals/algebra.py");
+    match Command::new("python3").arg(script).status() {
+        Ok(status) if status.success() => {}
+        outcome => eprintln!("the rivals were left out: {outcome:?}"),
+    }
+}
+
+criterion_group!(benches, line, dynamics, power, rivals);
 criterion_main!(benches);

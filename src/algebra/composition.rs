@@ -6,6 +6,7 @@
 use crate::algebra::{Fraction, Polynomial, Variable};
 use num_traits::One;
 use std::collections::HashMap;
+use std::hash::BuildHasher;
 
 /// Why nothing was put in: a product would have had more terms than allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,9 +25,9 @@ impl std::error::Error for TooLarge {}
 /// # Errors
 ///
 /// [`TooLarge`] where a product of intermediate results could have more than `most` terms.
-pub fn compose(
+pub fn compose<S: BuildHasher>(
     polynomial: &Polynomial,
-    images: &HashMap<Variable, Fraction>,
+    images: &HashMap<Variable, Fraction, S>,
     most: usize,
 ) -> Result<Fraction, TooLarge> {
     let mut below = Denominators::of(polynomial, images);
@@ -102,7 +103,10 @@ struct Denominators {
 }
 
 impl Denominators {
-    fn of(polynomial: &Polynomial, images: &HashMap<Variable, Fraction>) -> Self {
+    fn of<S: BuildHasher>(
+        polynomial: &Polynomial,
+        images: &HashMap<Variable, Fraction, S>,
+    ) -> Self {
         let mut all = Self {
             distinct: vec![],
             highest: vec![],

@@ -295,7 +295,7 @@ pub struct FrameLabel {
 }
 
 /// A letter or a word with everything that hangs on it.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Symbol {
     /// The letter as plain text: `omega`, `Omega`, `L`, `ell`, `I`, `wdot` never (that is a time derivative).
     pub name: String,
@@ -315,7 +315,7 @@ pub struct Symbol {
 }
 
 /// What is drawn on or around a letter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Style {
     /// `\vec`, `\overrightarrow`, `\mathbf`, `\boldsymbol`, `\bm`, `\underline`, `\bar` once: marks that make a vector.
     pub vector: bool,

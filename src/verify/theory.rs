@@ -29,8 +29,9 @@ use crate::verify::theory::mentioned::Mentioned;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
 use crate::verify::values::figures::Alternative;
 use crate::verify::values::quantity::Quantity;
+use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The name of a premise as it appears in `uses`: a law, `line 12`, or words of the document.
@@ -135,11 +136,11 @@ impl Theory {
             mentioned: Mentioned::default(),
             last_turn: None,
             cones: BTreeMap::new(),
-            of_rates: HashMap::new(),
-            rules: HashMap::new(),
-            normals: HashMap::new(),
-            sources: HashMap::new(),
-            laws: HashMap::new(),
+            of_rates: HashMap::default(),
+            rules: HashMap::default(),
+            normals: HashMap::default(),
+            sources: HashMap::default(),
+            laws: HashMap::default(),
             ledger: Ledger::default(),
             open: BTreeSet::new(),
             exhausted: false,

@@ -1,6 +1,7 @@
 //! What the words of a document say: roles of lines, premises, moments, what is constant.
 
 pub(super) mod attitude_words;
+pub(super) mod book;
 pub(super) mod cones_in_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;

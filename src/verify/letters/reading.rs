@@ -125,6 +125,11 @@ impl Reading {
         reading
     }
 
+    /// Whether what symbols stand for is the same on every line.
+    pub(crate) fn is_settled(&self) -> bool {
+        self.scalars.is_empty() && self.space_axes.is_none() && self.attitude.layouts.is_empty()
+    }
+
     /// Whether a vector's letter without a mark is a number: where the document sets it equal to a component, or where
     /// only that makes sense of a line.
     pub(crate) fn is_scalar(&self, letter: &Letter) -> bool {

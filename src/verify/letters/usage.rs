@@ -250,8 +250,13 @@ pub(crate) fn undotted(node: &Node) -> &Node {
 
 /// All symbols of a node, from left to right.
 pub(crate) fn symbols(node: &Node) -> Vec<&Symbol> {
-    match &node.kind {
-        Kind::Symbol(symbol) => vec![symbol],
-        _ => node.children().into_iter().flat_map(symbols).collect(),
+    fn collect<'n>(node: &'n Node, found: &mut Vec<&'n Symbol>) {
+        match &node.kind {
+            Kind::Symbol(symbol) => found.push(symbol),
+            _ => node.each_child(&mut |child| collect(child, found)),
+        }
     }
+    let mut found = vec![];
+    collect(node, &mut found);
+    found
 }

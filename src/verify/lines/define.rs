@@ -297,6 +297,7 @@ impl Checker<'_> {
             .map(|(i, e)| residual(i as u8, e))
             .collect();
         self.theory.atoms.info_mut(entity).shape = shape;
+        self.theory.atoms.forget_meanings();
         Some(bound)
     }
 }

@@ -10,8 +10,9 @@ use crate::verify::theory::certify::Elimination;
 use crate::verify::theory::law::has_own_rate;
 use crate::verify::theory::{HIGHEST_ORDER, MOMENTARY, Theory};
 use crate::verify::values::atoms::{Atom, Entity};
+use foldhash::{HashMap, HashSet};
 use num_traits::One;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// d·v − n, as a fact.

@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::verify::theory::{Premise, Theory};
-use crate::verify::values::atoms::{Atom, Atoms, Entity};
+use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner};
 use std::collections::BTreeSet;
 
 /// The variables that premises mention, those in the arguments of functions too, and whose parts they are.
@@ -49,7 +49,13 @@ impl Theory {
     /// Whether a premise only names what no other premise speaks of.
     pub(crate) fn only_names(&self, premise: &Premise) -> bool {
         let named = |&variable: &Variable| match *self.atoms.atom(variable) {
-            Atom::Part { entity, .. } => !self.mentions_entity(entity),
+            Atom::Part {
+                entity, component, ..
+            } => match self.atoms.info(entity).owner {
+                Owner::Symbol(_) => !self.mentions_part(entity, Some(component)),
+                // Laws go from each component of a quantity to the others.
+                Owner::Quantity(..) => !self.mentions_entity(entity),
+            },
             _ => false,
         };
         premise.definition && !premise.preferred.is_empty() && premise.preferred.iter().all(named)

@@ -123,6 +123,7 @@ impl Checker<'_> {
         let pairs = [tensors, moments];
         if pairs.iter().all(Option::is_none) {
             self.reading.points = None;
+            self.theory.atoms.forget_meanings();
             return;
         }
         for pair in pairs.into_iter().flatten() {

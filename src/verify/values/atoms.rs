@@ -7,11 +7,12 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::mechanics::transport;
-use crate::notation::ast::Function;
+use crate::notation::ast::{Function, Symbol};
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::symbol::Meaning;
+use foldhash::HashMap;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
-use std::collections::HashMap;
 
 /// Whose value it is.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,6 +84,8 @@ pub(crate) struct Atoms {
     parts: HashMap<(Entity, u8, u8), Variable>,
     named: HashMap<Key, Variable>,
     spelled: HashMap<(Entity, u8), String>,
+    /// What symbols were found to stand for.
+    meanings: HashMap<Symbol, Meaning>,
     /// Whether the document numbers its axes.
     pub numbered: bool,
     /// The label of what stands on the body's axes, where the plain letters are those on space axes.
@@ -134,6 +137,21 @@ impl Atoms {
     /// How the document writes a component.
     pub(crate) fn spelling(&self, entity: Entity, component: u8) -> Option<&str> {
         self.spelled.get(&(entity, component)).map(String::as_str)
+    }
+
+    /// What a symbol was found to stand for.
+    pub(crate) fn meaning(&self, symbol: &Symbol) -> Option<Meaning> {
+        self.meanings.get(symbol).copied()
+    }
+
+    /// Notes what a symbol stands for, as long as neither the reading nor a shape changes.
+    pub(crate) fn note_meaning(&mut self, symbol: &Symbol, meaning: Meaning) {
+        self.meanings.insert(symbol.clone(), meaning);
+    }
+
+    /// Looks again what symbols stand for.
+    pub(crate) fn forget_meanings(&mut self) {
+        self.meanings.clear();
     }
 
     /// Changes what is known of an entity.

@@ -13,7 +13,7 @@ use crate::verify::values::subscript::{
 };
 
 /// What a symbol stands for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meaning {
     /// A whole quantity or symbol.
     Whole(Entity),
@@ -47,6 +47,18 @@ pub(crate) const MAGNITUDE: &str = "magnitude";
 
 /// Decides what a symbol stands for.
 pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    if !reading.is_settled() {
+        return on_axes(symbol, reading, atoms);
+    }
+    if let Some(known) = atoms.meaning(symbol) {
+        return known;
+    }
+    let found = on_axes(symbol, reading, atoms);
+    atoms.note_meaning(symbol, found);
+    found
+}
+
+fn on_axes(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
     let Some(axes) = reading.space_axes.as_ref().filter(|a| a.beside_body) else {
         return as_written(symbol, reading, atoms);
     };

@@ -102,13 +102,12 @@ impl Checker<'_> {
         }
         let named = std::mem::take(&mut self.named);
         self.small_behind(&text, &named);
-        let derived = Words::of(&self.sentence).derive();
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));
         // What is "a constant of the motion" is for laws to say.
         let of_motion = ["constant of", "constants of"]
             .iter()
             .any(|w| rest.contains(w));
-        if !derived && constant && !of_motion {
+        if constant && !of_motion && !Words::of(&self.sentence).derive() {
             let supposed = supposes(&self.sentence);
             named
                 .iter()

@@ -23,6 +23,15 @@ const SEQUENCES: [Sequence; 12] = [
 ];
 /// Bytes on either side of a sequence in which a word tells that it is one.
 const NEAR: usize = 120;
+/// Words that tell that something is a sequence.
+const TELLING: [&str; 6] = [
+    "sequence",
+    "convention",
+    "euler",
+    "order",
+    "rotation",
+    "angle",
+];
 /// Words between "about" and the axis.
 const BETWEEN: usize = 4;
 
@@ -83,22 +92,14 @@ fn written(source: &str) -> Vec<Sequence> {
     };
     for word in plain.split(outside).filter(|word| word.len() < NEAR) {
         let at = word.as_ptr() as usize - plain.as_ptr() as usize;
-        let near = around(&plain, at);
-        let told = [
-            "sequence",
-            "convention",
-            "euler",
-            "order",
-            "rotation",
-            "angle",
-        ]
-        .iter()
-        .any(|name| near.contains(name));
+        let told = || {
+            let near = around(&plain, at);
+            TELLING.iter().any(|name| near.contains(name))
+        };
         match word {
             "x-convention" => found.push([2, 0, 2]),
             "y-convention" => found.push([2, 1, 2]),
-            _ if told => found.extend(sequence(word)),
-            _ => {}
+            _ => found.extend(sequence(word).filter(|_| told())),
         }
     }
     found

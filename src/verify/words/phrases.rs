@@ -1,6 +1,7 @@
 //! What words call a quantity, and where they stand beside a letter.
 
 use crate::verify::values::quantity::Quantity;
+use crate::verify::words::book::Book;
 use std::sync::LazyLock;
 
 /// What the phrases for a quantity name; `None` keeps a phrase from being read as a shorter one in it.
@@ -146,6 +147,8 @@ static PHRASES: LazyLock<Vec<(String, Option<Quantity>)>> = LazyLock::new(|| {
     named.chain(turning).collect()
 });
 
+static BOOK: LazyLock<Book> = LazyLock::new(|| Book::of(PHRASES.iter().map(|(phrase, _)| phrase)));
+
 /// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
 fn is_word(text: &str, at: usize, phrase: &str) -> bool {
     let letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
@@ -161,29 +164,29 @@ pub(crate) fn letters_named(text: &str) -> Vec<(String, Quantity)> {
     if lower.len() != text.len() {
         return named;
     }
-    for (phrase, quantity) in PHRASES.iter() {
-        let Some(quantity) = quantity else { continue };
-        for (at, _) in lower.match_indices(phrase.as_str()) {
-            if !is_word(&lower, at, phrase) || !text.is_char_boundary(at + phrase.len()) {
-                continue;
-            }
-            let rest = text[at + phrase.len()..].trim_start_matches('s');
-            let words = rest
-                .split(|c: char| c.is_whitespace() || c == ',')
-                .filter(|w| !w.is_empty() && *w != "and");
-            let single = |w: &&str| w.chars().count() == 1 && w.chars().all(char::is_alphabetic);
-            let found = words.take_while(single).filter(|w| *w != "a" && *w != "I");
-            named.extend(found.map(|w| {
-                // "Moments A, B, C" are of inertia.
-                let inertia = *quantity == Quantity::Moment && matches!(w, "A" | "B" | "C");
-                let quantity = if inertia {
-                    Quantity::Inertia
-                } else {
-                    *quantity
-                };
-                (w.to_owned(), quantity)
-            }));
+    for (which, at, end) in BOOK.places(&lower) {
+        let (phrase, Some(quantity)) = &PHRASES[which] else {
+            continue;
+        };
+        if !is_word(&lower, at, phrase) || !text.is_char_boundary(end) {
+            continue;
         }
+        let words = text[end..]
+            .trim_start_matches('s')
+            .split(|c: char| c.is_whitespace() || c == ',')
+            .filter(|w| !w.is_empty() && *w != "and");
+        let single = |w: &&str| w.chars().count() == 1 && w.chars().all(char::is_alphabetic);
+        let found = words.take_while(single).filter(|w| *w != "a" && *w != "I");
+        named.extend(found.map(|w| {
+            // "Moments A, B, C" are of inertia.
+            let inertia = *quantity == Quantity::Moment && matches!(w, "A" | "B" | "C");
+            let quantity = if inertia {
+                Quantity::Inertia
+            } else {
+                *quantity
+            };
+            (w.to_owned(), quantity)
+        }));
     }
     named
 }
@@ -239,22 +242,18 @@ fn is_aside(before: &str, behind: &str) -> bool {
 
 /// The quantity that the words before a formula name, where they come close to it.
 pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<Quantity> {
-    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
-        let at = text
-            .rmatch_indices(phrase.as_str())
-            .find(|&(at, _)| {
-                is_word(text, at, phrase)
-                    && !is_of_mass(&text[..at], phrase)
-                    && !is_aside(&text[..at], &text[at..])
-            })?
-            .0;
-        Some((at + phrase.len(), phrase.len(), *quantity))
+    let near = |&(which, at, _): &(usize, usize, usize)| {
+        let (phrase, _) = &PHRASES[which];
+        is_word(text, at, phrase)
+            && !is_of_mass(&text[..at], phrase)
+            && !is_aside(&text[..at], &text[at..])
     };
-    let (end, length, quantity) = PHRASES
-        .iter()
-        .filter_map(near)
-        .max_by_key(|&(end, len, _)| (end, len))?;
-    let clause = text[..end - length].rsplit([',', ';', '.']).next();
+    let (which, at, end) = BOOK
+        .places(text)
+        .filter(near)
+        .max_by_key(|&(_, at, end)| (end, end - at))?;
+    let quantity = PHRASES[which].1;
+    let clause = text[..at].rsplit([',', ';', '.']).next();
     // "The theorem of angular momentum is": the letter before the sign is the moment, or what else it speaks of.
     let lead = clause
         .unwrap_or_default()

@@ -1,6 +1,8 @@
 //! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
 
 use crate::notation::document::{Document, Item};
+use crate::verify::words::book::Book;
+use std::sync::LazyLock;
 
 /// What words can set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,30 +46,35 @@ impl Said {
     }
 }
 
-const ATTACHED: &[&str] = &[
-    "attached to the body",
-    "attached to the rigid body",
-    "fixed in the body",
-    "fixed to the body",
-    "fixed with the body",
-    "carried by the body",
-    "fixed in the airframe",
-    "axes fixed in the",
-    "axes in the body",
-    "rotate with the body",
-    "turn with the body",
-    "attached to the rotor",
-    "embedded in the body",
-];
-const BODY_AXES: &[&str] = &["body axes", "body-fixed", "body fixed", "body frame"];
-const DOTS: &[&str] = &[
-    "dot is taken",
-    "dots are",
-    "dot denotes",
-    "dots denote",
-    "dot means",
-    "dot is the",
-];
+static ATTACHED: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([
+        "attached to the body",
+        "attached to the rigid body",
+        "fixed in the body",
+        "fixed to the body",
+        "fixed with the body",
+        "carried by the body",
+        "fixed in the airframe",
+        "axes fixed in the",
+        "axes in the body",
+        "rotate with the body",
+        "turn with the body",
+        "attached to the rotor",
+        "embedded in the body",
+    ])
+});
+static BODY_AXES: LazyLock<Book> =
+    LazyLock::new(|| Book::of(["body axes", "body-fixed", "body fixed", "body frame"]));
+static DOTS: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([
+        "dot is taken",
+        "dots are",
+        "dot denotes",
+        "dots denote",
+        "dot means",
+        "dot is the",
+    ])
+});
 const FREE: &[&str] = &[
     "no torque",
     "torque-free",
@@ -89,30 +96,36 @@ const FREE: &[&str] = &[
     "free rigid body",
     "no external torques",
 ];
-const PRINCIPAL: &[&str] = &[
-    "principal axes",
-    "the principal axis",
-    "principal axis system",
-    "principal axis frame",
-    "principal axis form",
-    "principal axis version",
-    "principal-axis",
-    "principal moments",
-    "principal body axes",
-    "principal coordinates",
-    "principal frame",
-    "are principal",
-    "be principal",
-];
-const NOT_SO: &[&str] = &["not ", "need not", "n't ", "general axes", "arbitrary"];
+static TORQUE_FREE: LazyLock<Book> = LazyLock::new(|| Book::of(FREE));
+static PRINCIPAL: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([
+        "principal axes",
+        "the principal axis",
+        "principal axis system",
+        "principal axis frame",
+        "principal axis form",
+        "principal axis version",
+        "principal-axis",
+        "principal moments",
+        "principal body axes",
+        "principal coordinates",
+        "principal frame",
+        "are principal",
+        "be principal",
+    ])
+});
+static NOT_SO: LazyLock<Book> =
+    LazyLock::new(|| Book::of(["not ", "need not", "n't ", "general axes", "arbitrary"]));
 
 /// What a piece of prose sets.
 pub(crate) fn said(text: &str) -> Vec<Said> {
     let text = text.to_lowercase();
     let mut found = vec![];
-    let dots = text
+    let spoken_of = DOTS.is_in(&text).then_some(text.as_str());
+    let dots = spoken_of
+        .unwrap_or_default()
         .split(['.', ';'])
-        .filter(|clause| DOTS.iter().any(|dot| clause.contains(dot)));
+        .filter(|clause| DOTS.is_in(clause));
     for clause in dots {
         if ["body", "moving", "rotating"]
             .iter()
@@ -126,33 +139,35 @@ pub(crate) fn said(text: &str) -> Vec<Said> {
             found.push(Said::DotsInSpace);
         }
     }
-    if positive(&text, ATTACHED) {
+    if positive(&text, &ATTACHED) {
         found.push(Said::BodyAxes);
-    } else if positive(&text, BODY_AXES) {
+    } else if positive(&text, &BODY_AXES) {
         found.push(Said::SpeaksOfBodyAxes);
     }
-    if positive(&text, PRINCIPAL) || positive(&text, AXIS) && !text.contains("plane") {
+    if positive(&text, &PRINCIPAL) || positive(&text, &AXIS) && !text.contains("plane") {
         found.push(Said::Principal);
     }
-    if positive(&text, FREE) || no_torque(&text) {
+    if positive(&text, &TORQUE_FREE) || no_torque(&text) {
         found.push(Said::TorqueFree);
     }
     found
 }
 
 /// A body with an axis of symmetry has no products of inertia on axes along it.
-const AXIS: &[&str] = &[
-    "symmetric about",
-    "symmetrical about",
-    "axis of symmetry",
-    "symmetry axis",
-    "axially symmetric",
-    "axisymmetric",
-    "body of revolution",
-    "solid of revolution",
-    "symmetric top",
-    "symmetrical top",
-];
+static AXIS: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([
+        "symmetric about",
+        "symmetrical about",
+        "axis of symmetry",
+        "symmetry axis",
+        "axially symmetric",
+        "axisymmetric",
+        "body of revolution",
+        "solid of revolution",
+        "symmetric top",
+        "symmetrical top",
+    ])
+});
 
 /// Whether a document speaks of vectors that may be any.
 pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
@@ -178,6 +193,12 @@ pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
 
 /// "No outside torque", "without any applied moment": a denial, at most one word, and the thing.
 fn no_torque(text: &str) -> bool {
+    if !["torque", "moment", "couple"]
+        .iter()
+        .any(|thing| text.contains(thing))
+    {
+        return false;
+    }
     let words: Vec<&str> = text
         .split(|c: char| !c.is_alphanumeric())
         .filter(|w| !w.is_empty())
@@ -214,6 +235,9 @@ pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
 /// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
 pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
     let text = sentence.to_lowercase();
+    if !text.contains("plane") {
+        return None;
+    }
     let symmetric = [
         "plane of symmetry",
         "symmetry plane",
@@ -227,7 +251,7 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         && ["lies in the", "lying in the", "in the plane"]
             .iter()
             .any(|words| text.contains(words));
-    if !flat && !symmetric.iter().any(|words| text.contains(words)) || !text.contains("plane") {
+    if !flat && !symmetric.iter().any(|words| text.contains(words)) {
         return None;
     }
     let planes = [
@@ -272,17 +296,12 @@ pub(crate) fn turns_to_numbered_axes(text: &str) -> bool {
 }
 
 /// Whether one of the phrases stands there and is not denied right before or after it.
-fn positive(text: &str, phrases: &[&str]) -> bool {
-    phrases.iter().any(|phrase| {
-        text.match_indices(phrase).any(|(at, _)| {
-            let start = text[..at].rfind(['.', ';', '!', '?']).map_or(0, |i| i + 1);
-            let end = text[at..]
-                .find(['.', ';', '!', '?'])
-                .map_or(text.len(), |i| at + i);
-            let clause = &text[start..end];
-            !NOT_SO
-                .iter()
-                .any(|no| clause.replace(phrase, "").contains(no))
-        })
+fn positive(text: &str, phrases: &Book) -> bool {
+    phrases.places(text).any(|(_, at, end)| {
+        let stops = ['.', ';', '!', '?'];
+        let before = text[..at].rfind(stops).map_or(0, |i| i + 1);
+        let behind = text[at..].find(stops).map_or(text.len(), |i| at + i);
+        let clause = &text[before..behind];
+        !NOT_SO.is_in(&clause.replace(&text[at..end], ""))
     })
 }

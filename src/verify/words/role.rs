@@ -1,9 +1,28 @@
 //! What a line is for, from the sentence that introduces it.
 
 use crate::verify::verdict::Role;
+use crate::verify::words::book::Book;
 use crate::verify::words::role_words::{
-    ASSUME, CLAIM, DEFINE, GIVEN, NO_ROLE, SHORTER, SOURCES, SUPPOSE,
+    ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, SHORTER, SOURCES,
+    SUBJECTS, SUPPOSE,
 };
+use std::sync::LazyLock;
+
+static ASSUMING: LazyLock<Book> = LazyLock::new(|| words(&[ASSUME, SUPPOSE]));
+static CLAIMING: LazyLock<Book> = LazyLock::new(|| words(&[CLAIM]));
+static DEFINING: LazyLock<Book> = LazyLock::new(|| words(&[DEFINE]));
+static DEFINED: LazyLock<Book> = LazyLock::new(|| words(&[DEFINITION]));
+static GIVING: LazyLock<Book> = LazyLock::new(|| words(&[GIVEN]));
+static SUPPOSING: LazyLock<Book> = LazyLock::new(|| words(&[SUPPOSE, GIVEN]));
+static CONDITIONS: LazyLock<Book> = LazyLock::new(|| words(&[CONDITION]));
+static CONSTRAINTS: LazyLock<Book> = LazyLock::new(|| words(&[CONSTRAINT]));
+static WITHOUT_ROLE: LazyLock<Book> = LazyLock::new(|| words(&[NO_ROLE]));
+static LONGER: LazyLock<Book> =
+    LazyLock::new(|| Book::of_words(SHORTER.iter().map(|(phrase, _)| *phrase)));
+
+fn words(lists: &[&[&'static str]]) -> Book {
+    Book::of_words(lists.iter().copied().flatten().copied())
+}
 
 /// The role that a sentence gives to a formula that stands behind it.
 ///
@@ -11,40 +30,27 @@ use crate::verify::words::role_words::{
 /// force decides.
 pub(crate) fn role(sentence: &str) -> Role {
     let mut text = Words::of(&main_clauses(sentence)).0;
-    for (phrase, word) in SHORTER {
-        text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
+    if LONGER.is_in(&text) {
+        for (phrase, word) in SHORTER {
+            text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
+        }
     }
     // The formula may follow "called the precession rate": a definition, though "called the" alone is none.
-    let definition = last_of(
-        &text,
-        &[
-            "define",
-            "defined",
-            "denote",
-            "denoted by",
-            "we call",
-            "we denote",
-        ],
-    );
-    for phrase in NO_ROLE {
-        if last_of(&text, &[phrase]).is_some() {
-            text = text.replace(
-                &format!(" {phrase} "),
-                &format!(" {} ", "_".repeat(phrase.len())),
-            );
-        }
+    let definition = DEFINED.last(&text);
+    for phrase in WITHOUT_ROLE.found(&text).into_iter().map(|at| NO_ROLE[at]) {
+        text = text.replace(
+            &format!(" {phrase} "),
+            &format!(" {} ", "_".repeat(phrase.len())),
+        );
     }
     if has_left_its_condition(&text) {
         return Role::Claim;
     }
-    let claim = last_of(&text, CLAIM);
+    let claim = CLAIMING.last(&text);
     let best = [
-        (
-            last_of(&text, ASSUME).max(last_of(&text, SUPPOSE)),
-            Role::Assume,
-        ),
-        (last_of(&text, DEFINE).max(definition), Role::Define),
-        (last_of(&text, GIVEN), Role::Given),
+        (ASSUMING.last(&text), Role::Assume),
+        (DEFINING.last(&text).max(definition), Role::Define),
+        (GIVING.last(&text), Role::Given),
     ];
     let (place, role) = best
         .into_iter()
@@ -93,6 +99,9 @@ impl Words {
         let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
         let mut text = " ".to_owned();
         words.for_each(|word| text.extend([word, " "]));
+        if !text.contains(" give") && !text.contains(" gave ") {
+            return Self(text);
+        }
         // What gives a torque derives nothing.
         for load in ["torque", "moment", "couple", "force"] {
             for (gives, acts) in [("gives", "exerts"), ("give", "exert")] {
@@ -112,12 +121,12 @@ impl Words {
 
     /// Whether they derive what follows: "hence", "gives".
     pub(crate) fn derive(&self) -> bool {
-        last_of(&self.0, CLAIM).is_some()
+        CLAIMING.is_in(&self.0)
     }
 
     /// Whether they assume what follows in so many words.
     pub(crate) fn assume(&self) -> bool {
-        let last = last_of(&self.0, SUPPOSE).max(last_of(&self.0, GIVEN));
+        let last = SUPPOSING.last(&self.0);
         last.is_some_and(|at| !self.0[at..].contains('⟩'))
     }
 
@@ -133,45 +142,35 @@ impl Words {
 
     /// Whether what follows is a condition for something that was said: "it is stable if".
     pub(crate) fn condition(&self) -> bool {
-        let last = last_of(&self.0, &["if", "when", "provided", "whenever"]);
+        let last = CONDITIONS.last(&self.0);
         last.is_some_and(|at| at > 0 && self.0[at..].split_whitespace().count() <= 3)
     }
 
     /// Whether they name a constraint that a body or a point of it is under.
     pub(crate) fn constrain(&self) -> bool {
-        let words = [
-            "slip",
-            "slips",
-            "slipping",
-            "rolls",
-            "fixed",
-            "at rest",
-            "pinned",
-            "hinged",
-            "constrained",
-            "stationary",
-        ];
-        last_of(&self.0, &words).is_some()
+        CONSTRAINTS.is_in(&self.0)
     }
 }
 
 /// A comma after a formula, and a subject behind it, open the main clause: "where ⟨n⟩ is constant, the equation is".
 fn main_clauses(sentence: &str) -> String {
-    let mut text = sentence.to_owned();
-    for subject in [
-        "the", "this", "these", "it", "its", "we", "one", "both", "only", "each", "all", "they",
-    ] {
-        let opening = format!(", {subject} ");
-        let mut from = 0;
-        while let Some(at) = text[from..].find(&opening).map(|i| from + i) {
-            let inside = &text[..at];
-            let formula = inside.rfind('⟩').is_some();
-            if formula && !(subject == "the" && goes_on_a_list(inside, &text[at..])) {
-                text.insert_str(at + 1, " then");
-            }
-            from = at + opening.len();
+    let Some(formula) = sentence.find('⟩') else {
+        return sentence.to_owned();
+    };
+    let (mut text, mut from) = (String::new(), 0);
+    for (at, _) in sentence.match_indices(", ").filter(|&(at, _)| at > formula) {
+        let (inside, behind) = sentence.split_at(at);
+        let word = behind[2..].split_once(' ').map(|(word, _)| word);
+        let opens = word.is_some_and(|word| {
+            SUBJECTS.contains(&word) && !(word == "the" && goes_on_a_list(inside, behind))
+        });
+        if opens {
+            text.push_str(&sentence[from..=at]);
+            text.push_str(" then");
+            from = at + 1;
         }
     }
+    text.push_str(&sentence[from..]);
     text
 }
 
@@ -226,18 +225,6 @@ const VERBS: &[&str] = &[
     "vanishes",
     "vanish",
 ];
-
-/// Where the last of some phrases begins, with the space before it.
-fn last_of(text: &str, phrases: &[&str]) -> Option<usize> {
-    let spaces = text.bytes().enumerate().rev().filter(|(_, b)| *b == b' ');
-    let stands = |rest: &str, phrase: &str| {
-        rest.strip_prefix(phrase)
-            .is_some_and(|behind| behind.starts_with(' '))
-    };
-    spaces
-        .map(|(at, _)| at)
-        .find(|&at| phrases.iter().any(|p| stands(&text[at + 1..], p)))
-}
 
 #[cfg(test)]
 mod tests {

@@ -60,6 +60,15 @@ pub(super) const DEFINE: &[&str] = &[
     "named",
     "let",
 ];
+/// Phrases of a definition even where they are no role words: "called the precession rate" is not always one.
+pub(super) const DEFINITION: &[&str] = &[
+    "define",
+    "defined",
+    "denote",
+    "denoted by",
+    "we call",
+    "we denote",
+];
 /// Phrases that hand something over from outside.
 pub(super) const GIVEN: &[&str] = &["given"];
 /// Whoever hands numbers over: what "the data sheet gives" is no result.
@@ -86,6 +95,25 @@ pub(super) const SOURCES: &[&str] = &[
     "experiments",
     "problem",
     "exercise",
+];
+/// Words of a condition for something that was said.
+pub(super) const CONDITION: &[&str] = &["if", "when", "provided", "whenever"];
+/// Words of a constraint that a body or a point of it is under.
+pub(super) const CONSTRAINT: &[&str] = &[
+    "slip",
+    "slips",
+    "slipping",
+    "rolls",
+    "fixed",
+    "at rest",
+    "pinned",
+    "hinged",
+    "constrained",
+    "stationary",
+];
+/// Subjects of a main clause.
+pub(super) const SUBJECTS: &[&str] = &[
+    "the", "this", "these", "it", "its", "we", "one", "both", "only", "each", "all", "they",
 ];
 /// Words after which a claim follows, whatever stood before.
 pub(super) const CLAIM: &[&str] = &[

@@ -1,0 +1,50 @@
+//! Phrases that are looked for in a text all at once.
+
+use aho_corasick::{AhoCorasick, AhoCorasickKind};
+use std::collections::BTreeSet;
+
+/// Phrases, with the automaton that finds all of them in one pass (Aho and Corasick, Efficient string matching, 1975).
+#[derive(Debug)]
+pub(crate) struct Book {
+    automaton: AhoCorasick,
+}
+
+impl Book {
+    /// The book of some phrases.
+    pub(crate) fn of<P: AsRef<[u8]>>(phrases: impl IntoIterator<Item = P>) -> Self {
+        // A table of all transitions would be searched a little faster, and take five times as long to build.
+        let automaton = AhoCorasick::builder()
+            .kind(Some(AhoCorasickKind::ContiguousNFA))
+            .prefilter(false)
+            .build(phrases);
+        Self {
+            automaton: automaton.expect("a few hundred short phrases"),
+        }
+    }
+
+    /// The book of phrases that stand as whole words in a text with single spaces around each word.
+    pub(crate) fn of_words<'p>(phrases: impl IntoIterator<Item = &'p str>) -> Self {
+        Self::of(phrases.into_iter().map(|phrase| format!(" {phrase} ")))
+    }
+
+    /// Whether one of the phrases stands in a text.
+    pub(crate) fn is_in(&self, text: &str) -> bool {
+        self.automaton.is_match(text)
+    }
+
+    /// Every place where a phrase stands: which it is, from where, to where.
+    pub(crate) fn places(&self, text: &str) -> impl Iterator<Item = (usize, usize, usize)> {
+        let found = self.automaton.find_overlapping_iter(text);
+        found.map(|found| (found.pattern().as_usize(), found.start(), found.end()))
+    }
+
+    /// Where the last of the phrases begins.
+    pub(crate) fn last(&self, text: &str) -> Option<usize> {
+        self.places(text).map(|(_, start, _)| start).max()
+    }
+
+    /// Which of the phrases stand in a text, in the order of the book.
+    pub(crate) fn found(&self, text: &str) -> BTreeSet<usize> {
+        self.places(text).map(|(which, ..)| which).collect()
+    }
+}
