@@ -332,7 +332,7 @@ impl Checker<'_> {
     }
 
     /// Whether a symbol has the letter of the moment or the momentum: the M_P beside an M.
-    fn is_about_another_point(&self, entity: Entity) -> bool {
+    pub(crate) fn is_about_another_point(&self, entity: Entity) -> bool {
         let laws = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Momentum);
         let info = self.theory.atoms.info(entity);
         match &info.owner {

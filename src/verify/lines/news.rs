@@ -26,6 +26,16 @@ impl Checker<'_> {
             return false;
         };
         let alone = matches!(undotted(first).kind, Kind::Symbol(_));
+        // How a momentum about another point changes is for a law to say.
+        let changes = matches!(inner(first).kind, Kind::TimeDerivative { .. });
+        if changes
+            && self
+                .entities([first])
+                .into_iter()
+                .any(|e| self.is_about_another_point(e))
+        {
+            return false;
+        }
         let entries = equation.residual.entries.iter();
         let rests: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
         let differs = |rest: &Fraction| !rest.is_zero();
