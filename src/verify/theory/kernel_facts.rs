@@ -12,6 +12,9 @@ use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::figures::is_pi;
 use num_traits::{One, Zero};
 
+/// Products of terms for which the powers of a kernel are still put in.
+const MOST_PRODUCTS: usize = 20_000;
+
 impl Theory {
     /// Puts the relations of kernels in: s² = 1 − c², r² = x.
     pub(crate) fn kernels_reduced(&mut self, fraction: Fraction) -> Fraction {
@@ -23,6 +26,12 @@ impl Theory {
             let degree = value.numerator().degree_in(variable);
             if degree < 2 {
                 continue;
+            }
+            let growth = square.numerator().len().max(square.denominator().len());
+            let products = growth.saturating_pow(degree / 2);
+            if value.numerator().len().saturating_mul(products) > MOST_PRODUCTS {
+                self.exhausted = true;
+                return value;
             }
             let (mut sum, mut power) = (Fraction::zero(), Fraction::one());
             for half in 0..=degree / 2 {

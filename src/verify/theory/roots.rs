@@ -6,6 +6,9 @@ use crate::verify::theory::attitude_law::number_of_quaternion;
 use crate::verify::theory::world::{Kind, Substance, World};
 use crate::verify::values::atoms::Atom;
 
+/// Terms of N D: the square of a length, or of a frequency, has no more.
+const MOST_TERMS: usize = 40;
+
 impl<T: Substance> World<'_, T> {
     /// Gives the roots that some fractions lead to their values before anything else is drawn; where relations are kept,
     /// these choose the values.
@@ -28,6 +31,9 @@ impl<T: Substance> World<'_, T> {
     /// Chooses a free variable of N/D such that N D is a square: of `c v + r` it is `v = (t² - r)/c`, and of `s² v² + r`
     /// it is `v = (r/k - k)/(2s)`, as `r + ((r/k - k)/2)² = ((r/k + k)/2)²`.
     fn make_square(&mut self, argument: &Fraction) -> Option<()> {
+        if argument.numerator().len() * argument.denominator().len() > MOST_TERMS {
+            return None;
+        }
         let product = argument.numerator().clone() * argument.denominator().clone();
         let choice = product
             .variables()
