@@ -1,7 +1,7 @@
 //! One line: its equations, and its verdict by its role.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Symbol};
+use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Relation, Symbol};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -113,7 +113,9 @@ impl Checker<'_> {
                 }
             }
         }
-        if self.is_first_order(&sides) {
+        // What is written with ≈ can be proved.
+        let exact = |(relation, _): &(Relation, _)| *relation != Relation::Approximate;
+        if line.relations.iter().all(exact) && self.is_first_order(&sides) {
             finding.verdict = Verdict::Accepted;
             finding.role = Role::Assume;
             finding

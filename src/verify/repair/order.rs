@@ -49,7 +49,7 @@ impl Slips<'_> {
             format!("{a} {sign} ({tensor} {b})"),
             format!("({tensor} {a}) {sign} {b}"),
         ] {
-            self.push(node.span, text, "scalar-inertia", 12, message);
+            self.push(node.span, text, "scalar-inertia", 9, message);
         }
     }
 
