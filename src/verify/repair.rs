@@ -67,6 +67,15 @@ impl Checker<'_> {
         all.extend(self.lost_vectors(line, &mut search));
         all.extend(self.lost_masses(line));
         all.extend(self.other_letters(line, wanted.as_ref()));
+        // The sign of a resultant belongs to its letter alone: no other stands behind it.
+        let text = &self.document.source.text;
+        let summed = |edit: &Edit| {
+            let before = text.get(..edit.span.start as usize).unwrap_or_default();
+            ["\\Sigma", "\\sum", "Σ"]
+                .iter()
+                .any(|sign| before.trim_end().ends_with(sign))
+        };
+        all.retain(|edit| edit.kind != "symbol" || !summed(edit));
         all.sort_by_key(|edit| (edit.cost, edit.span));
         finding.diagnosis = self
             .single(&all, &mut search)

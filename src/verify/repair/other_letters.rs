@@ -73,7 +73,8 @@ fn replaced(node: &Node, text: &str, other: &str) -> Edit {
 }
 
 fn symbols<'n>(node: &'n Node, met: &mut Vec<&'n Node>) {
-    if matches!(node.kind, Kind::Symbol(_)) {
+    // The sign of a resultant belongs to its letter alone.
+    if matches!(&node.kind, Kind::Symbol(symbol) if !symbol.resultant) {
         met.push(node);
     }
     node.children()
