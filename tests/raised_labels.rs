@@ -56,3 +56,16 @@ $$ \mathbf M = (1, -2, THIRD)^T $$
     assert_eq!(with("7"), "aaap");
     assert_eq!(with("5"), "aaar");
 }
+
+#[test]
+fn a_label_of_the_body_under_every_vector_tells_nothing_apart() {
+    let text = r"The torque $\tau_b$, the inertia tensor $I_b$ and the angular velocity $\omega_b$ are on the axes of the body.
+
+$$ L_b = I_b\,\omega_b $$
+
+$$ I_b\dot\omega_b = \tau_b - \omega_b\times(I_b\omega_b) $$
+
+$$ I_b\dot\omega_b = \tau_b + \omega_b\times(I_b\omega_b) $$
+";
+    assert_eq!(verdicts(text), "ppr");
+}

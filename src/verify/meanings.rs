@@ -13,12 +13,13 @@ use crate::verify::words::euler_words::sequences;
 
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
-    let mut document = written_out(document);
+    let (mut document, summed) = written_out(document);
     lower_labels(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
     let document = &document;
-    let reading = Reading::of(document);
+    let mut reading = Reading::of(document);
+    reading.summed = summed;
     let first = checked(document, reading.clone());
     let (reading, (first, looked_ahead)) = with_angles(document, reading, first);
     // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its

@@ -43,6 +43,10 @@ impl Checker<'_> {
         if line.span.end - line.span.start > 2000 {
             return;
         }
+        // Indices that are summed over are put right where they are written.
+        let summed = self.reading.summed.as_ref();
+        let written = summed.and_then(|summed| summed.as_written(line)).cloned();
+        let line = written.as_ref().unwrap_or(line);
         let slips = Slips::new(&self.document.source, &self.reading, self.frame_labels());
         let inside =
             |edit: &Edit| line.span.start <= edit.span.start && edit.span.end <= line.span.end;
@@ -251,7 +255,29 @@ impl Checker<'_> {
         if line.relations.len() != relations || tautology(&sides, text) {
             return None;
         }
-        self.readings(&sides).ok()
+        let summed = self.reading.summed.as_ref();
+        match summed.and_then(|summed| {
+            summed.lines(&Line {
+                sides: sides.clone(),
+                ..line.clone()
+            })
+        }) {
+            Some(lines) => self.together(&lines),
+            None => self.readings(&sides).ok(),
+        }
+    }
+
+    /// The equations of lines that are one with its indices written out.
+    fn together(&mut self, lines: &[Line]) -> Option<Vec<Read>> {
+        let mut all: Option<Read> = None;
+        for line in lines {
+            let read = self.readings(&line.sides).ok()?.into_iter().next()?;
+            match &mut all {
+                Some(all) => all.equations.extend(read.equations),
+                None => all = Some(read),
+            }
+        }
+        Some(vec![all?])
     }
 
     /// Which components of the equation differ, with some edits.

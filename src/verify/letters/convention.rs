@@ -21,6 +21,9 @@ pub(crate) fn convention(document: &Document, reading: &Reading) -> (Products, C
     if let Some(products) = document.front_matter.products.as_deref() {
         return named(products == "entries", "front matter");
     }
+    if reading.summed.is_some() {
+        return named(true, "the sums over indices");
+    }
     let lines = || {
         document
             .items
@@ -58,7 +61,7 @@ fn integral_convention(line: &Line, reading: &Reading) -> Option<bool> {
     };
     let product = symbols(left).into_iter().any(|s| is_product(s, reading));
     match &right.kind {
-        Kind::Integral { .. } if product => Some(false),
+        Kind::Integral { integrand, .. } if product => Some(signed(integrand).0),
         Kind::Negate(inside) if product && matches!(inside.kind, Kind::Integral { .. }) => {
             Some(true)
         }

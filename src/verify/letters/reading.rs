@@ -14,6 +14,7 @@ use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::usage::{Letter, Usage, axis};
 use crate::verify::lines::euler_angles::EulerAngles;
+use crate::verify::lines::summation::Indices;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
@@ -63,6 +64,8 @@ pub(crate) struct Reading {
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.
     pub by_use: bool,
+    /// Indices that are summed over where they are repeated, so that a letter with two of them is an entry of its tensor.
+    pub summed: Option<Indices>,
     /// The angles that the body is turned by, where words name them.
     pub euler_angles: Option<EulerAngles>,
     /// Moments that the words give a letter.

@@ -1,7 +1,7 @@
 //! Claims: proved, refuted or open.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Kind, Node, Relation};
+use crate::notation::ast::{Kind, Node, Relation, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{axes, axis, inner, symbols};
@@ -216,8 +216,13 @@ impl Checker<'_> {
 
     /// The same for a line that fails, but for symbols that the difference is a multiple of: it fails whatever they are.
     fn unknown_in(&mut self, sides: &[Node], failed: Option<&Read>) -> Option<String> {
+        let over = sides.iter().flat_map(integrated_over);
+        let over: Vec<&Symbol> = over.collect();
         for symbol in sides.iter().flat_map(symbols) {
-            let Some(entity) = self.entity_named(symbol) else {
+            let Some(entity) = self
+                .entity_named(symbol)
+                .filter(|_| !over.contains(&symbol))
+            else {
                 continue;
             };
             let info = self.theory.atoms.info(entity).clone();
@@ -267,4 +272,19 @@ impl Checker<'_> {
 /// Whether a list stands in a node: what brackets around several things mean is the author's own.
 fn has_list(node: &Node) -> bool {
     matches!(node.kind, Kind::Tuple(_)) || node.children().into_iter().any(has_list)
+}
+
+/// The variables of the integrals in a formula: the V of dV needs no words.
+fn integrated_over(node: &Node) -> Vec<&Symbol> {
+    let mut found: Vec<&Symbol> = node
+        .children()
+        .into_iter()
+        .flat_map(integrated_over)
+        .collect();
+    if let Kind::Integral { variable, .. } = &node.kind
+        && let Kind::Symbol(symbol) = &variable.kind
+    {
+        found.push(symbol);
+    }
+    found
 }

@@ -4,16 +4,21 @@ use crate::notation::ast::{Kind, Line, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::primes::dots_for_primes;
 use crate::verify::letters::usage::{Letter, Usage};
+use crate::verify::lines::summation::Indices;
 use crate::verify::verdict::{Finding, Verdict};
 use num_traits::ToPrimitive;
 
 /// An index never runs further in this field.
 const LONGEST: u32 = 6;
 
-/// The document with running indices written out.
-pub(crate) fn written_out(document: &Document) -> Document {
+/// The document with running indices written out, and those that are summed over where they are repeated.
+pub(crate) fn written_out(document: &Document) -> (Document, Option<Indices>) {
     let mut document = document.clone();
     dots_for_primes(&mut document);
+    let mut indices = Indices::of(&document);
+    if let Some(indices) = &mut indices {
+        indices.write_out(&mut document);
+    }
     let usage = Usage::of(&document);
     for item in &mut document.items {
         if let Item::Formula(formula) = item {
@@ -24,7 +29,7 @@ pub(crate) fn written_out(document: &Document) -> Document {
                 .collect();
         }
     }
-    document
+    (document, indices)
 }
 
 fn rows_of(row: Row, usage: &Usage) -> Vec<Row> {

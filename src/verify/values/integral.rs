@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::notation::ast::{Factor, Kind, Node, Symbol};
+use crate::verify::letters::usage::Letter;
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::variable_fraction;
@@ -29,12 +30,21 @@ impl Lowering<'_> {
         if value.entries.iter().any(by_arm) {
             coordinates.extend(arm);
         } else {
-            for name in ["x", "y", "z"] {
-                coordinates.push(self.letter(name, node)?);
+            let usage = &self.reading.usage;
+            let numbered = ["x", "r"].into_iter().find(|name| {
+                let letter = Letter::plain(name);
+                ["1", "2", "3"].iter().all(|i| usage.has_index(&letter, i))
+            });
+            let names = match numbered {
+                Some(name) => ["1", "2", "3"].map(|index| (name, Some(index))),
+                None => ["x", "y", "z"].map(|name| (name, None)),
+            };
+            for (name, index) in names {
+                coordinates.push(self.letter(name, index, node)?);
             }
         }
         if over == "V" {
-            let density = self.letter("rho", node)?;
+            let density = self.letter("rho", None, node)?;
             value = value.map(|entry| entry.clone() / variable_fraction(density));
         }
         // Coordinates on turned axes are put in by what the document says of them.
@@ -75,14 +85,16 @@ impl Lowering<'_> {
         Err(trouble(TroubleKind::Unsupported, node.span, message))
     }
 
-    /// The variable of a plain letter.
+    /// The variable of a plain letter, or of one with an index.
     fn letter(
         &mut self,
         name: &str,
+        index: Option<&str>,
         node: &Node,
     ) -> Result<u32, crate::verify::values::lower::Trouble> {
         let symbol = Symbol {
             name: name.to_owned(),
+            subscripts: index.into_iter().map(str::to_owned).collect(),
             ..Symbol::default()
         };
         let value = self.value(&Node {

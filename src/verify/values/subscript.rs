@@ -120,7 +120,7 @@ pub(crate) fn tells_nothing_apart(
     let index = |s: &str| axis(s).is_some() || axes(s).is_some();
     let met = reading.usage.subscripts.get(&letter);
     let mut points = met.into_iter().flatten().filter(|s| !index(s));
-    let alone = points.all(|s| s == point) && used.naked == 0;
+    let used_alone = points.all(|s| s == point) && used.naked == 0;
     let whole = match quantity {
         Quantity::Inertia => {
             let marked = symbol.style.vector || symbol.style.tensor || used.tensor > 0;
@@ -130,11 +130,13 @@ pub(crate) fn tells_nothing_apart(
         Quantity::AngularVelocity => {
             let mut others = met.into_iter().flatten().filter(|s| s.contains('/'));
             let alone = others.all(|s| s == point) || is_of_the_body(symbol, reading);
-            return point.contains('/') && symbol.style.vector && alone;
+            let between_frames = point.contains('/') && symbol.style.vector && alone;
+            let bare = symbol.style.vector || used.component == 0;
+            return between_frames || bare && used_alone && matches!(point, "b" | "B" | "body");
         }
         _ => false,
     };
-    whole && alone && (POINTS.contains(&point) || point == "0")
+    whole && used_alone && (POINTS.contains(&point) || point == "0")
 }
 
 /// The two frames that an angular velocity is between: `{}^N\omega^B`, or `\omega_{B/N}` the other way.

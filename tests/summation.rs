@@ -1,0 +1,88 @@
+//! Indices that are summed over where they are repeated.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+use polhode::notation::{document::Format, read};
+use polhode::verify::{Report, check};
+
+fn checked(text: &str) -> Report {
+    check(&read("summed.md", text, Format::Markdown).0)
+}
+
+const OPENING: &str = "Repeated indices are summed; the axes are fixed in the body, with the angular velocity \
+$\\omega_i$, the angular momentum $H_i$ about the centre of mass and the torque $Q_i$ about it.\n\n";
+
+#[test]
+fn the_equations_of_motion_hold_index_by_index() {
+    let text = format!(
+        r"{OPENING}
+$$ I_{{mn}} = \int \left(x_k x_k\,\delta_{{mn}} - x_m x_n\right) dm $$
+
+$$ H_m = I_{{mn}}\,\omega_n $$
+
+$$ Q_i = \dot H_i + \epsilon_{{ijk}}\,\omega_j H_k $$
+
+$$ Q_i = I_{{ij}}\dot\omega_j - \epsilon_{{ijk}} I_{{jl}}\,\omega_l\omega_k $$
+
+$$ 2T = I_{{ij}}\,\omega_i\omega_j, \qquad \frac{{\partial T}}{{\partial\omega_k}} = H_k $$
+
+$$ \dot T = Q_k\omega_k $$
+
+$$ \epsilon_{{ijk}}\,\epsilon_{{imn}} = \delta_{{jm}}\delta_{{kn}} - \delta_{{jn}}\delta_{{km}} $$
+
+$$ \delta_{{ii}} = 3 $$
+"
+    );
+    assert_eq!(verdicts(&text), "ppppppppp");
+}
+
+#[test]
+fn false_lines_are_put_right_in_their_indices() {
+    let text = format!(
+        r"{OPENING}
+The kinetic energy is
+
+$$ T = I_{{ij}}\,\omega_i\omega_j $$
+
+and the law of motion
+
+$$ Q_i = I_{{ij}}\dot\omega_j + \epsilon_{{ijk}}\,\omega_k I_{{jl}}\,\omega_l $$
+"
+    );
+    let report = checked(&text);
+    let suggested: Vec<&str> = report
+        .findings
+        .iter()
+        .filter_map(|f| f.diagnosis.as_ref()?.suggestion.as_deref())
+        .collect();
+    assert_eq!(verdicts(&text), "rr");
+    assert_eq!(
+        suggested,
+        [
+            r"T = \tfrac{1}{2}I_{ij}\,\omega_i\omega_j",
+            r"Q_i = I_{ij}\dot\omega_j - \epsilon_{ijk}\,\omega_k I_{jl}\,\omega_l"
+        ]
+    );
+}
+
+#[test]
+fn labels_and_words_are_no_indices() {
+    let text = r"Let $\epsilon_{ijk}$ be the permutation symbol, $\mathbf I_b$ the inertia tensor and $\boldsymbol\omega_b$ the angular velocity, both on the axes of the body.
+
+$$ \mathbf L_b = \mathbf I_b\,\boldsymbol\omega_b $$
+";
+    assert_eq!(verdicts(text), "p");
+}
+
+#[test]
+fn too_many_indices_are_left_as_they_are() {
+    let many: String = (0..40)
+        .map(|_| r"\epsilon_{ijk}\epsilon_{lmn}\epsilon_{abc}")
+        .collect();
+    let text =
+        format!("We sum over repeated indices.\n\n$$ {many} = 0 $$\n\n$$ v_{{ijklmn}} = 1 $$\n");
+    assert_eq!(verdicts(&text).len(), 2);
+}
