@@ -22,16 +22,34 @@ pub struct Monomial(Form);
 /// is in the first form that it fits, so that equal monomials have equal forms.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
-    Packed(u128),
-    Short(u128),
+    Packed(Word),
+    Short(Word),
     Sparse(Box<[(Variable, u32)]>),
+}
+
+/// Sixteen bytes, the upper half first. They are aligned like one word, which makes a term shorter by sixteen bytes.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Word([u64; 2]);
+
+impl Word {
+    #[inline]
+    fn bits(self) -> u128 {
+        u128::from(self.0[0]) << 64 | u128::from(self.0[1])
+    }
+}
+
+impl From<u128> for Word {
+    #[inline]
+    fn from(bits: u128) -> Self {
+        Self([(bits >> 64) as u64, bits as u64])
+    }
 }
 
 impl Monomial {
     /// The empty product.
     #[inline]
     pub fn one() -> Self {
-        Self(Form::Packed(0))
+        Self(Form::Packed(Word([0; 2])))
     }
 
     /// A variable.
@@ -55,10 +73,10 @@ impl Monomial {
                 .fold(u128::from(degree) << 120, |word, &(v, e)| {
                     word | u128::from(e) << shift(v)
                 });
-            return Self(Form::Packed(packed));
+            return Self(Form::Packed(packed.into()));
         }
         match short::word(powers) {
-            Some(word) => Self(Form::Short(word)),
+            Some(word) => Self(Form::Short(word.into())),
             None => Self(Form::Sparse(powers.into())),
         }
     }
@@ -70,17 +88,17 @@ impl Monomial {
             let degree = word & 0xff << 120;
             let packed = Factors::Short(word << 8)
                 .fold(degree, |packed, (v, e)| packed | u128::from(e) << shift(v));
-            return Self(Form::Packed(packed));
+            return Self(Form::Packed(packed.into()));
         }
-        Self(Form::Short(word))
+        Self(Form::Short(word.into()))
     }
 
     /// The monomial in the short form, where it fits.
     #[inline]
     fn word(&self) -> Option<u128> {
         match self.0 {
-            Form::Short(word) => Some(word),
-            Form::Packed(word) => short::of_packed(word),
+            Form::Short(word) => Some(word.bits()),
+            Form::Packed(word) => short::of_packed(word.bits()),
             Form::Sparse(_) => None,
         }
     }
@@ -88,8 +106,8 @@ impl Monomial {
     /// Variables and their exponents, variables ascending.
     pub fn factors(&self) -> impl Iterator<Item = (Variable, u32)> {
         match &self.0 {
-            Form::Packed(word) => Factors::Packed(word << 8, 0),
-            Form::Short(word) => Factors::Short(word << 8),
+            Form::Packed(word) => Factors::Packed(word.bits() << 8, 0),
+            Form::Short(word) => Factors::Short(word.bits() << 8),
             Form::Sparse(powers) => Factors::Sparse(powers.iter()),
         }
     }
@@ -103,7 +121,7 @@ impl Monomial {
     #[inline]
     pub fn degree(&self) -> u32 {
         match &self.0 {
-            Form::Packed(word) | Form::Short(word) => (word >> 120) as u32,
+            Form::Packed(word) | Form::Short(word) => (word.bits() >> 120) as u32,
             Form::Sparse(powers) => powers.iter().map(|&(_, e)| e).sum(),
         }
     }
@@ -112,9 +130,11 @@ impl Monomial {
     #[inline]
     pub fn exponent(&self, variable: Variable) -> u32 {
         match &self.0 {
-            Form::Packed(word) if variable < PACKED => ((word >> shift(variable)) & 0x7f) as u32,
+            Form::Packed(word) if variable < PACKED => {
+                ((word.bits() >> shift(variable)) & 0x7f) as u32
+            }
             Form::Packed(_) => 0,
-            Form::Short(word) => short::exponent(*word, variable),
+            Form::Short(word) => short::exponent(word.bits(), variable),
             Form::Sparse(powers) => powers
                 .binary_search_by_key(&variable, |&(v, _)| v)
                 .map_or(0, |i| powers[i].1),
@@ -126,20 +146,34 @@ impl Monomial {
     pub fn times(&self, other: &Self) -> Self {
         if let (Form::Packed(a), Form::Packed(b)) = (&self.0, &other.0) {
             // Every byte is below 128, so no sum carries into the next; the top bits tell an overflow.
-            let sum = a + b;
+            let sum = a.bits() + b.bits();
             if sum & FULL == 0 {
-                return Self(Form::Packed(sum));
+                return Self(Form::Packed(sum.into()));
             }
         }
         self.merged(other, |a, b| a + b)
+    }
+
+    /// Takes on the powers of another.
+    #[inline]
+    pub fn multiply(&mut self, other: &Self) {
+        if let (Form::Packed(a), Form::Packed(b)) = (&mut self.0, &other.0) {
+            let sum = a.bits() + b.bits();
+            if sum & FULL == 0 {
+                *a = sum.into();
+                return;
+            }
+        }
+        *self = self.times(other);
     }
 
     /// The quotient, where every power is there.
     pub fn quotient(&self, other: &Self) -> Option<Self> {
         if let (Form::Packed(a), Form::Packed(b)) = (&self.0, &other.0) {
             // With the top bits set no byte borrows from the next; one that stays set says that its byte had enough.
-            let difference = (a | FULL) - b;
-            return (difference & FULL == FULL).then_some(Self(Form::Packed(difference & !FULL)));
+            let difference = (a.bits() | FULL) - b.bits();
+            return (difference & FULL == FULL)
+                .then(|| Self(Form::Packed((difference & !FULL).into())));
         }
         let enough = other.factors().all(|(v, e)| self.exponent(v) >= e);
         enough.then(|| self.merged(other, |a, b| a.saturating_sub(b)))
@@ -159,10 +193,10 @@ impl Monomial {
     pub fn without(&self, variable: Variable) -> Self {
         match &self.0 {
             Form::Packed(word) if variable < PACKED => {
+                let word = word.bits();
                 let exponent = word >> shift(variable) & 0x7f;
-                Self(Form::Packed(
-                    word - (exponent << shift(variable)) - (exponent << 120),
-                ))
+                let rest = word - (exponent << shift(variable)) - (exponent << 120);
+                Self(Form::Packed(rest.into()))
             }
             Form::Packed(word) => Self(Form::Packed(*word)),
             _ => Self::from_powers(self.factors().filter(|&(v, _)| v != variable)),
@@ -241,19 +275,19 @@ impl Ord for Monomial {
     fn cmp(&self, other: &Self) -> Ordering {
         match (&self.0, &other.0) {
             (Form::Packed(a), Form::Packed(b)) | (Form::Short(a), Form::Short(b)) => {
-                return a.cmp(b);
+                a.bits().cmp(&b.bits())
             }
-            _ => {}
-        }
-        let degrees = self.degree().cmp(&other.degree());
-        if degrees != Ordering::Equal {
-            return degrees;
-        }
-        match (self.word(), other.word()) {
-            (Some(a), Some(b)) => a.cmp(&b),
-            _ => lexicographic(self.factors(), other.factors()),
+            _ => across_forms(self, other),
         }
     }
+}
+
+fn across_forms(one: &Monomial, other: &Monomial) -> Ordering {
+    let degrees = one.degree().cmp(&other.degree());
+    degrees.then_with(|| match (one.word(), other.word()) {
+        (Some(a), Some(b)) => a.cmp(&b),
+        _ => lexicographic(one.factors(), other.factors()),
+    })
 }
 
 /// The higher power of the first variable that differs is the greater.

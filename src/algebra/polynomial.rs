@@ -3,19 +3,22 @@
 use crate::algebra::{Monomial, Rational, Variable};
 use crate::scalar::Field;
 use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use terms::Terms;
+
+mod arithmetic;
+mod terms;
 
 /// A polynomial: its terms, monomials descending, no coefficient zero.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Polynomial {
-    terms: Vec<(Monomial, Rational)>,
+    terms: Terms,
 }
 
 impl Polynomial {
     /// A variable.
     pub fn variable(variable: Variable) -> Self {
         Self {
-            terms: vec![(Monomial::of(variable), Rational::one())],
+            terms: Terms::One((Monomial::of(variable), Rational::one())),
         }
     }
 
@@ -26,12 +29,12 @@ impl Polynomial {
 
     /// One term.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
-        let terms = if coefficient.is_zero() {
-            vec![]
-        } else {
-            vec![(monomial, coefficient)]
-        };
-        Self { terms }
+        if coefficient.is_zero() {
+            return Self::zero();
+        }
+        Self {
+            terms: Terms::One((monomial, coefficient)),
+        }
     }
 
     /// The sum of terms in any order.
@@ -52,18 +55,20 @@ impl Polynomial {
         if collected.last().is_some_and(|last| last.1.is_zero()) {
             collected.pop();
         }
-        Self { terms: collected }
+        Self {
+            terms: Terms::Any(collected),
+        }
     }
 
     /// The terms, the highest first.
     pub fn terms(&self) -> &[(Monomial, Rational)] {
-        &self.terms
+        self.terms.as_slice()
     }
 
     /// Each term as its coefficient and its monomial.
     pub fn split(&self) -> Vec<(Rational, Self)> {
         let alone = |m: &Monomial| Self::term(m.clone(), Rational::one());
-        self.terms
+        self.terms()
             .iter()
             .map(|(m, c)| (c.clone(), alone(m)))
             .collect()
@@ -71,17 +76,17 @@ impl Polynomial {
 
     /// The number of terms.
     pub fn len(&self) -> usize {
-        self.terms.len()
+        self.terms().len()
     }
 
     /// Whether there is no term.
     pub fn is_empty(&self) -> bool {
-        self.terms.is_empty()
+        self.terms().is_empty()
     }
 
     /// The number that it is, if it is one.
     pub fn is_constant(&self) -> Option<Rational> {
-        match self.terms.as_slice() {
+        match self.terms() {
             [] => Some(Rational::zero()),
             [(monomial, coefficient)] if monomial.degree() == 0 => Some(coefficient.clone()),
             _ => None,
@@ -91,7 +96,7 @@ impl Polynomial {
     /// The variables that occur, ascending.
     pub fn variables(&self) -> Vec<Variable> {
         let mut found: Vec<_> = self
-            .terms
+            .terms()
             .iter()
             .flat_map(|(m, _)| m.factors())
             .map(|(v, _)| v)
@@ -103,7 +108,7 @@ impl Polynomial {
 
     /// The highest power of a variable.
     pub fn degree_in(&self, variable: Variable) -> u32 {
-        self.terms
+        self.terms()
             .iter()
             .map(|(m, _)| m.exponent(variable))
             .max()
@@ -113,7 +118,7 @@ impl Polynomial {
     /// The coefficient of a power of a variable, a polynomial in the others.
     pub fn coefficient_of(&self, variable: Variable, power: u32) -> Self {
         let with = self
-            .terms
+            .terms()
             .iter()
             .filter(|(m, _)| m.exponent(variable) == power);
         // One power taken out of each, so their order stays.
@@ -133,7 +138,7 @@ impl Polynomial {
         };
         // One power taken out of each, so their order stays.
         Self {
-            terms: self.terms.iter().filter_map(slope).collect(),
+            terms: self.terms().iter().filter_map(slope).collect(),
         }
     }
 
@@ -153,7 +158,7 @@ impl Polynomial {
         let variables = self.variables();
         let mut powers: Vec<Vec<T>> = variables.iter().map(|&v| vec![T::one(), at(v)]).collect();
         let mut sum = T::zero();
-        for (monomial, coefficient) in &self.terms {
+        for (monomial, coefficient) in self.terms() {
             let mut product = lift(coefficient);
             for (variable, exponent) in monomial.factors() {
                 let Ok(place) = variables.binary_search(&variable) else {
@@ -176,35 +181,16 @@ impl Polynomial {
         let renamed =
             |m: &Monomial| Monomial::from_powers(m.powers().into_iter().map(|(v, e)| (to(v), e)));
         Self::from_terms(
-            self.terms
+            self.terms()
                 .iter()
                 .map(|(m, c)| (renamed(m), c.clone()))
                 .collect(),
         )
     }
 
-    /// The product with one term.
-    pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
-        if coefficient.is_zero() {
-            return Self::zero();
-        }
-        let terms = self
-            .terms
-            .iter()
-            .map(|(m, c)| (m.times(monomial), c.clone() * coefficient.clone()));
-        Self {
-            terms: terms.collect(),
-        }
-    }
-
-    /// The product, unless it could have more than `most` terms before like terms are collected.
-    pub fn product_within(&self, other: &Self, most: usize) -> Option<Self> {
-        (self.len().saturating_mul(other.len()) <= most).then(|| self.clone() * other.clone())
-    }
-
     /// The greatest monomial that divides every term.
     pub fn common_monomial(&self) -> Monomial {
-        let mut monomials = self.terms.iter().map(|(m, _)| m);
+        let mut monomials = self.terms().iter().map(|(m, _)| m);
         let first = monomials.next().cloned().unwrap_or_else(Monomial::one);
         monomials.fold(first, |common, m| common.gcd(m))
     }
@@ -212,7 +198,7 @@ impl Polynomial {
     /// The quotient by a monomial that divides every term; terms that it does not divide are dropped.
     pub fn divided_by(&self, monomial: &Monomial) -> Self {
         let terms = self
-            .terms
+            .terms()
             .iter()
             .filter_map(|(m, c)| Some((m.quotient(monomial)?, c.clone())));
         Self {
@@ -222,114 +208,8 @@ impl Polynomial {
 
     /// The coefficient of the highest term; zero of zero.
     pub fn leading_coefficient(&self) -> Rational {
-        self.terms
+        self.terms()
             .first()
             .map_or_else(Rational::zero, |(_, c)| c.clone())
-    }
-
-    fn merged(&self, other: &Self, negative: bool) -> Self {
-        let signed = |c: &Rational| if negative { -c.clone() } else { c.clone() };
-        let (mut a, mut b) = (self.terms.iter().peekable(), other.terms.iter().peekable());
-        let mut terms = Vec::with_capacity(self.len() + other.len());
-        loop {
-            match (a.peek(), b.peek()) {
-                (Some(x), Some(y)) if x.0 == y.0 => {
-                    let sum = x.1.clone() + signed(&y.1);
-                    if !sum.is_zero() {
-                        terms.push((x.0.clone(), sum));
-                    }
-                    a.next();
-                    b.next();
-                }
-                (Some(x), Some(y)) if x.0 < y.0 => {
-                    terms.push((y.0.clone(), signed(&y.1)));
-                    b.next();
-                }
-                (Some(x), _) => {
-                    terms.push((*x).clone());
-                    a.next();
-                }
-                (None, Some(y)) => {
-                    terms.push((y.0.clone(), signed(&y.1)));
-                    b.next();
-                }
-                (None, None) => return Self { terms },
-            }
-        }
-    }
-}
-
-impl Add for Polynomial {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        if self.is_empty() {
-            return other;
-        }
-        self.merged(&other, false)
-    }
-}
-
-impl Sub for Polynomial {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self.merged(&other, true)
-    }
-}
-
-impl Neg for Polynomial {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            terms: self.terms.into_iter().map(|(m, c)| (m, -c)).collect(),
-        }
-    }
-}
-
-impl Mul for Polynomial {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let (short, long) = if self.len() <= other.len() {
-            (&self, &other)
-        } else {
-            (&other, &self)
-        };
-        if let [(monomial, coefficient)] = short.terms.as_slice() {
-            return long.times_term(monomial, coefficient);
-        }
-        let mut terms = Vec::with_capacity(short.len() * long.len());
-        for (m, c) in &short.terms {
-            terms.extend(
-                long.terms
-                    .iter()
-                    .map(|(n, d)| (m.times(n), c.clone() * d.clone())),
-            );
-        }
-        Self::from_terms(terms)
-    }
-}
-
-macro_rules! assigning {
-    ($($name:ident $method:ident $by:tt)*) => {$(
-        impl $name for Polynomial {
-            fn $method(&mut self, other: Self) {
-                *self = std::mem::take(self) $by other;
-            }
-        }
-    )*};
-}
-assigning! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * }
-
-impl Zero for Polynomial {
-    fn zero() -> Self {
-        Self::default()
-    }
-    fn is_zero(&self) -> bool {
-        self.terms.is_empty()
-    }
-}
-
-impl One for Polynomial {
-    fn one() -> Self {
-        Self::constant(Rational::one())
     }
 }

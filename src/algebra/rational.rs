@@ -7,36 +7,40 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::fmt;
+use std::num::NonZeroU64;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A rational number in lowest terms with a positive denominator.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Form);
 
-/// A number that fits machine words is always kept in them, so that equal numbers have equal forms.
+/// A number that fits machine words is always kept in them, so that equal numbers have equal forms. A denominator that is
+/// never zero leaves room for the mark of the other form, and a number is two words long.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
-    Small(i64, i64),
+    Small(i64, NonZeroU64),
     Big(Box<BigRational>),
 }
+
+const ONE: NonZeroU64 = NonZeroU64::MIN;
 
 impl Rational {
     /// `numerator / denominator`; zero over a zero denominator, as no other number is nearer.
     fn small(numerator: i64, denominator: i64) -> Self {
         if denominator == 1 {
-            return Self(Form::Small(numerator, 1));
+            return Self(Form::Small(numerator, ONE));
         }
         Self::reduced(i128::from(numerator), i128::from(denominator))
     }
 
     fn reduced(numerator: i128, denominator: i128) -> Self {
         if denominator == 0 {
-            return Self(Form::Small(0, 1));
+            return Self::zero();
         }
         let divisor = numerator.gcd(&denominator) * denominator.signum();
         let (n, d) = (numerator / divisor, denominator / divisor);
-        match (i64::try_from(n), i64::try_from(d)) {
-            (Ok(n), Ok(d)) => Self(Form::Small(n, d)),
+        match (i64::try_from(n), u64::try_from(d).map(NonZeroU64::new)) {
+            (Ok(n), Ok(Some(d))) => Self(Form::Small(n, d)),
             _ => Self(Form::Big(Box::new(BigRational::new_raw(
                 n.into(),
                 d.into(),
@@ -47,7 +51,7 @@ impl Rational {
     /// The same number as a pair of big integers.
     pub fn to_big(&self) -> BigRational {
         match &self.0 {
-            Form::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Form::Small(n, d) => BigRational::new_raw((*n).into(), d.get().into()),
             Form::Big(big) => (**big).clone(),
         }
     }
@@ -57,7 +61,7 @@ impl Rational {
         let modulus = i128::from(Prime::MODULUS);
         let residue = |n: i128| Prime::new(n.rem_euclid(modulus) as u64);
         let (n, d) = match &self.0 {
-            Form::Small(n, d) => (residue((*n).into()), residue((*d).into())),
+            Form::Small(n, d) => (residue((*n).into()), residue(d.get().into())),
             Form::Big(big) => {
                 let modulus = BigInt::from(Prime::MODULUS);
                 let residue = |n: &BigInt| Prime::new(n.mod_floor(&modulus).to_u64().unwrap_or(0));
@@ -74,7 +78,7 @@ impl Rational {
     /// The integer that it is, if it is one and fits.
     pub fn to_integer(&self) -> Option<i64> {
         match self.0 {
-            Form::Small(n, 1) => Some(n),
+            Form::Small(n, ONE) => Some(n),
             _ => None,
         }
     }
@@ -122,16 +126,54 @@ impl Rational {
             .then(|| Self::from(BigRational::new(n, d)))
     }
 
+    /// The sum.
+    #[inline]
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        if let (Form::Small(a, ONE), Form::Small(c, ONE)) = (&self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c)
+        {
+            return Self(Form::Small(sum, ONE));
+        }
+        let small = |[a, b, c, d]: [i128; 4]| {
+            let numerator = a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?;
+            Some((numerator, b.checked_mul(d)?))
+        };
+        self.joined(other, small, |a, b| a + b)
+    }
+
+    /// The product.
+    #[inline]
+    pub(super) fn times(&self, other: &Self) -> Self {
+        if let (Form::Small(a, ONE), Form::Small(c, ONE)) = (&self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c)
+        {
+            return Self(Form::Small(product, ONE));
+        }
+        let small = |[a, b, c, d]: [i128; 4]| Some((a.checked_mul(c)?, b.checked_mul(d)?));
+        self.joined(other, small, |a, b| a * b)
+    }
+
+    /// Turns the sign.
+    #[inline]
+    pub(super) fn negate(&mut self) {
+        match &mut self.0 {
+            Form::Small(n, _) if *n != i64::MIN => *n = -*n,
+            _ => *self = Self::from(-self.to_big()),
+        }
+    }
+
+    /// An operation on numerators and denominators a/b and c/d, by machine words where they do.
     fn joined(
         &self,
         other: &Self,
-        small: impl Fn((i64, i64), (i64, i64)) -> Option<Self>,
+        small: impl Fn([i128; 4]) -> Option<(i128, i128)>,
         big: impl Fn(BigRational, BigRational) -> BigRational,
     ) -> Self {
         if let (Form::Small(a, b), Form::Small(c, d)) = (&self.0, &other.0)
-            && let Some(result) = small((*a, *b), (*c, *d))
+            && let words = [(*a).into(), b.get().into(), (*c).into(), d.get().into()]
+            && let Some((numerator, denominator)) = small(words)
         {
-            return result;
+            return Self::reduced(numerator, denominator);
         }
         Self::from(big(self.to_big(), other.to_big()))
     }
@@ -139,7 +181,7 @@ impl Rational {
 
 impl From<i64> for Rational {
     fn from(n: i64) -> Self {
-        Self(Form::Small(n, 1))
+        Self(Form::Small(n, ONE))
     }
 }
 
@@ -151,8 +193,11 @@ impl From<(i64, i64)> for Rational {
 
 impl From<BigRational> for Rational {
     fn from(big: BigRational) -> Self {
-        match (big.numer().to_i64(), big.denom().to_i64()) {
-            (Some(n), Some(d)) => Self(Form::Small(n, d)),
+        match (
+            big.numer().to_i64(),
+            big.denom().to_u64().map(NonZeroU64::new),
+        ) {
+            (Some(n), Some(Some(d))) => Self(Form::Small(n, d)),
             _ => Self(Form::Big(Box::new(big))),
         }
     }
@@ -162,19 +207,7 @@ impl Add for Rational {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
-            && let Some(sum) = a.checked_add(*c)
-        {
-            return Self(Form::Small(sum, 1));
-        }
-        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
-            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
-            Some(Self::reduced(
-                a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?,
-                b.checked_mul(d)?,
-            ))
-        };
-        self.joined(&other, small, |a, b| a + b)
+        self.plus(&other)
     }
 }
 
@@ -182,16 +215,7 @@ impl Mul for Rational {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if let (Form::Small(a, 1), Form::Small(c, 1)) = (&self.0, &other.0)
-            && let Some(product) = a.checked_mul(*c)
-        {
-            return Self(Form::Small(product, 1));
-        }
-        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
-            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
-            Some(Self::reduced(a.checked_mul(c)?, b.checked_mul(d)?))
-        };
-        self.joined(&other, small, |a, b| a * b)
+        self.times(&other)
     }
 }
 
@@ -202,10 +226,7 @@ impl Div for Rational {
         if other.is_zero() {
             return Self::zero();
         }
-        let small = |(a, b): (i64, i64), (c, d): (i64, i64)| {
-            let (a, b, c, d) = (i128::from(a), i128::from(b), i128::from(c), i128::from(d));
-            Some(Self::reduced(a.checked_mul(d)?, b.checked_mul(c)?))
-        };
+        let small = |[a, b, c, d]: [i128; 4]| Some((a.checked_mul(d)?, b.checked_mul(c)?));
         self.joined(&other, small, |a, b| a / b)
     }
 }
@@ -213,11 +234,9 @@ impl Div for Rational {
 impl Neg for Rational {
     type Output = Self;
     #[inline]
-    fn neg(self) -> Self {
-        match self.0 {
-            Form::Small(n, d) if n != i64::MIN => Self(Form::Small(-n, d)),
-            _ => Self::from(-self.to_big()),
-        }
+    fn neg(mut self) -> Self {
+        self.negate();
+        self
     }
 }
 
@@ -229,22 +248,56 @@ impl Sub for Rational {
     }
 }
 
-macro_rules! assigning {
-    ($($name:ident $method:ident $by:tt)*) => {$(
-        impl $name for Rational {
-            #[inline]
-            fn $method(&mut self, other: Self) {
-                *self = self.clone() $by other;
-            }
+impl AddAssign for Rational {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        if let (Form::Small(a, ONE), Form::Small(c, ONE)) = (&mut self.0, &other.0)
+            && let Some(sum) = a.checked_add(*c)
+        {
+            *a = sum;
+        } else {
+            *self = self.plus(&other);
         }
-    )*};
+    }
 }
-assigning! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * DivAssign div_assign / }
+
+impl SubAssign for Rational {
+    #[inline]
+    fn sub_assign(&mut self, other: Self) {
+        *self += -other;
+    }
+}
+
+impl MulAssign<&Self> for Rational {
+    #[inline]
+    fn mul_assign(&mut self, other: &Self) {
+        if let (Form::Small(a, ONE), Form::Small(c, ONE)) = (&mut self.0, &other.0)
+            && let Some(product) = a.checked_mul(*c)
+        {
+            *a = product;
+        } else {
+            *self = self.times(other);
+        }
+    }
+}
+
+impl MulAssign for Rational {
+    #[inline]
+    fn mul_assign(&mut self, other: Self) {
+        *self *= &other;
+    }
+}
+
+impl DivAssign for Rational {
+    fn div_assign(&mut self, other: Self) {
+        *self = self.clone() / other;
+    }
+}
 
 impl Zero for Rational {
     #[inline]
     fn zero() -> Self {
-        Self(Form::Small(0, 1))
+        Self(Form::Small(0, ONE))
     }
     #[inline]
     fn is_zero(&self) -> bool {
@@ -255,7 +308,7 @@ impl Zero for Rational {
 impl One for Rational {
     #[inline]
     fn one() -> Self {
-        Self(Form::Small(1, 1))
+        Self(Form::Small(1, ONE))
     }
 }
 
@@ -271,7 +324,7 @@ impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
         match (&self.0, &other.0) {
             (Form::Small(a, b), Form::Small(c, d)) => {
-                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+                (i128::from(*a) * i128::from(d.get())).cmp(&(i128::from(*c) * i128::from(b.get())))
             }
             _ => self.to_big().cmp(&other.to_big()),
         }
@@ -281,7 +334,7 @@ impl Ord for Rational {
 impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
-            Form::Small(n, 1) => write!(f, "{n}"),
+            Form::Small(n, ONE) => write!(f, "{n}"),
             Form::Small(n, d) => write!(f, "{n}/{d}"),
             Form::Big(big) => write!(f, "{big}"),
         }

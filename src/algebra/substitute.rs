@@ -102,11 +102,6 @@ impl Polynomial {
         self.scaled(&(Rational::one() / content))
     }
 
-    /// A power, by repeated products: for sparse sums they make fewer terms on the way than squaring does.
-    pub fn pow(&self, exponent: u32) -> Self {
-        (0..exponent).fold(Self::one(), |power, _| power * self.clone())
-    }
-
     /// The product with a number.
     pub fn scaled(&self, factor: &Rational) -> Self {
         self.times_term(&crate::algebra::Monomial::one(), factor)

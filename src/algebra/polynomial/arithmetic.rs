@@ -1,0 +1,179 @@
+//! Sums, products and powers.
+
+use super::terms::Term;
+use crate::algebra::{Monomial, Polynomial, Rational};
+use num_traits::{One, Zero};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+impl Polynomial {
+    /// The product with one term.
+    pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
+        if coefficient.is_zero() {
+            return Self::zero();
+        }
+        let mut product = self.clone();
+        product.terms.multiply(monomial, coefficient);
+        product
+    }
+
+    /// The product, unless it could have more than `most` terms before like terms are collected.
+    pub fn product_within(&self, other: &Self, most: usize) -> Option<Self> {
+        (self.len().saturating_mul(other.len()) <= most).then(|| self.clone() * other.clone())
+    }
+
+    /// A power, by the binomial theorem with one more term at a time. In (t + r)ⁿ the summands with tⁿ, tⁿ⁻¹ r, … come
+    /// in falling order where t leads, so that the work is about as large as the powers of r are long.
+    pub fn pow(&self, exponent: u32) -> Self {
+        let Some((first, rest)) = self.terms().split_first() else {
+            return if exponent == 0 {
+                Self::one()
+            } else {
+                Self::zero()
+            };
+        };
+        let Some((last, between)) = rest.split_last() else {
+            return powers_of(first, exponent).swap_remove(exponent as usize);
+        };
+        let rows = binomials(exponent);
+        let mut powers = powers_of(last, exponent);
+        for term in between.iter().rev() {
+            let of_term = powers_of(term, exponent);
+            powers = (0..=exponent as usize)
+                .map(|n| expanded(&of_term, &powers, &rows[n]))
+                .collect();
+        }
+        expanded(
+            &powers_of(first, exponent),
+            &powers,
+            &rows[exponent as usize],
+        )
+    }
+}
+
+/// (t + r)ⁿ from the powers of both and the row of binomial coefficients.
+fn expanded(of_term: &[Polynomial], of_rest: &[Polynomial], row: &[Rational]) -> Polynomial {
+    let exponent = row.len() - 1;
+    let mut sum = Polynomial::zero();
+    for (k, binomial) in row.iter().enumerate() {
+        for (monomial, coefficient) in of_term[exponent - k].terms() {
+            sum += of_rest[k].times_term(monomial, &coefficient.times(binomial));
+        }
+    }
+    sum
+}
+
+/// The powers of one term, from zero up to an exponent.
+fn powers_of((monomial, coefficient): &Term, exponent: u32) -> Vec<Polynomial> {
+    let next = |last: &Polynomial| Some(last.times_term(monomial, coefficient));
+    let powers = std::iter::successors(Some(Polynomial::one()), next);
+    powers.take(exponent as usize + 1).collect()
+}
+
+/// The rows of Pascal's triangle up to an exponent.
+fn binomials(exponent: u32) -> Vec<Vec<Rational>> {
+    let next = |row: &Vec<Rational>| {
+        let between = row.windows(2).map(|pair| pair[0].clone() + pair[1].clone());
+        let edge = || std::iter::once(Rational::one());
+        Some(edge().chain(between).chain(edge()).collect())
+    };
+    let rows = std::iter::successors(Some(vec![Rational::one()]), next);
+    rows.take(exponent as usize + 1).collect()
+}
+
+impl Add for Polynomial {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            terms: self.terms.plus(other.terms),
+        }
+    }
+}
+
+impl Sub for Polynomial {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Polynomial {
+    type Output = Self;
+    #[inline]
+    fn neg(mut self) -> Self {
+        self.terms.negate();
+        self
+    }
+}
+
+impl Mul for Polynomial {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            terms: self.terms.times(other.terms),
+        }
+    }
+}
+
+macro_rules! assigning {
+    ($($name:ident $method:ident $by:tt)*) => {$(
+        impl $name for Polynomial {
+            #[inline]
+            fn $method(&mut self, other: Self) {
+                *self = std::mem::take(self) $by other;
+            }
+        }
+    )*};
+}
+assigning! { AddAssign add_assign + SubAssign sub_assign - MulAssign mul_assign * }
+
+impl Zero for Polynomial {
+    fn zero() -> Self {
+        Self::default()
+    }
+    fn is_zero(&self) -> bool {
+        self.is_empty()
+    }
+}
+
+impl One for Polynomial {
+    fn one() -> Self {
+        Self::constant(Rational::one())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Sums with like terms, terms of several forms, and coefficients that cancel.
+    fn sums() -> impl Strategy<Value = Polynomial> {
+        let monomial = prop::collection::vec((0u32..4, 1u32..3), 0..3);
+        let term = (monomial, -2i64..3, 1i64..3).prop_map(|(powers, n, d)| {
+            let factors = powers.iter().flat_map(|&(v, e)| vec![5 * v; e as usize]);
+            factors.fold(
+                Polynomial::constant(Rational::from((n, d))),
+                |product, v| product * Polynomial::variable(v),
+            )
+        });
+        prop::collection::vec(term, 0..5)
+            .prop_map(|terms| terms.into_iter().fold(Polynomial::zero(), Add::add))
+    }
+
+    proptest! {
+        #[test]
+        fn a_power_is_a_repeated_product(sum in sums(), exponent in 0u32..6) {
+            let product = (0..exponent).fold(Polynomial::one(), |power, _| power * sum.clone());
+            prop_assert_eq!(sum.pow(exponent), product);
+        }
+
+        #[test]
+        fn a_product_distributes_over_a_sum(a in sums(), b in sums(), c in sums()) {
+            let apart = a.clone() * b.clone() + a.clone() * c.clone();
+            prop_assert_eq!(a * (b + c), apart);
+        }
+    }
+}
