@@ -283,8 +283,31 @@ impl<'a> Lexer<'a> {
         self.push(Lexeme::Close, self.at);
     }
 
+    /// In plain text the name of an axis close behind a letter with a dot, or a Greek one: `ḣx`, `ω̇z`.
+    fn axis_of_letter(&mut self) -> bool {
+        let mut written = self.text[..self.at].chars().rev();
+        let own = written.find(|&c| unicode::mark(c).is_none());
+        let behind = &self.text[self.at..];
+        let axis = behind.starts_with(['x', 'y', 'z']);
+        let ended = !behind[usize::from(axis)..].starts_with(|c: char| c.is_alphanumeric());
+        let marked = !self.text[..self.at].ends_with(|c: char| c.is_ascii());
+        let vector = own.is_some_and(|c| "ωΩτhHLMNwTvaFr".contains(unicode::decomposed(c).0));
+        if self.letters == Letters::Single || !axis || !ended || !marked || !vector {
+            return false;
+        }
+        let start = self.at;
+        self.push(Lexeme::Subscript, start);
+        self.at += 1;
+        let axis = behind.chars().next().map(Lexeme::Letter);
+        axis.into_iter().for_each(|axis| self.push(axis, start));
+        true
+    }
+
     /// In plain text digits close behind a letter are its index: `ω1`, `m2`; behind the d of `d2θ/dt2` its order.
     fn number_of_letter(&mut self, start: usize) {
+        if self.axis_of_letter() {
+            return;
+        }
         let length = self.rest().bytes().take_while(u8::is_ascii_digit).count();
         if self.letters == Letters::Single || !(1..=2).contains(&length) {
             return;

@@ -4,6 +4,7 @@ use crate::notation::document::Document;
 use crate::verify::check::Checker;
 use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::raised_labels::lower_labels;
+use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
 use crate::verify::lines::index::written_out;
@@ -15,6 +16,7 @@ use crate::verify::words::euler_words::sequences;
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
     lower_labels(&mut document);
+    lower_steps(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
     let document = &document;

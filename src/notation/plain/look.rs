@@ -191,7 +191,7 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
         if !word.is_empty() {
             let end = at + word.trim_end_matches(['.', ',', ';', ':']).len();
             if belongs(word, run.as_ref().map(|run| &text[run.start..run.end])) {
-                let strong = look(word) == Look::Strong;
+                let strong = look(word) == Look::Strong || is_held(word, &text[at + piece.len()..]);
                 let mut next = run.take().unwrap_or(Run {
                     start: at,
                     end,
@@ -227,6 +227,13 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
             )
         })
         .collect()
+}
+
+/// Whether the words behind a lone letter say that it is a symbol: "suppose p constant".
+fn is_held(word: &str, behind: &str) -> bool {
+    let lone = word.len() == 1 && word.bytes().all(|b| b.is_ascii_lowercase());
+    let said = ["constant", "is constant", "stays constant", "held constant"];
+    lone && said.iter().any(|words| behind.starts_with(words))
 }
 
 /// A text without a bracket that words go on from: `N = 0 (T` of "N = 0 (T may act)".

@@ -66,7 +66,10 @@ impl Reading {
             let lower = names.map(Letter::plain);
             let sides = rates && lower.iter().all(|l| self.left_sides.contains(l));
             let bare = lower.iter().all(|l| self.usage.get(l).bare > 0);
-            if bare && (sides || self.speaks_of_roll && names[0] == "ell") {
+            // "Body rates p, q, r, moments ℓ, m, n."
+            let called = rates && self.votes_for(&lower[0], Quantity::Moment) > 0;
+            let listed = rates && self.usage.lists(names);
+            if bare && (sides || called || listed || self.speaks_of_roll && names[0] == "ell") {
                 self.take_components(lower, Quantity::Moment);
             }
         }

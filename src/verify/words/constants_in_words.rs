@@ -24,7 +24,7 @@ const BEHIND: &[&str] = &[
     "remains constant",
     "stay constant",
     "stays constant",
-    "constant)",
+    "constant",
     "held constant",
     "a constant",
     "is a constant",

@@ -242,6 +242,8 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         "plane of symmetry",
         "symmetry plane",
         "symmetric with respect to",
+        "symmetrical with respect to",
+        "mirror plane",
         "symmetrical about",
         "symmetric about",
     ];
@@ -273,8 +275,17 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
             return Some(Said::SymmetryPlane(a, b));
         }
     }
-    // "The x-z plane", "the x, z plane".
-    let pairs = words.windows(2).map(|pair| pair.concat());
+    // "The x-z plane", "the x, z plane", "the plane of x and z", "Oxz".
+    let words = words.into_iter().filter(|word| !word.is_empty());
+    let words: Vec<&str> = words
+        .map(|word| match word.strip_prefix(['o', 'g']) {
+            Some(axes) if axes.len() == 2 => axes,
+            _ => word,
+        })
+        .collect();
+    let joined = words.iter().filter(|word| **word != "and");
+    let joined: Vec<&str> = joined.copied().collect();
+    let pairs = joined.windows(2).map(|pair| pair.concat());
     let named: Vec<String> = pairs.chain(words.iter().map(|w| w.to_string())).collect();
     planes
         .iter()

@@ -1,0 +1,54 @@
+//! Planes of symmetry that words name in one way or another, and letters in a row beside the rates p, q, r.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::{verdicts, verdicts_in};
+use polhode::notation::document::Format;
+
+fn airframe(plane: &str) -> String {
+    format!(
+        r"Rates $p, q, r$ and moments $\ell, m, n$ on body axes. {plane} The products are $J_{{xz}} = \int xz\,dm$ and so on.
+
+$$ m = J_y\,\dot q + (J_x - J_z)\,p\,r + J_{{xz}}(p^2 - r^2) $$
+
+$$ n = J_z\,\dot r + (J_y - J_x)\,p\,q + J_{{xz}}(q r - \dot p) $$
+"
+    )
+}
+
+#[test]
+fn a_plane_of_symmetry_is_named_by_its_axes() {
+    for plane in [
+        "It is symmetric about the plane of the body $x$ and $z$ axes.",
+        "The plane $Oxz$ is a plane of symmetry.",
+        "The x-z plane is its mirror plane.",
+    ] {
+        assert_eq!(verdicts(&airframe(plane)), "ppp", "{plane}");
+    }
+    let other = airframe("It is symmetric about the plane of $x$ and $y$.");
+    assert!(verdicts(&other).contains('r'));
+}
+
+#[test]
+fn plain_text_names_components_and_calls_a_letter_constant() {
+    let text = "\
+L, M, N: rolling, pitching and yawing moment, on axes fixed in the aeroplane. Its rates are (p, q, r).
+The body axes are principal.
+
+    hx = Ix p
+    hy = Iy q
+    hz = Iz r
+    Iy q̇ = (Iz − Ix) r p + M
+
+    L = ḣx + q hz − r hy
+    N = ḣz + p hy − r hx
+
+Suppose q = r = 0 and p constant. Then
+
+    N = 0
+    M = 0
+";
+    assert_eq!(verdicts_in(text, Format::Text), "ppppprapp");
+}
