@@ -8,7 +8,7 @@ use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
 use crate::verify::lines::index::written_out;
-use crate::verify::lines::trust::withhold;
+use crate::verify::lines::trust::{unexplained, withhold};
 use crate::verify::verdict::Report;
 use crate::verify::words::euler_words::sequences;
 
@@ -80,9 +80,11 @@ fn with_angles(
     let second = checked(document, turned.clone());
     let (now, then) = (first.0.summary(), second.0.summary());
     let whole = second.0.findings.len() == first.0.findings.len();
+    // A line that a named slip puts right, or that only carries one on, speaks for the reading.
+    let against = |report: &Report| unexplained(report).count();
     let better = whole
         && then.proved > now.proved
-        && then.refuted.saturating_sub(now.refuted) * 2 <= then.proved - now.proved;
+        && against(&second.0).saturating_sub(against(&first.0)) * 2 <= then.proved - now.proved;
     if better {
         (turned, second)
     } else {

@@ -14,3 +14,4 @@ pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod role;
 pub(super) mod role_words;
+pub(super) mod symmetric_body;

@@ -184,6 +184,24 @@ impl Reading {
         moved && alone && !taken(Quantity::Position) && !self.components.contains_key(letter)
     }
 
+    /// A body has one angular velocity, and Ω beside its ω is that of the axes. Nor has a rotor in no body a momentum
+    /// relative to it.
+    pub(crate) fn part_turns(&mut self) {
+        let [body, axes] = ["omega", "Omega"].map(Letter::plain);
+        let turns = |letter| self.quantities.get(letter) == Some(&Quantity::AngularVelocity);
+        if turns(&body) && turns(&axes) {
+            self.quantities.insert(axes, Quantity::FrameRate);
+        }
+        let whole = |letter: &Letter| matches!(letter.name.as_str(), "L" | "H");
+        if !self.speaks_of(Quantity::Momentum) {
+            for (_, quantity) in self.quantities.iter_mut().filter(|(l, _)| whole(l)) {
+                if *quantity == Quantity::RelativeMomentum {
+                    *quantity = Quantity::Momentum;
+                }
+            }
+        }
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;

@@ -337,6 +337,7 @@ impl Reading {
             let quantity = if whole { Quantity::Momentum } else { quantity };
             self.quantities.entry(letter).or_insert(quantity);
         }
+        self.part_turns();
     }
 
     /// Whether words call a vector the angular momentum, and its letter with a label that of the wheels: h beside h_w.

@@ -1,6 +1,6 @@
 //! Lines with a running index: `ℓ_i = I_i ω_i (i = 1, 2, 3)` is three lines, and Σ_i a three-term sum.
 
-use crate::notation::ast::{Kind, Line, Node, Symbol, Term};
+use crate::notation::ast::{Kind, Line, Node, Relation, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::primes::dots_for_primes;
 use crate::verify::letters::usage::{Letter, Usage};
@@ -61,7 +61,44 @@ fn rows_of(row: Row, usage: &Usage) -> Vec<Row> {
             .flat_map(|line| values.iter().map(|v| set(line, v)).collect::<Vec<_>>())
             .collect();
     }
-    lines.into_iter().map(Row::Line).collect()
+    lines.into_iter().flat_map(links).map(Row::Line).collect()
+}
+
+/// A chain of equalities and other relations, `I_1 = I_2 \ne I_3`, as lines that have but one kind.
+fn links(line: Line) -> Vec<Line> {
+    let kinds: Vec<bool> = line
+        .relations
+        .iter()
+        .map(|(r, _)| is_equality(*r))
+        .collect();
+    let mixed = kinds.contains(&true) && kinds.contains(&false);
+    let Some(sides) = (mixed && !line.continues).then_some(&line.sides) else {
+        return vec![line];
+    };
+    let mut links: Vec<Line> = vec![];
+    for (at, relation) in line.relations.iter().enumerate() {
+        let goes_on = at > 0 && kinds[at - 1] && kinds[at];
+        match links.last_mut().filter(|_| goes_on) {
+            Some(link) => {
+                link.sides.push(sides[at + 1].clone());
+                link.relations.push(*relation);
+            }
+            None => links.push(Line {
+                sides: sides[at..at + 2].to_vec(),
+                relations: vec![*relation],
+                ..line.clone()
+            }),
+        }
+    }
+    links
+}
+
+/// Whether a relation says that its sides are one.
+pub(crate) fn is_equality(relation: Relation) -> bool {
+    matches!(
+        relation,
+        Relation::Equal | Relation::Defined | Relation::Approximate
+    )
 }
 
 /// An index i without a range runs over the axes if each letter that carries it has components elsewhere.

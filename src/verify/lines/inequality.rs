@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::lines::index::is_equality;
 use crate::verify::reason;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::role::Words;
@@ -11,13 +12,8 @@ use num_traits::Zero;
 impl Checker<'_> {
     /// Settles a line that has another relation than an equality; `false` where it has none.
     pub(crate) fn no_equation(&mut self, line: &Line, role: Role, finding: &mut Finding) -> bool {
-        let equal = |r: &Relation| {
-            matches!(
-                r,
-                Relation::Equal | Relation::Defined | Relation::Approximate
-            )
-        };
-        let Some(&(relation, place)) = line.relations.iter().find(|(r, _)| !equal(r)) else {
+        let mut others = line.relations.iter().filter(|(r, _)| !is_equality(*r));
+        let Some(&(relation, place)) = others.next() else {
             return false;
         };
         finding.reason = Some(reason::RELATION.to_owned());

@@ -34,6 +34,12 @@ pub(crate) fn withhold(report: &mut Report) {
     }
 }
 
+/// False lines that no slip explains, neither their own nor one that they carry on.
+pub(crate) fn unexplained(report: &Report) -> impl Iterator<Item = &Finding> {
+    let slipped = |f: &&Finding| is_false(f) && !is_slip(f) && f.follows_from.is_none();
+    report.findings.iter().filter(slipped)
+}
+
 fn leave_open(finding: &mut Finding) {
     finding.verdict = Verdict::Undecided;
     finding.diagnosis = None;

@@ -12,6 +12,7 @@ use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::prose::Said;
+use crate::verify::words::symmetric_body::equal_moments;
 
 /// The axis that words name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,10 +28,10 @@ enum Named {
 /// A letter and the axis that its moment is about.
 #[derive(Clone, Debug)]
 pub(crate) struct NamedMoment {
-    symbol: Symbol,
+    pub(crate) symbol: Symbol,
     /// The components of the tensor that it stands for.
-    components: Vec<u8>,
-    span: Span,
+    pub(crate) components: Vec<u8>,
+    pub(crate) span: Span,
 }
 
 /// A sentence with `⟨n⟩` in the place of its n-th lone symbol and `⟨⟩` in that of any other formula.
@@ -290,6 +291,15 @@ impl Reading {
     /// A bare letter that words call a moment about an axis is that component.
     pub(crate) fn by_moments(&mut self, document: &Document) {
         self.moments = named_moments(document);
+        for moment in equal_moments(document, &self.usage) {
+            if self
+                .moments
+                .iter()
+                .all(|other| other.symbol != moment.symbol)
+            {
+                self.moments.push(moment);
+            }
+        }
         for moment in &self.moments {
             let letter = Letter::of(&moment.symbol);
             let bare = moment.symbol.subscripts.is_empty() && moment.symbol.primes == 0;
