@@ -23,3 +23,32 @@ fn a_number_over_a_vector_counts_the_steps() {
     let other = STEP.replace(r"\omega^k\cdot I d", r"\omega^{k+1}\cdot I d");
     assert_eq!(verdicts(&other), "aar");
 }
+
+#[test]
+fn a_step_gives_the_velocity_that_it_is_linear_in() {
+    let text = r"A free rigid body has the inertia matrix $J$ on its principal axes. Each step of the size $h$ is defined by
+
+$$ J\omega_{k+1} = J\omega_k - h\,\omega_k\times J\omega_k $$
+
+The square of the momentum grows:
+
+$$ |J\omega_{k+1}|^2 = |J\omega_k|^2 + h^2\,|\omega_k\times J\omega_k|^2 $$
+
+$$ |J\omega_{k+1}|^2 = |J\omega_k|^2 + h\,|\omega_k\times J\omega_k|^2 $$
+";
+    assert_eq!(verdicts(text), "apr");
+}
+
+#[test]
+fn a_chain_that_defines_an_angle_is_checked_behind_its_second_sign() {
+    let chain = |last: &str| {
+        format!(
+            r"On principal axes the disk has $I_1 = I_2 = \tfrac14 m r^2$ and $I_3 = \tfrac12 m r^2$, and it turns with $\omega_1 = \Omega\sin\alpha$, $\omega_2 = 0$, $\omega_3 = \Omega\cos\alpha$. The angular momentum $\mathbf L$ makes with the normal the angle $\beta$, where
+
+$$ \tan\beta = \frac{{L_1}}{{L_3}} = {last} $$
+"
+        )
+    };
+    assert!(verdicts(&chain(r"\tfrac12\tan\alpha")).ends_with(['p', 'a']));
+    assert!(verdicts(&chain(r"2\tan\alpha")).ends_with('r'));
+}

@@ -22,6 +22,27 @@ impl Checker<'_> {
         accepted
     }
 
+    /// Whether a chain gives something its meaning and goes on with a side that is not equal to it: the second sign of
+    /// `tan β = b/a = 2 tan α` is a claim.
+    pub(crate) fn goes_wrong_behind(
+        &mut self,
+        sides: &[Node],
+        role: Role,
+        finding: &mut Finding,
+    ) -> bool {
+        if role != Role::Define || sides.len() < 3 {
+            return false;
+        }
+        let mut tried = finding.clone();
+        tried.role = Role::Claim;
+        self.claim(&sides[1..], &mut tried);
+        let wrong = tried.verdict == Verdict::Refuted;
+        if wrong {
+            *finding = tried;
+        }
+        wrong
+    }
+
     /// Takes a given line, an assumption or a definition in.
     pub(crate) fn accept(&mut self, sides: &[Node], role: Role, finding: &mut Finding) {
         let mut readings = match self.readings(sides) {

@@ -161,7 +161,7 @@ impl Checker<'_> {
             || self.defines(&sides, line, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)
             || role != Role::Assume && self.works_out(&sides, role, finding);
-        if !settled {
+        if !settled && !self.goes_wrong_behind(&sides, role, finding) {
             match role {
                 Role::Claim => self.claim(&sides, finding),
                 _ => self.accept(&sides, role, finding),

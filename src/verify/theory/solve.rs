@@ -1,10 +1,10 @@
 //! Premises solved for a symbol each: which symbol, and when none can be had.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
 use crate::verify::theory::kept::{Kept, Relations};
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
-use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -52,10 +52,22 @@ impl Theory {
         }
     }
 
-    /// When a premise is solved: those of one instant last, definitions first, rates after values.
+    /// When a premise is solved: those of one instant last, definitions and the form of the inertia first, rates after
+    /// values.
     fn turn(&self, premise: &Premise) -> Turn {
         let momentary = self.instants.contains(&premise.name);
-        (momentary, !premise.definition, self.highest_order(premise))
+        let later = !premise.definition && !self.is_of_products(premise);
+        (momentary, later, self.highest_order(premise))
+    }
+
+    /// Whether all that a premise says is that products of inertia vanish, which makes what others say shorter.
+    fn is_of_products(&self, premise: &Premise) -> bool {
+        let inertia = Owner::Quantity(Quantity::Inertia, String::new());
+        let product = |residual: &Fraction| {
+            let entity = residual.as_variable().and_then(|v| self.atoms.entity_of(v));
+            entity.is_some_and(|entity| self.atoms.info(entity).owner == inertia)
+        };
+        premise.residuals.iter().all(product)
     }
 
     /// Whether a premise that is added can be solved behind all others, so that their solutions stand.
@@ -266,14 +278,41 @@ impl Theory {
         // Of an implicit step, what the body turned like before is a simple function of what it turns like behind.
         let of_a_step = matches!(&info.owner, Owner::Quantity(Quantity::AngularVelocity, step) if !step.is_empty());
         let small = coefficient.len() < 3;
+        // A step gives the velocity that it is linear in: the one behind an explicit step, the one before an implicit one.
+        let stepped = turns && small && self.is_stepped(polynomial, entity);
         Some(
             u32::from(constant) * 32
                 + u32::from(order) * 4
                 + u32::from(small)
                 + u32::from(turns)
                 + u32::from(inertial && component >= 3) * 2
-                + u32::from(of_a_step && small) * 3,
+                + u32::from(of_a_step && small) * 3
+                + u32::from(stepped) * 4,
         )
+    }
+
+    /// Whether a relation is between angular velocities before and behind a step, and linear in this one.
+    fn is_stepped(&self, relation: &Polynomial, entity: Entity) -> bool {
+        let velocity = |v: &Variable| {
+            let entity = self.atoms.entity_of(*v)?;
+            let owner = &self.atoms.info(entity).owner;
+            matches!(owner, Owner::Quantity(Quantity::AngularVelocity, _)).then_some(entity)
+        };
+        let several = relation
+            .variables()
+            .iter()
+            .filter_map(velocity)
+            .any(|e| e != entity);
+        let degree = |monomial: &Monomial| -> u32 {
+            let powers = monomial.powers().into_iter();
+            let own = powers.filter(|(v, _)| self.atoms.entity_of(*v) == Some(entity));
+            own.map(|(_, power)| power).sum()
+        };
+        several
+            && relation
+                .terms()
+                .iter()
+                .all(|(monomial, _)| degree(monomial) <= 1)
     }
 
     /// Whether a kernel has a variable in its argument: solved for that, it would stand for itself.

@@ -2,6 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Factor, Function, Kind, Node, Operator};
+use crate::verify::letters::usage::inner;
 use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::{One, Zero};
@@ -81,7 +82,6 @@ impl Lowering<'_> {
 
     pub(crate) fn power(&mut self, node: &Node, base: &Node, exponent: &Node) -> Lowered {
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
-        let value = self.value(base)?;
         let power = self.value(exponent)?;
         let power = power.entries[0]
             .numerator()
@@ -94,6 +94,10 @@ impl Lowering<'_> {
                 "only whole powers are known",
             ));
         };
+        if let Some(square) = self.square_of_norm(base).filter(|_| power == 2) {
+            return Ok(square);
+        }
+        let value = self.value(base)?;
         if power.unsigned_abs() > 16 {
             return Err(trouble(
                 TroubleKind::Unsupported,
@@ -128,6 +132,15 @@ impl Lowering<'_> {
             product = product.times(&base).map_err(ill)?;
         }
         Ok(product)
+    }
+
+    /// What stands under the root of a length that is squared.
+    fn square_of_norm(&mut self, base: &Node) -> Option<Value> {
+        let Kind::Norm(inside) = &inner(base).kind else {
+            return None;
+        };
+        let value = self.value(inside).ok().filter(Value::is_vector)?;
+        value.dot(&value).ok()
     }
 
     pub(crate) fn norm(&mut self, inside: &Node) -> Lowered {
