@@ -214,6 +214,9 @@ impl Div for Fraction {
         if !other.is_valid() {
             return other;
         }
+        if other.is_one_below() && other.numerator.is_one() {
+            return self;
+        }
         Self::simplified(
             self.numerator * other.denominator,
             self.denominator * other.numerator,

@@ -58,10 +58,11 @@ impl Rational {
 
     /// The residue in the prime field; `None` where the denominator vanishes there.
     pub fn to_prime(&self) -> Option<Prime> {
-        let modulus = i128::from(Prime::MODULUS);
-        let residue = |n: i128| Prime::new(n.rem_euclid(modulus) as u64);
         let (n, d) = match &self.0 {
-            Form::Small(n, d) => (residue((*n).into()), residue(d.get().into())),
+            Form::Small(n, d) => {
+                let size = Prime::new(n.unsigned_abs());
+                (if *n < 0 { -size } else { size }, Prime::new(d.get()))
+            }
             Form::Big(big) => {
                 let modulus = BigInt::from(Prime::MODULUS);
                 let residue = |n: &BigInt| Prime::new(n.mod_floor(&modulus).to_u64().unwrap_or(0));

@@ -13,6 +13,7 @@ pub(super) mod law;
 pub(super) mod ledger;
 pub(super) mod mentioned;
 pub(super) mod more_moments;
+pub(super) mod normal;
 pub(super) mod parallel_axes;
 pub(super) mod point;
 pub(super) mod roots;
@@ -21,12 +22,13 @@ pub(super) mod variety;
 pub(super) mod wheels;
 pub(super) mod world;
 
-use crate::algebra::{Fraction, Polynomial, TooLarge, Variable, compose};
+use crate::algebra::{Fraction, Variable};
 use crate::verify::theory::kept::Relations;
 use crate::verify::theory::law::{Setting, law};
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::mentioned::Mentioned;
-use crate::verify::values::atoms::{Atom, Atoms, Entity, variable_fraction};
+use crate::verify::theory::normal::Normals;
+use crate::verify::values::atoms::{Atom, Atoms, Entity};
 use crate::verify::values::figures::Alternative;
 use crate::verify::values::quantity::Quantity;
 use foldhash::HashMap;
@@ -72,12 +74,8 @@ pub(super) enum Taken {
     Contradiction,
 }
 
-/// Terms that a product in a normal form may have: a budget, so that every check ends.
-const MOST_TERMS: usize = 6_000;
 /// Terms of a value whose rate is still taken.
 const MOST_TERMS_OF_A_RATE: usize = 400;
-/// Rules that may lead from one to the next.
-const DEEPEST: usize = 64;
 /// The highest order of a rate that a premise or a fact is differentiated for.
 pub(super) const HIGHEST_ORDER: u8 = 6;
 
@@ -108,7 +106,7 @@ pub(super) struct Theory {
     /// Premises that turned out to speak of a rate, by what they gave.
     of_rates: HashMap<Name, u8>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
-    pub(super) normals: HashMap<Variable, Fraction>,
+    pub(super) normals: Normals,
     /// Where the rules come from.
     pub(super) sources: HashMap<(Entity, u8), Source>,
     /// What the laws say of variables, whichever are left out.
@@ -138,7 +136,7 @@ impl Theory {
             cones: BTreeMap::new(),
             of_rates: HashMap::default(),
             rules: HashMap::default(),
-            normals: HashMap::default(),
+            normals: Normals::default(),
             sources: HashMap::default(),
             laws: HashMap::default(),
             ledger: Ledger::default(),
@@ -296,64 +294,5 @@ impl Theory {
         let found = found.map(|(name, value)| (name, Arc::new(value)));
         self.laws.insert(variable, found.clone());
         found
-    }
-
-    /// A fraction with every rule put in, down to free variables.
-    pub(super) fn normal(&mut self, fraction: &Fraction) -> Fraction {
-        let numerator = self.normal_polynomial(fraction.numerator());
-        if fraction.denominator().is_constant().is_some() {
-            return numerator / Fraction::from(fraction.denominator().clone());
-        }
-        numerator / self.normal_polynomial(fraction.denominator())
-    }
-
-    fn normal_polynomial(&mut self, polynomial: &Polynomial) -> Fraction {
-        let variables = polynomial.variables();
-        let images: HashMap<Variable, Fraction> = variables
-            .into_iter()
-            .map(|v| (v, self.normal_variable(v)))
-            .collect();
-        if images
-            .iter()
-            .all(|(v, image)| *image == variable_fraction(*v))
-        {
-            return self.kernels_reduced(Fraction::from(polynomial.clone()));
-        }
-        match compose(polynomial, &images, MOST_TERMS) {
-            Ok(value) => {
-                self.spend(value.numerator().len() + value.denominator().len());
-                self.kernels_reduced(value)
-            }
-            Err(TooLarge) => {
-                self.spend(MOST_TERMS);
-                self.exhausted = true;
-                Fraction::from(polynomial.clone())
-            }
-        }
-    }
-
-    fn spend(&mut self, terms: usize) {
-        self.terms_left = self.terms_left.map(|left| left.saturating_sub(terms));
-    }
-
-    fn normal_variable(&mut self, variable: Variable) -> Fraction {
-        if let Some(known) = self.normals.get(&variable) {
-            return known.clone();
-        }
-        if self.open.len() > DEEPEST || self.terms_left == Some(0) {
-            self.exhausted = true;
-            return variable_fraction(variable);
-        }
-        // A rule that leads back to its own variable says nothing; the variable stays free.
-        if !self.open.insert(variable) {
-            return variable_fraction(variable);
-        }
-        let value = match self.rule(variable) {
-            Some(rule) => self.normal(&rule.value),
-            None => variable_fraction(variable),
-        };
-        self.open.remove(&variable);
-        self.normals.insert(variable, value.clone());
-        value
     }
 }

@@ -19,6 +19,9 @@ pub(crate) fn written_out(document: &Document) -> (Document, Option<Indices>) {
     if let Some(indices) = &mut indices {
         indices.write_out(&mut document);
     }
+    if !document.items.iter().any(runs) {
+        return (document, indices);
+    }
     let usage = Usage::of(&document);
     for item in &mut document.items {
         if let Item::Formula(formula) = item {
@@ -30,6 +33,27 @@ pub(crate) fn written_out(document: &Document) -> (Document, Option<Indices>) {
         }
     }
     (document, indices)
+}
+
+/// Whether an index runs somewhere: over a range, in a sum, or as a letter i at a symbol.
+fn runs(item: &Item) -> bool {
+    let Item::Formula(formula) = item else {
+        return false;
+    };
+    formula.rows.iter().any(|row| match row {
+        Row::Line(line) => !line.ranges.is_empty() || line.sides.iter().any(has_index),
+        Row::Expression(_) | Row::Unreadable { .. } => false,
+    })
+}
+
+fn has_index(node: &Node) -> bool {
+    let mut found = match &node.kind {
+        Kind::IndexedSum { .. } => true,
+        Kind::Symbol(symbol) => symbol.subscripts.iter().any(|s| s == "i"),
+        _ => false,
+    };
+    node.each_child(&mut |child| found = found || has_index(child));
+    found
 }
 
 fn rows_of(row: Row, usage: &Usage) -> Vec<Row> {

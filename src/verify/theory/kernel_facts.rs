@@ -35,10 +35,12 @@ impl Theory {
             }
             let (mut sum, mut power) = (Fraction::zero(), Fraction::one());
             for half in 0..=degree / 2 {
+                if half > 0 {
+                    power *= square.clone();
+                }
                 let even = Fraction::from(value.numerator().coefficient_of(variable, 2 * half));
                 let odd = Fraction::from(value.numerator().coefficient_of(variable, 2 * half + 1));
                 sum += (even + odd * variable_fraction(variable)) * power.clone();
-                power *= square.clone();
             }
             value = sum / Fraction::from(value.denominator().clone());
         }
@@ -83,7 +85,7 @@ impl Theory {
         argument: &Fraction,
     ) -> Option<Fraction> {
         let own = variable_fraction(variable);
-        if let Some(known) = self.normals.get(&variable) {
+        if let Some(known) = self.normals.get(variable) {
             return Some(known.clone()).filter(|known| *known != own);
         }
         let reduced = self.normal(argument);

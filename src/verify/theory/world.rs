@@ -129,7 +129,9 @@ impl<'a, T: Substance> World<'a, T> {
         if bottom.is_zero() {
             return None;
         }
-        Some(self.polynomial(fraction.numerator())? / bottom)
+        let top = self.polynomial(fraction.numerator())?;
+        // Most denominators are one, and an inverse in the prime field takes a hundred products.
+        Some(if bottom.is_one() { top } else { top / bottom })
     }
 
     pub(crate) fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
