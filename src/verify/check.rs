@@ -1,7 +1,7 @@
 //! Goes through a document from top to bottom and keeps what is in force.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::Node;
+use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::convention::convention;
@@ -331,6 +331,10 @@ impl<'a> Checker<'a> {
                 Row::Line(line) => {
                     self.named.clear();
                     self.line(line, role);
+                    // "And ⟨ω_z = ω⟩ constant."
+                    let lone = |side: &&Node| matches!(side.kind, Kind::Symbol(_));
+                    let last = line.sides.last().filter(|_| !formula.display);
+                    self.named.extend(last.filter(lone).cloned());
                 }
                 Row::Expression(node) => {
                     self.note_expression(node);

@@ -2,7 +2,7 @@
 
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::attitude_words::sentences;
 
@@ -86,19 +86,32 @@ fn runs(index: &str) -> bool {
     index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
 }
 
-/// The axis that a sentence has the body turn about, where that is fixed in space.
+/// The axis that a sentence has the body turn about, where that is fixed in space, or ω is said to be the rate about it.
 fn fixed_axis(sentence: &str) -> Option<u8> {
     let turns = [
-        "turns", "rotates", "spins", "rotating", "turning", "spinning", "runs",
+        "turns",
+        "rotates",
+        "spins",
+        "rotating",
+        "turning",
+        "spinning",
+        "runs",
+        "rotation",
+        "angular velocity ⟨omega⟩",
+        "angular speed ⟨omega⟩",
     ];
     let at = turns.iter().filter_map(|verb| sentence.find(verb)).min()?;
-    let about = &sentence[at + sentence[at..].find("about")?..];
+    let about = &sentence[at + sentence[at..].find("about")? + "about".len()..];
     let near: String = about.chars().take(40).collect();
+    let near = near.split([',', ';']).next()?;
     let fixed = near.contains("fixed") && near.contains("axis");
-    let axes = ["⟨x⟩", "⟨y⟩", "⟨z⟩"];
-    let named = axes
+    let rate = ["velocity ", "speed ", "rate "]
         .iter()
-        .position(|axis| near.contains(axis))
-        .filter(|_| fixed)?;
-    u8::try_from(named).ok()
+        .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));
+    let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
+    let named = words.find_map(|word| {
+        let letter = word.trim_matches(['⟨', '⟩']);
+        matches!(letter, "x" | "y" | "z").then(|| axis(letter))
+    });
+    named.flatten().filter(|_| fixed || rate)
 }

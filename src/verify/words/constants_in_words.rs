@@ -45,6 +45,14 @@ const BEFORE: &[&str] = &[
     "with constant",
     "with the constant",
     "for constant",
+    "uniform rate",
+    "uniform speed",
+    "uniform angular velocity",
+    "uniform angular speed",
+    "uniform spin",
+    "steady angular velocity",
+    "with uniform",
+    "at uniform",
     "with a steady",
     "steady rate",
     "steady speed",
@@ -80,8 +88,10 @@ impl Checker<'_> {
     /// Notes an expression that the words may call constant.
     pub(crate) fn note_expression(&mut self, node: &Node) {
         let mut before = self.sentence.trim_end().to_lowercase();
-        keep_end(&mut before, 40);
-        if BEFORE.iter().any(|words| before.ends_with(words)) {
+        keep_end(&mut before, 100);
+        let uniform = before.ends_with("with the angular velocity")
+            && (before.contains("uniformly") || before.contains("steadily"));
+        if uniform || BEFORE.iter().any(|words| before.ends_with(words)) {
             self.constant_in_words(node, false);
         }
         self.small_before(node);
@@ -149,12 +159,13 @@ impl Checker<'_> {
             .iter()
             .filter_map(|e| e.as_variable())
             .collect();
+        let about_axis = self.reading.fixed_axis.is_some();
         let own = |&v: &u32| match self.theory.atoms.owner(v) {
             Some(Owner::Symbol(_)) => true,
             Some(Owner::Quantity(quantity, variant)) => {
                 let rate = matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate);
                 let speed = variant == MAGNITUDE;
-                (supposed || speed) && rate || *quantity == Quantity::Moment
+                (supposed || speed || about_axis) && rate || *quantity == Quantity::Moment
             }
             None => false,
         };

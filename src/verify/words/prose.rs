@@ -2,6 +2,7 @@
 
 use crate::notation::document::{Document, Item};
 use crate::verify::words::book::Book;
+use crate::verify::words::suppositions::{principal, torque_free};
 use std::sync::LazyLock;
 
 /// What words can set.
@@ -144,10 +145,11 @@ pub(crate) fn said(text: &str) -> Vec<Said> {
     } else if positive(&text, &BODY_AXES) {
         found.push(Said::SpeaksOfBodyAxes);
     }
-    if positive(&text, &PRINCIPAL) || positive(&text, &AXIS) && !text.contains("plane") {
+    let by_axis = || positive(&text, &AXIS) && !text.contains("plane");
+    if positive(&text, &PRINCIPAL) || by_axis() || principal(&text) {
         found.push(Said::Principal);
     }
-    if positive(&text, &TORQUE_FREE) || no_torque(&text) {
+    if positive(&text, &TORQUE_FREE) || no_torque(&text) || torque_free(&text) {
         found.push(Said::TorqueFree);
     }
     found

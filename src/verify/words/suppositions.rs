@@ -1,0 +1,221 @@
+//! What clauses suppose of a body and its loads, in any of the many ways to say it: a thing and what is said of it.
+
+use crate::verify::words::book::Book;
+use std::sync::LazyLock;
+
+/// A thing, what is said of it, and what denies either.
+struct Supposition {
+    things: Book,
+    said: Book,
+    denied: Book,
+}
+
+impl Supposition {
+    fn of(things: &[&str], said: &[&str], denied: &[&str]) -> Self {
+        Self {
+            things: Book::of(things),
+            said: Book::of(said),
+            denied: Book::of(denied),
+        }
+    }
+
+    /// Whether a clause of a text in small letters supposes it; a formula is ⟨⟩ there.
+    fn is_in(&self, text: &str) -> bool {
+        self.things.is_in(text)
+            && text
+                .split(['.', ';', '!', '?'])
+                .any(|clause| self.things.is_in(clause) && self.holds_in(clause))
+    }
+
+    fn holds_in(&self, clause: &str) -> bool {
+        self.said.is_in(clause) && !self.denied.is_in(clause) && !DENIED.is_in(clause)
+    }
+}
+
+/// What makes a clause a denial, a consequence or a question.
+static DENIED: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([
+        "not ",
+        "n't ",
+        "nonzero",
+        "non-zero",
+        "neither",
+        "unless",
+        "only if",
+        "whether",
+        "hence",
+        "thus",
+        "therefore",
+        "so that",
+        "follows",
+        "conclude",
+        "consequently",
+        "must",
+        "would",
+        "general axes",
+        "arbitrary axes",
+        "in general",
+        "need ",
+        "shows that",
+        "why",
+    ])
+});
+
+/// That something is nothing.
+const NOTHING: &[&str] = &[
+    "vanish",
+    "zero",
+    "disappear",
+    "absent",
+    "absence",
+    "free of",
+    "free from",
+];
+/// That something is left out.
+const LEFT_OUT: &[&str] = &["no ", "without", "drop", "neglect", "ignor", "omit"];
+
+static PRODUCTS: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "products of inertia",
+        "product of inertia",
+        "cross-products of inertia",
+        "cross products of inertia",
+        "off-diagonal",
+        "off diagonal",
+        "deviation moments",
+        "deviational moments",
+        "centrifugal moments",
+    ];
+    // One or two of them, or those that a formula names, are not all.
+    let denied = [
+        "⟨",
+        "two ",
+        "both ",
+        "some ",
+        "one of",
+        "but ",
+        "except",
+        "only ",
+        "remaining",
+        "other ",
+        "balanc",
+    ];
+    Supposition::of(&things, &[NOTHING, LEFT_OUT].concat(), &denied)
+});
+
+static DIAGONAL: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = ["inertia", "tensor", "matrix", "axes"];
+    let said = [
+        "principal direction",
+        "is diagonal",
+        "are diagonal",
+        "becomes diagonal",
+        "be diagonal",
+        "diagonal inertia",
+        "diagonal form",
+        "diagonal tensor",
+        "diagonal matrix",
+        "then diagonal",
+        "is a diagonal",
+        "diagonalis",
+        "diagonaliz",
+        "eigenbasis",
+        "eigenframe",
+        "principal basis",
+        "principal system",
+        "principal triad",
+    ];
+    Supposition::of(&things, &said, &["off-diagonal inertia"])
+});
+
+static SYMMETRY_PLANES: LazyLock<Supposition> = LazyLock::new(|| {
+    let said = ["three ", "all ", "each "];
+    let things = [
+        "planes of symmetry",
+        "symmetry planes",
+        "symmetric about",
+        "symmetrical about",
+        "symmetric with respect to",
+    ];
+    let denied = ["axis", "axes"];
+    Supposition::of(&things, &said, &denied)
+});
+
+static NO_TORQUE: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "torque",
+        "moment ",
+        "moments ",
+        "moment,",
+        "moments,",
+        "couple ",
+        "couples ",
+        "moment⟨",
+    ];
+    // A part of it, or of something else.
+    let denied = [
+        "of inertia",
+        "principal moment",
+        "moment of momentum",
+        "deviation",
+        "centrifugal",
+        "both ",
+        "component",
+        "along",
+        "about the axis",
+        "about this axis",
+        "about its axis",
+        " axis",
+        "gyroscopic",
+        "friction",
+        "damping",
+        "product",
+        "angular velocity",
+        "work",
+        "motor",
+        "wheel",
+        "control",
+        "input",
+        "gravity gradient",
+        "equal",
+        "then ",
+        "needs",
+    ];
+    Supposition::of(&things, NOTHING, &denied)
+});
+
+static FREELY: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "freely",
+        "free rotation",
+        "free precession",
+        "free tumbling",
+    ];
+    let said = [
+        "rotat", "tumbl", "spin", "moves", "moving", "flies", "precess", "body",
+    ];
+    let denied = [
+        "about", "can ", "may ", "fall", "hinge", "pivot", "axle", "bearing", "point",
+    ];
+    Supposition::of(&things, &said, &denied)
+});
+
+static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "no forces act",
+        "no force acts",
+        "no external forces",
+        "without external forces",
+    ];
+    Supposition::of(&things, &[""], &["but ", "except", "other than", "along"])
+});
+
+/// Whether a text in small letters supposes that the axes are principal.
+pub(crate) fn principal(text: &str) -> bool {
+    PRODUCTS.is_in(text) || DIAGONAL.is_in(text) || SYMMETRY_PLANES.is_in(text)
+}
+
+/// Whether a text in small letters supposes that no torque acts.
+pub(crate) fn torque_free(text: &str) -> bool {
+    NO_TORQUE.is_in(text) || FREELY.is_in(text) || NO_FORCE.is_in(text)
+}

@@ -1,0 +1,70 @@
+//! Suppositions in the many ways to say them, and what only sounds like one.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const COMPONENT: &str = r"$$ M_x = I_{xx}\dot\omega_x - (I_{yy} - I_{zz})\,\omega_y\omega_z $$";
+const CONSERVED: &str = r"$$ \mathbf L\cdot\dot{\mathbf L} = 0 $$";
+const BEARINGS: &str =
+    r"$$ M_x = I_{yz}\,\omega^2, \qquad M_y = -I_{xz}\,\omega^2, \qquad M_z = 0 $$";
+
+/// Each way to say it, with the verdicts of the lines behind it.
+fn all_are(ways: &[&str], lines: &str, expected: &str) {
+    for words in ways {
+        assert_eq!(
+            verdicts(&format!("{words}\n\n{lines}\n")),
+            expected,
+            "{words}"
+        );
+    }
+}
+
+#[test]
+fn products_of_inertia_may_be_nothing() {
+    let ways = [
+        "Choosing the axes along the principal directions,",
+        "All products of inertia vanish.",
+        "The inertia matrix is diagonal.",
+        "Diagonalizing the inertia tensor,",
+        "Because the off-diagonal terms are zero we have",
+        "Neglecting products of inertia,",
+        "The body has three orthogonal planes of symmetry.",
+    ];
+    all_are(&ways, COMPONENT, "p");
+    let others = [
+        "The products of inertia do not vanish.",
+        "Both products of inertia of the last section vanish.",
+        "Is the inertia matrix, with its off-diagonal terms, general?",
+    ];
+    all_are(&others, COMPONENT, "r");
+}
+
+#[test]
+fn a_moment_may_be_absent() {
+    let ways = [
+        r"The body is free of external torques $\mathbf M$.",
+        r"Suppose the torque $\mathbf M$ vanishes.",
+        r"The body tumbles freely in space.",
+        r"The resultant moment $\mathbf M$ about the fixed point is zero.",
+    ];
+    all_are(&ways, CONSERVED, "p");
+    let others = [
+        r"The moment of the forces is $\mathbf M$, without friction.",
+        r"The moment $\mathbf M$ about the axis of the rotor vanishes.",
+        r"Then the shaft needs no driving torque, with $\mathbf M$ the moment.",
+    ];
+    all_are(&others, CONSERVED, "r");
+}
+
+#[test]
+fn a_rotor_may_turn_uniformly_about_an_axis() {
+    let ways = [
+        r"The body rotates about the fixed $z$ axis with constant angular velocity $\omega$.",
+        r"The shaft rotates with the constant angular speed $\omega$ about the $z$-axis.",
+        r"The rotor turns uniformly about the fixed axis $z$ with the angular velocity $\omega$.",
+    ];
+    all_are(&ways, BEARINGS, "ppp");
+}
