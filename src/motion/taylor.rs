@@ -1,12 +1,13 @@
 //! Taylor series of the motion.
 
+mod moments;
 mod series;
 
 use crate::motion::registers::at_its_best;
 use crate::motion::{
     Body, MotionError, Number, Scheme, State, Stepper, System, Torque, TorqueLaw, stepper,
 };
-use series::{MOST, Series};
+use series::{Beside, MOST, Series};
 
 /// One step by the Taylor series of the motion, of order 2 to 30, for the laws of torque that have a recurrence
 /// ([`Torque`]). Energy and momentum drift by the truncation alone, below rounding from order 16 or so.
@@ -46,7 +47,10 @@ impl Scheme<Torque> for Taylor {
         } else {
             T::one()
         };
-        Series::new(system, (time, state), self.order, true, unit).at(step)
+        let mut series = Series::default();
+        let what = (self.order, true);
+        series.become_motion(&mut Beside::default(), system, (time, state), what, unit);
+        series.at(step)
     }
 }
 
@@ -77,6 +81,7 @@ pub struct TaylorMotion {
     with_attitude: bool,
     /// The series in use, its start and its end.
     series: Series<f64>,
+    beside: Beside<f64>,
     start: f64,
     end: f64,
     steps: u64,
@@ -108,7 +113,6 @@ impl TaylorMotion {
         let order = ((-0.5 * tolerance.ln()).ceil() as usize + 2).clamp(4, MOST);
         let system = System::principal(body, torque);
         let inner = body.state_along(state);
-        let series = series(&system, (0.0, &inner), order, true);
         let mut motion = Self {
             system,
             body: *body,
@@ -117,11 +121,13 @@ impl TaylorMotion {
             with_attitude: true,
             end: 0.0,
             start: 0.0,
-            series,
+            series: Series::default(),
+            beside: Beside::default(),
             steps: 0,
             time: 0.0,
             state: *state,
         };
+        motion.begin_series(&inner);
         motion.end = motion.end_of_series()?;
         Ok(motion)
     }
@@ -149,15 +155,35 @@ impl TaylorMotion {
         if law.without_attitude(0.0).is_some() {
             self.with_attitude = false;
             let inner = self.series.at(0.0);
-            self.series = self.series_from(self.start, &inner);
+            self.begin_series(&inner);
             // What ends with its attitude ends without it, if later.
             self.end = self.end_of_series().unwrap_or(self.end);
         }
         self
     }
 
-    fn series_from(&self, time: f64, inner: &State<f64>) -> Series<f64> {
-        series(&self.system, (time, inner), self.order, self.with_attitude)
+    /// Makes the series from its start on, in seconds, or in another unit of time where its terms would be too large or
+    /// too small.
+    fn begin_series(&mut self, inner: &State<f64>) {
+        let mut unit = 1.0;
+        for _ in 0..=MOST_UNITS {
+            at_its_best(
+                #[inline(always)]
+                || {
+                    self.series.become_motion(
+                        &mut self.beside,
+                        &self.system,
+                        (self.start, inner),
+                        (self.order, self.with_attitude),
+                        unit,
+                    );
+                },
+            );
+            match self.series.better_unit() {
+                Some(better) => unit = better,
+                None => break,
+            }
+        }
     }
 
     /// How many steps were taken.
@@ -214,8 +240,8 @@ impl TaylorMotion {
         if !inner.is_finite() {
             return Err(MotionError::Diverged { time: self.start });
         }
-        self.series = self.series_from(time, inner);
         self.start = time;
+        self.begin_series(inner);
         self.steps += 1;
         self.end = self.end_of_series()?;
         Ok(())
@@ -246,27 +272,4 @@ impl Stepper for TaylorMotion {
         stepper::within(time, self.start, self.end)?;
         Ok(self.state_at(time))
     }
-}
-
-/// The series of a motion in seconds, or in another unit of time where its terms would be too large or too small.
-fn series(
-    system: &System<f64, Torque>,
-    start: (f64, &State<f64>),
-    order: usize,
-    with_attitude: bool,
-) -> Series<f64> {
-    let in_unit = |unit| {
-        at_its_best(
-            #[inline(always)]
-            || Series::new(system, start, order, with_attitude, unit),
-        )
-    };
-    let mut series = in_unit(1.0);
-    for _ in 0..MOST_UNITS {
-        let Some(unit) = series.better_unit() else {
-            break;
-        };
-        series = in_unit(unit);
-    }
-    series
 }

@@ -1,6 +1,7 @@
 //! The equation of motion on truncated power series.
 
-use crate::motion::{Frame, Number, Quaternion, State, System, Torque};
+use super::moments::Moments;
+use crate::motion::{Number, Quaternion, State, System, Torque};
 use nalgebra::Vector3;
 
 /// The highest order.
@@ -22,45 +23,101 @@ pub(crate) struct Series<T> {
     omega: [Lane<T>; MOST + 1],
 }
 
+/// What grows beside a series while it is made, order by order. Kept from one to the next: to clear it would cost as much
+/// as a series of low order.
+#[derive(Clone, Debug)]
+pub(crate) struct Beside<T>([Term<T>; MOST + 1]);
+
+/// What stands beside the coefficients of one order.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Term<T> {
+    pub(super) omega: Turned<T>,
+    /// The columns q i, q j, q k of the quaternion product.
+    units: [Lane<T>; 3],
+    /// Vectors constant in space, seen from the body: γ' = γ × ω. A torque or a force, and an amplitude.
+    pub(super) space: Turned<T>,
+    pub(super) amplitude: Turned<T>,
+    pub(super) sine: T,
+    pub(super) cosine: T,
+}
+
+impl<T: Number> Default for Beside<T> {
+    fn default() -> Self {
+        let (zero, none) = (T::zero(), [[T::zero(); 4]; 3]);
+        Self(
+            [Term {
+                omega: none,
+                units: none,
+                space: none,
+                amplitude: none,
+                sine: zero,
+                cosine: zero,
+            }; MOST + 1],
+        )
+    }
+}
+
+impl<T: Number> Default for Series<T> {
+    fn default() -> Self {
+        let none = [[T::zero(); 4]; MOST + 1];
+        Self {
+            order: 0,
+            unit: T::one(),
+            attitude: none,
+            omega: none,
+        }
+    }
+}
+
 impl<T: Number> Series<T> {
-    /// The motion of `system` from `state` at `time`, to `order` (at most [`MOST`]), in powers of the time over `unit`
-    /// (s). The attitude is left as it is unless it is asked for: right where the torque does not look at it.
+    /// Becomes the motion of `system` from `state` at `time`, to `order` (at most [`MOST`]), in powers of the time over
+    /// `unit` (s). The attitude is left as it is unless it is asked for: right where the torque does not look at it.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(crate) fn new(
+    pub(crate) fn become_motion(
+        &mut self,
+        beside: &mut Beside<T>,
         system: &System<T, Torque>,
         (time, state): (T, &State<T>),
-        order: usize,
-        with_attitude: bool,
+        (order, with_attitude): (usize, bool),
         unit: T,
-    ) -> Self {
-        let zero = [T::zero(); 4];
-        let mut series = Self {
-            order: order.min(MOST),
-            unit,
-            attitude: [zero; MOST + 1],
-            omega: [zero; MOST + 1],
+    ) {
+        (self.order, self.unit) = (order.min(MOST), unit);
+        let terms = &mut beside.0;
+        let torque = Moments::begin(&mut terms[0], system, (time, state), unit);
+        let wanted = Wanted {
+            attitude: with_attitude,
+            space: torque.space,
+            amplitude: torque.amplitude,
+            squares: !system.is_principal(),
         };
-        series.attitude[0] = state.attitude.components();
-        let mut omega = Turned::default();
-        series.omega[0] = omega.set(0, &(state.angular_velocity * unit));
-        let mut torque = Moments::new(system, time, state, unit);
-        // The columns q i, q j, q k of the quaternion product.
-        let mut units = [[zero; MOST + 1]; 3];
-        for n in 0..series.order {
+        let omega = state.angular_velocity * unit;
+        self.attitude[0] = state.attitude.components();
+        self.omega[0] = [omega.x, omega.y, omega.z, T::zero()];
+        terms[0].omega = turned(self.omega[0]);
+        for n in 0..self.order {
             let next = T::of(1.0 / (n + 1) as f64);
-            let applied = torque.coefficient(n, &series.omega);
-            let acceleration =
-                system.acceleration_of(&omega.products(n), || square(&series.omega, n), &applied);
             if with_attitude {
-                set_units(&mut units, n, &series.attitude[n]);
-                let rate = quaternion_rate(&units, &series.omega, n);
-                let half = next * T::of(0.5);
-                series.attitude[n + 1] = rate.map(|r| r * half);
+                terms[n].units = units(&self.attitude[n]);
             }
-            torque.carry(n, &omega, next);
-            series.omega[n + 1] = omega.set(n + 1, &(acceleration * next));
+            let applied = torque.coefficient(&terms[..=n]);
+            let sums = wanted.convolved(&terms[..=n]);
+            let [yz, zx, xy, fourth] = sums.products;
+            let [xx, yy, zz, _] = sums.squares;
+            let acceleration = system.acceleration_of(
+                &Vector3::new(yz, zx, xy),
+                || Vector3::new(xx, yy, zz),
+                &applied,
+            ) * next;
+            let half = next * T::of(0.5);
+            self.attitude[n + 1] = sums.turning.map(|r| r * half);
+            let [x, y, z] = acceleration.into();
+            self.omega[n + 1] = [x, y, z, fourth * next];
+            let after = &mut terms[n + 1];
+            after.omega = turned(self.omega[n + 1]);
+            after.space = turned(sums.space.map(|r| r * next));
+            after.amplitude = turned(sums.amplitude.map(|r| r * next));
+            torque.carry(terms, n, next);
         }
-        series
     }
 
     /// The state `span` after the start, the quaternion brought to unit length.
@@ -129,222 +186,108 @@ impl Series<f64> {
     }
 }
 
-/// A vector series in the two cyclic shifts that cross products take: (y, z, x) and (z, x, y).
-#[derive(Clone, Debug)]
-struct Turned<T> {
-    ahead: [Lane<T>; MOST + 1],
-    behind: [Lane<T>; MOST + 1],
+/// A vector and its two cyclic shifts that cross products take: (y, z, x) and (z, x, y). The fourth component is 0 and
+/// carried along all the same: without it a register is taken apart.
+pub(super) type Turned<T> = [Lane<T>; 3];
+
+#[inline(always)]
+pub(super) fn turned<T: Number>(v: Lane<T>) -> Turned<T> {
+    let [x, y, z, fourth] = v;
+    [v, [y, z, x, fourth], [z, x, y, fourth]]
 }
 
-impl<T: Number> Default for Turned<T> {
-    fn default() -> Self {
-        let zeros = [[T::zero(); 4]; MOST + 1];
-        Self {
-            ahead: zeros,
-            behind: zeros,
+/// Which convolutions are asked for.
+struct Wanted {
+    attitude: bool,
+    space: bool,
+    amplitude: bool,
+    squares: bool,
+}
+
+/// Coefficients of products of series; zeros where they are not asked for.
+struct Sums<T> {
+    /// (yz, zx, xy) and (x², y², z²) of ω.
+    products: Lane<T>,
+    squares: Lane<T>,
+    /// q ω.
+    turning: Lane<T>,
+    /// The cross products with ω of what is constant in space.
+    space: Lane<T>,
+    amplitude: Lane<T>,
+}
+
+impl Wanted {
+    /// The coefficients of the highest of these orders: sums of products of the first with the last and so on. Those in
+    /// which the last one stands are added at the end, so that the sum of all others does not wait for it; and all sums in
+    /// one loop, as its end is seldom foreseen by the processor.
+    #[inline(always)]
+    fn convolved<T: Number>(&self, terms: &[Term<T>]) -> Sums<T> {
+        let zero = [T::zero(); 4];
+        let mut sums = Sums {
+            products: zero,
+            squares: zero,
+            turning: zero,
+            space: zero,
+            amplitude: zero,
+        };
+        match terms {
+            [first, between @ .., last] => {
+                for (a, b) in between.iter().zip(between.iter().rev()) {
+                    self.add(&mut sums, a, b);
+                }
+                self.add(&mut sums, first, last);
+                self.add(&mut sums, last, first);
+            }
+            [only] => self.add(&mut sums, only, only),
+            [] => {}
         }
-    }
-}
-
-impl<T: Number> Turned<T> {
-    /// Sets coefficient `n`, and returns it as a lane.
-    #[inline(always)]
-    fn set(&mut self, n: usize, v: &Vector3<T>) -> Lane<T> {
-        let zero = T::zero();
-        self.ahead[n] = [v.y, v.z, v.x, zero];
-        self.behind[n] = [v.z, v.x, v.y, zero];
-        [v.x, v.y, v.z, zero]
+        sums
     }
 
-    /// Coefficient `n` of (yz, zx, xy).
     #[inline(always)]
-    fn products(&self, n: usize) -> Vector3<T> {
-        let mut sum = [T::zero(); 4];
-        for m in 0..=n {
-            let (a, b) = (&self.ahead[m], &self.behind[n - m]);
+    fn add<T: Number>(&self, sums: &mut Sums<T>, a: &Term<T>, b: &Term<T>) {
+        let [straight, ahead, behind] = &b.omega;
+        add_products(&mut sums.products, &a.omega[1], behind);
+        if self.squares {
+            add_products(&mut sums.squares, &a.omega[0], straight);
+        }
+        if self.attitude {
+            let ([p, q, r], [x, y, z, _]) = (&a.units, straight);
             for i in 0..4 {
-                sum[i] += a[i] * b[i];
+                sums.turning[i] += p[i] * *x + q[i] * *y + r[i] * *z;
             }
         }
-        Vector3::new(sum[0], sum[1], sum[2])
-    }
-
-    /// Coefficient `n` of the cross product of this and another vector.
-    #[inline(always)]
-    fn cross(&self, other: &Self, n: usize) -> Vector3<T> {
-        let mut sum = [T::zero(); 4];
-        for m in 0..=n {
-            let (a, b) = (&self.ahead[m], &other.behind[n - m]);
-            let (c, d) = (&self.behind[m], &other.ahead[n - m]);
-            for i in 0..4 {
-                sum[i] += a[i] * b[i] - c[i] * d[i];
-            }
+        if self.space {
+            add_cross(&mut sums.space, &a.space, ahead, behind);
         }
-        Vector3::new(sum[0], sum[1], sum[2])
-    }
-}
-
-/// Coefficient `n` of q ω, from q i, q j, q k.
-#[inline(always)]
-fn quaternion_rate<T: Number>(
-    units: &[[Lane<T>; MOST + 1]; 3],
-    omega: &[Lane<T>; MOST + 1],
-    n: usize,
-) -> Lane<T> {
-    let mut rate = [T::zero(); 4];
-    for (m, w) in omega[..=n].iter().rev().enumerate() {
-        let (a, b, c) = (&units[0][m], &units[1][m], &units[2][m]);
-        for i in 0..4 {
-            rate[i] += a[i] * w[0] + b[i] * w[1] + c[i] * w[2];
+        if self.amplitude {
+            add_cross(&mut sums.amplitude, &a.amplitude, ahead, behind);
         }
     }
-    rate
-}
-
-/// Coefficient `n` of (x², y², z²).
-#[inline(always)]
-fn square<T: Number>(omega: &[Lane<T>; MOST + 1], n: usize) -> Vector3<T> {
-    let mut sum = [T::zero(); 4];
-    for m in 0..=n {
-        let (a, b) = (&omega[m], &omega[n - m]);
-        for i in 0..4 {
-            sum[i] += a[i] * b[i];
-        }
-    }
-    Vector3::new(sum[0], sum[1], sum[2])
 }
 
 #[inline(always)]
-fn set_units<T: Number>(units: &mut [[Lane<T>; MOST + 1]; 3], n: usize, q: &Lane<T>) {
-    let [w, x, y, z] = *q;
-    units[0][n] = [-x, w, z, -y];
-    units[1][n] = [-y, -z, w, x];
-    units[2][n] = [-z, y, -x, w];
+fn add_products<T: Number>(sum: &mut Lane<T>, a: &Lane<T>, b: &Lane<T>) {
+    for ((sum, a), b) in sum.iter_mut().zip(a).zip(b) {
+        *sum += *a * *b;
+    }
 }
 
-/// The series of the torque, grown with the motion, in the series' unit of time.
-struct Moments<T> {
-    law: Torque,
-    unit: T,
-    /// A torque constant in body axes.
-    body: Vector3<T>,
-    /// Vectors constant in space, seen from the body: γ' = γ × ω. The first is a torque or a force, the
-    /// second an amplitude.
-    space: Option<Box<Turned<T>>>,
-    amplitude: Option<Box<Turned<T>>>,
-    sine: [T; MOST + 1],
-    cosine: [T; MOST + 1],
+#[inline(always)]
+fn add_cross<T: Number>(
+    sum: &mut Lane<T>,
+    [_, a, b]: &Turned<T>,
+    ahead: &Lane<T>,
+    behind: &Lane<T>,
+) {
+    for i in 0..4 {
+        sum[i] += a[i] * behind[i] - b[i] * ahead[i];
+    }
 }
 
-impl<T: Number> Moments<T> {
-    fn new(system: &System<T, Torque>, time: T, state: &State<T>, unit: T) -> Self {
-        // By the unit twice, whose square may be no number.
-        let lift = |v: &Vector3<f64>| v.map(|c| T::of(c) * unit * unit);
-        let seen = |v: Vector3<T>| {
-            let mut series = Box::<Turned<T>>::default();
-            series.set(0, &state.attitude.to_body(&v));
-            Some(series)
-        };
-        let added = system.added() * unit * unit;
-        let mut moments = Self {
-            law: *system.law(),
-            unit,
-            body: Vector3::from_element(T::zero()),
-            space: None,
-            amplitude: None,
-            sine: [T::zero(); MOST + 1],
-            cosine: [T::zero(); MOST + 1],
-        };
-        match system.law() {
-            Torque::None | Torque::Damping { .. } => moments.body = added,
-            Torque::Constant {
-                frame: Frame::Body,
-                value,
-            } => moments.body = added + lift(value),
-            Torque::Constant {
-                frame: Frame::Space,
-                value,
-            } => {
-                moments.space = seen(added + lift(value));
-            }
-            Torque::Gravity { weight, .. } => {
-                moments.body = added;
-                moments.space = seen(lift(&Vector3::new(0.0, 0.0, -*weight)));
-            }
-            Torque::Sinusoid {
-                frame,
-                amplitude,
-                angular_frequency,
-                phase,
-            } => {
-                let angle = time * T::of(*angular_frequency) + T::of(*phase);
-                (moments.sine[0], moments.cosine[0]) = angle.sin_cos();
-                match frame {
-                    Frame::Body => moments.body = added,
-                    Frame::Space => {
-                        moments.space = seen(added);
-                        moments.amplitude = seen(lift(amplitude));
-                    }
-                }
-            }
-        }
-        moments
-    }
-
-    /// Coefficient `n` of the torque in body axes, from those of ω to the same order.
-    #[inline(always)]
-    fn coefficient(&self, n: usize, omega: &[Lane<T>; MOST + 1]) -> Vector3<T> {
-        let mut sum = if n == 0 {
-            self.body
-        } else {
-            Vector3::from_element(T::zero())
-        };
-        let at = |series: &Turned<T>, m: usize| {
-            let [y, z, x, _] = series.ahead[m];
-            Vector3::new(x, y, z)
-        };
-        if let Some(space) = &self.space {
-            let seen = at(space, n);
-            sum += match &self.law {
-                Torque::Gravity { arm, .. } => arm.map(T::of).cross(&seen),
-                _ => seen,
-            };
-        }
-        match &self.law {
-            Torque::Damping { coefficient } => {
-                let [x, y, z, _] = omega[n];
-                sum -= Vector3::new(x, y, z) * (T::of(*coefficient) * self.unit);
-            }
-            Torque::Sinusoid { amplitude, .. } => match &self.amplitude {
-                None => {
-                    let factor = self.unit * self.sine[n];
-                    sum += amplitude.map(|a| T::of(a) * self.unit * factor);
-                }
-                Some(series) => {
-                    for m in 0..=n {
-                        sum += at(series, m) * self.sine[n - m];
-                    }
-                }
-            },
-            _ => {}
-        }
-        sum
-    }
-
-    /// Grows the carried series from coefficient `n` to the next; `next` is 1/(n + 1).
-    #[inline(always)]
-    fn carry(&mut self, n: usize, omega: &Turned<T>, next: T) {
-        for series in [&mut self.space, &mut self.amplitude].into_iter().flatten() {
-            let rate = series.cross(omega, n);
-            series.set(n + 1, &(rate * next));
-        }
-        if let Torque::Sinusoid {
-            angular_frequency, ..
-        } = &self.law
-        {
-            let turn = next * self.unit * T::of(*angular_frequency);
-            self.sine[n + 1] = self.cosine[n] * turn;
-            self.cosine[n + 1] = -self.sine[n] * turn;
-        }
-    }
+/// q i, q j, q k.
+#[inline(always)]
+fn units<T: Number>([w, x, y, z]: &Lane<T>) -> [Lane<T>; 3] {
+    let (w, x, y, z) = (*w, *x, *y, *z);
+    [[-x, w, z, -y], [-y, -z, w, x], [-z, y, -x, w]]
 }
