@@ -31,47 +31,85 @@ impl<L> Scheme<L> for Dop853 {
     where
         L: TorqueLaw<T>,
     {
-        let mut slopes = [[T::zero(); 8]; 16];
-        let start = pack(state);
-        slopes[0] = rate(system, time, &start);
-        unit(&end(system, time, &start, step, &mut slopes))
+        let mut stages = Stages::default();
+        stages.begin(pack(state), rate(system, time, &pack(state)));
+        stages.go_on(system, time, step);
+        unit(&stages.end(step))
     }
 }
 
-/// The stages of a step whose first is known, and where they lead; the quaternion is not made unit.
-#[inline(always)]
-fn end<T: Number, L: TorqueLaw<T>>(
-    system: &System<T, L>,
-    time: T,
-    start: &Lane<T>,
-    step: T,
-    slopes: &mut [Lane<T>; 16],
-) -> Lane<T> {
-    for (i, row) in STAGES.iter().enumerate() {
-        let place = along(start, &sum(slopes, row), step);
-        slopes[i + 1] = rate(system, time + step * T::of(TIMES[i + 1]), &place);
-    }
-    along(start, &sum(slopes, END), step)
+/// The stages of a step: 0 to 11 make it, 12 is its end, 13 to 15 are for dense output. Kept from step to step: where a
+/// stage stands is written down and not only its rates, so that the sums are made of whole registers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stages<T> {
+    pub(crate) places: [Lane<T>; 16],
+    pub(crate) slopes: [Lane<T>; 16],
 }
 
-/// The dense output of a step whose end is stage 12, as `contd8` of `dop853.f` nests it.
-fn dense<L: TorqueLaw<f64>>(
-    system: &System<f64, L>,
-    time: f64,
-    start: &Lane<f64>,
-    end: &Lane<f64>,
-    step: f64,
-    slopes: &mut [Lane<f64>; 16],
-) -> [Lane<f64>; 8] {
-    for (i, row) in (13..).zip(DENSE_STAGES) {
-        let place = along(start, &sum(slopes, row), step);
-        slopes[i] = rate(system, time + step * TIMES[i], &place);
+impl<T: Number> Default for Stages<T> {
+    fn default() -> Self {
+        let none = [[T::zero(); 8]; 16];
+        Self {
+            places: none,
+            slopes: none,
+        }
     }
-    let change: Lane<f64> = std::array::from_fn(|i| end[i] - start[i]);
-    let bend: Lane<f64> = std::array::from_fn(|i| step * slopes[0][i] - change[i]);
-    let twist = std::array::from_fn(|i| change[i] - step * slopes[12][i] - bend[i]);
-    let [a, b, c, d] = DENSE.map(|row| sum(slopes, row).map(|s| s * step));
-    [*start, change, bend, twist, a, b, c, d]
+}
+
+impl<T: Number> Stages<T> {
+    #[inline(always)]
+    fn begin(&mut self, start: Lane<T>, slope: Lane<T>) {
+        (self.places[0], self.slopes[0]) = (start, slope);
+    }
+
+    /// The stages after the first, one after the other and not in a loop, so that each row is a sum of known length.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn go_on<L: TorqueLaw<T>>(&mut self, system: &System<T, L>, time: T, step: T) {
+        macro_rules! stages {
+            ($($i:literal)*) => {$(
+                self.stage(system, (time, step), $i, const { STAGES[$i - 1] });
+            )*};
+        }
+        stages!(1 2 3 4 5 6 7 8 9 10 11);
+    }
+
+    #[inline(always)]
+    fn stage<L: TorqueLaw<T>>(
+        &mut self,
+        system: &System<T, L>,
+        (time, step): (T, T),
+        i: usize,
+        row: Row,
+    ) {
+        self.places[i] = along(&self.places[0], &sum(&self.slopes, row), step);
+        self.slopes[i] = rate(system, time + step * T::of(TIMES[i]), &self.places[i]);
+    }
+
+    /// Where they lead; the quaternion is not made unit.
+    #[inline(always)]
+    fn end(&self, step: T) -> Lane<T> {
+        along(&self.places[0], &sum(&self.slopes, END), step)
+    }
+}
+
+impl Stages<f64> {
+    /// The dense output of a step, as `contd8` of `dop853.f` nests it.
+    fn dense<L: TorqueLaw<f64>>(
+        &mut self,
+        system: &System<f64, L>,
+        time: f64,
+        step: f64,
+    ) -> [Lane<f64>; 8] {
+        for (i, row) in (13..).zip(DENSE_STAGES) {
+            self.stage(system, (time, step), i, row);
+        }
+        let (start, end, slopes) = (&self.places[0], &self.places[12], &self.slopes);
+        let change: Lane<f64> = std::array::from_fn(|i| end[i] - start[i]);
+        let bend: Lane<f64> = std::array::from_fn(|i| step * slopes[0][i] - change[i]);
+        let twist = std::array::from_fn(|i| change[i] - step * slopes[12][i] - bend[i]);
+        let [a, b, c, d] = DENSE.map(|row| sum(slopes, row).map(|s| s * step));
+        [*start, change, bend, twist, a, b, c, d]
+    }
 }
 
 #[inline(always)]
@@ -107,7 +145,7 @@ fn rate<T: Number, L: TorqueLaw<T>>(system: &System<T, L>, time: T, lane: &Lane<
 }
 
 #[inline(always)]
-pub(crate) fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
+fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
     let mut sum = [T::zero(); 8];
     for (stage, coefficient) in row {
         let factor = T::of(*coefficient);
@@ -119,6 +157,6 @@ pub(crate) fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
 }
 
 #[inline(always)]
-pub(crate) fn along<T: Number>(start: &Lane<T>, slope: &Lane<T>, step: T) -> Lane<T> {
+fn along<T: Number>(start: &Lane<T>, slope: &Lane<T>, step: T) -> Lane<T> {
     std::array::from_fn(|i| start[i] + slope[i] * step)
 }

@@ -1,7 +1,7 @@
 //! A motion by steps of DOP853 whose length follows from a tolerance.
 
 use super::tableau::{END, OVER_FIFTH, THIRD};
-use super::{Lane, dense, end, pack, rate, sum, unit};
+use super::{Lane, Stages, pack, rate, sum, unit};
 use crate::motion::registers::at_its_best;
 use crate::motion::{MotionError, State, Stepper, System, TorqueLaw, stepper};
 use nalgebra::Vector3;
@@ -35,6 +35,7 @@ pub struct Dop853Motion<L> {
     end: f64,
     last: Lane<f64>,
     slope: Lane<f64>,
+    stages: Stages<f64>,
     dense: [Lane<f64>; 8],
     /// The step to try next, and the longest that was tried.
     next: f64,
@@ -52,9 +53,7 @@ pub(crate) struct Taken<'a> {
     /// Its start, s.
     pub(crate) time: f64,
     pub(crate) span: f64,
-    /// The state there, and the rates of the twelve stages.
-    pub(crate) start: &'a Lane<f64>,
-    pub(crate) slopes: &'a [Lane<f64>; 16],
+    pub(crate) stages: &'a Stages<f64>,
 }
 
 /// The most steps that one call takes.
@@ -102,6 +101,7 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
             end: 0.0,
             last,
             slope,
+            stages: Stages::default(),
             dense,
             taken: 0,
             rejected: 0,
@@ -194,8 +194,7 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         border: f64,
         each: &mut impl FnMut(&Taken<'_>),
     ) -> Result<(), MotionError> {
-        let mut slopes = [[0.0; 8]; 16];
-        slopes[0] = self.slope;
+        self.stages.begin(self.last, self.slope);
         let mut most = 6.0;
         for _ in 0..MOST_REFUSALS {
             let left = border - self.end;
@@ -207,13 +206,15 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
             let (raw, error) = at_its_best(
                 #[inline(always)]
                 || {
-                    let raw = end(&self.system, self.end, &self.last, step, &mut slopes);
-                    (raw, self.error(&slopes, &raw, step))
+                    self.stages.go_on(&self.system, self.end, step);
+                    let raw = self.stages.end(step);
+                    (raw, error(&self.stages, &raw, step) / self.tolerance)
                 },
             );
             // A NaN is an error that no step brings down.
             let growth = if error.is_finite() {
-                (0.9 * error.powf(-0.125)).clamp(1.0 / 3.0, most)
+                let eighth_root = error.sqrt().sqrt().sqrt();
+                (0.9 / eighth_root).clamp(1.0 / 3.0, most)
             } else {
                 1.0 / 3.0
             };
@@ -226,15 +227,14 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
                     each(&Taken {
                         time: self.end,
                         span: step,
-                        start: &self.last,
-                        slopes: &slopes,
+                        stages: &self.stages,
                     });
                     let reached = if step >= left {
                         border
                     } else {
                         self.end + step
                     };
-                    self.accept(slopes, unit, slope, reached, reached >= time);
+                    self.accept(unit, slope, reached, reached >= time);
                     return Ok(());
                 }
             }
@@ -245,50 +245,16 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         Err(MotionError::Diverged { time: self.end })
     }
 
-    fn accept(
-        &mut self,
-        mut slopes: [Lane<f64>; 16],
-        unit: Lane<f64>,
-        slope: Lane<f64>,
-        reached: f64,
-        with_output: bool,
-    ) {
+    fn accept(&mut self, unit: Lane<f64>, slope: Lane<f64>, reached: f64, with_output: bool) {
         let step = reached - self.end;
-        slopes[12] = slope;
+        (self.stages.places[12], self.stages.slopes[12]) = (unit, slope);
         if with_output {
-            self.dense = dense(&self.system, self.end, &self.last, &unit, step, &mut slopes);
+            self.dense = self.stages.dense(&self.system, self.end, step);
         }
         self.scale = self.scale.max(step);
         (self.start, self.end) = (self.end, reached);
         (self.last, self.slope) = (unit, slope);
         self.taken += 1;
-    }
-
-    /// The error of a step against the tolerance, from the comparison with orders 5 and 3.
-    #[inline(always)]
-    fn error(&self, slopes: &[Lane<f64>; 16], end: &Lane<f64>, step: f64) -> f64 {
-        let fifth = sum(slopes, OVER_FIFTH);
-        let (eighth, low) = (sum(slopes, END), sum(slopes, THIRD));
-        let third: Lane<f64> = std::array::from_fn(|i| eighth[i] - low[i]);
-        let size = |lane: &Lane<f64>| {
-            let speed = self.last[4..7].iter().chain(&end[4..7]);
-            let speed = speed.fold(0.0_f64, |m, w| m.max(w.abs()));
-            // From rest under no torque the error is 0 of 0.
-            let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
-            // Over the step first, for the square of a rate of 1e-160 is 0. An error δq is an angle of 2 |δq|.
-            let square = |part: &[f64], factor: f64| {
-                part.iter()
-                    .map(|c| (c * step * factor).powi(2))
-                    .sum::<f64>()
-            };
-            square(&lane[..4], 2.0) + square(&lane[4..], over)
-        };
-        let (fine, coarse) = (size(&fifth), size(&third));
-        let whole = fine + 0.01 * coarse;
-        if whole == 0.0 {
-            return 0.0;
-        }
-        fine / whole.sqrt() / self.tolerance
     }
 
     fn state_at(&self, time: f64) -> State<f64> {
@@ -337,4 +303,32 @@ fn first_step(state: &Lane<f64>, slope: &Lane<f64>, tolerance: f64) -> f64 {
     let span = if pace > 0.0 { 1.0 / pace } else { 1.0 };
     // The error control trebles or sixths it from here.
     tolerance.powf(0.125) * span
+}
+
+/// The error of a step to `end`, from the comparison with orders 5 and 3.
+#[inline(always)]
+fn error(stages: &Stages<f64>, end: &Lane<f64>, step: f64) -> f64 {
+    let (start, slopes) = (&stages.places[0], &stages.slopes);
+    let fifth = sum(slopes, OVER_FIFTH);
+    let (eighth, low) = (sum(slopes, END), sum(slopes, THIRD));
+    let third: Lane<f64> = std::array::from_fn(|i| eighth[i] - low[i]);
+    let size = |lane: &Lane<f64>| {
+        let speed = start[4..7].iter().chain(&end[4..7]);
+        let speed = speed.fold(0.0_f64, |m, w| m.max(w.abs()));
+        // From rest under no torque the error is 0 of 0.
+        let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
+        // Over the step first, for the square of a rate of 1e-160 is 0. An error δq is an angle of 2 |δq|.
+        let square = |part: &[f64], factor: f64| {
+            part.iter()
+                .map(|c| (c * step * factor).powi(2))
+                .sum::<f64>()
+        };
+        square(&lane[..4], 2.0) + square(&lane[4..], over)
+    };
+    let (fine, coarse) = (size(&fifth), size(&third));
+    let whole = fine + 0.01 * coarse;
+    if whole == 0.0 {
+        return 0.0;
+    }
+    fine / whole.sqrt()
 }

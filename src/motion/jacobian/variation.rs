@@ -11,7 +11,7 @@
 
 use super::runge_kutta::algebra::{loaded, plus_cross, splat, symmetric};
 use crate::motion::block::{LANES, Lane};
-use crate::motion::dop853::{END, Row, STAGES, TIMES, Taken, along, sum, unpack};
+use crate::motion::dop853::{END, Row, STAGES, TIMES, Taken, unpack};
 use crate::motion::registers::{Arithmetic, Registers, Work, in_widest};
 use crate::motion::system::entries;
 use crate::motion::{Body, Frame, Quaternion, State, System, Torque, TorqueLaw};
@@ -54,16 +54,9 @@ impl<'a> Variation<'a> {
     /// The columns after a step of the motion of `system`, which is along principal axes.
     pub(super) fn step(&mut self, system: &System<f64, Torque>, taken: &Taken<'_>) {
         let stages = std::array::from_fn(|i| {
-            let (place, time) = match i {
-                0 => (*taken.start, taken.time),
-                _ => {
-                    let slope = sum(taken.slopes, STAGES[i - 1]);
-                    let place = along(taken.start, &slope, taken.span);
-                    (place, taken.time + TIMES[i] * taken.span)
-                }
-            };
-            let state = unpack(&place);
-            let [.., x, y, z, _] = taken.slopes[i];
+            let time = taken.time + TIMES[i] * taken.span;
+            let state = unpack(&taken.stages.places[i]);
+            let [.., x, y, z, _] = taken.stages.slopes[i];
             let turned = (
                 &state.attitude,
                 &state.angular_velocity,
