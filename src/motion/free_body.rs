@@ -210,7 +210,7 @@ impl Turning {
             start.attitude * working * to_momentum(&(momentum / size_of_momentum)).conjugate();
         let axes = working_axes(body.axes(), &signs, found.exchanged);
         Some(Self {
-            left: base * about_z(middle * series.at(u0).phase),
+            left: (base * about_z(turned(series.at(u0).phase, middle))).normalised(),
             axes,
             right: working.conjugate(),
             series,
@@ -236,10 +236,17 @@ impl Turning {
         let flipped = if halves % 2.0 == 0.0 { 1.0 } else { -1.0 };
         let functions = Vector3::new(flipped * values.cn, flipped * values.sn, values.dn);
         let (_, gain) = self.series.rate_and_gain();
-        let half = self.half_rate * time - self.sign * (values.phase - gain * halves);
+        let half = self.half_rate * time + self.sign * gain * halves;
+        // e^(i half) times e^(−i phase), of any length: the attitude is made unit at the end.
+        let (sine, cosine) = half.sin_cos();
+        let (real, imaginary) = turned(values.phase, self.sign);
+        let turn = (
+            cosine * real + sine * imaginary,
+            sine * real - cosine * imaginary,
+        );
         let swing = to_momentum(&self.momentum.component_mul(&functions));
         State {
-            attitude: (self.left * about_z(half) * swing * self.right).normalised(),
+            attitude: (self.left * about_z(turn) * swing * self.right).normalised(),
             angular_velocity: self.axes * self.velocity.component_mul(&functions),
         }
     }
@@ -290,10 +297,14 @@ fn working_axes(principal: &Matrix3<f64>, signs: &Vector3<f64>, exchanged: bool)
     axes
 }
 
-/// A turn about z by twice `half`.
-fn about_z(half: f64) -> Quaternion<f64> {
-    let (sine, cosine) = half.sin_cos();
-    Quaternion::new([cosine, 0.0, 0.0, sine])
+/// A turn about z by twice the argument of a complex number, as long as it.
+fn about_z((real, imaginary): (f64, f64)) -> Quaternion<f64> {
+    Quaternion::new([real, 0.0, 0.0, imaginary])
+}
+
+/// A complex number, or the conjugate for a sign of −1.
+fn turned((real, imaginary): (f64, f64), sign: f64) -> (f64, f64) {
+    (real, sign * imaginary)
 }
 
 /// The shortest turn that brings the direction `m`, with m_z ≥ 0, to z.

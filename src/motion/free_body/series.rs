@@ -12,8 +12,9 @@ pub(super) struct Values {
     pub(super) sn: f64,
     pub(super) cn: f64,
     pub(super) dn: f64,
-    /// The phase that belongs to u: twice it is what 1/(G + A dn) integrates to, less a part linear in u.
-    pub(super) phase: f64,
+    /// A number (real and imaginary part) whose argument is the phase that belongs to u: twice it is what 1/(G + A dn)
+    /// integrates to, less a part linear in u.
+    pub(super) phase: (f64, f64),
 }
 
 /// Jacobi's functions of one modulus, and the phase of one pole.
@@ -140,7 +141,7 @@ impl Nome {
             sn: self.factors[0] * theta1 / theta4,
             cn: self.factors[1] * theta2 / theta4,
             dn: self.factors[2] * theta3 / theta4,
-            phase: imaginary.atan2(real),
+            phase: (real, imaginary),
         }
     }
 }
@@ -245,7 +246,7 @@ impl Complementary {
             sn: side * self.factors[0] * theta1 / theta2,
             cn: small * self.factors[1] * theta4 / theta2,
             dn: small * self.factors[2] * theta3 / theta2,
-            phase: side * imaginary.atan2(real),
+            phase: (real, side * imaginary),
         }
     }
 
