@@ -138,3 +138,19 @@ fn the_exact_free_body_does_not_care_for_the_scale() {
     };
     assert_alike("exact", &exact, 1);
 }
+
+#[test]
+fn a_damped_body_comes_to_rest_below_the_smallest_numbers() {
+    let body = Body::new(&tensor()).expect("a body");
+    let law = Torque::Damping { coefficient: 1.0 };
+    let mut series = TaylorMotion::new(&body, law, &start(), 1e-12).expect("a motion");
+    let system = System::principal(&body, law);
+    let mut steps =
+        Dop853Motion::new(system, &body.state_along(&start()), 1e-12).expect("a motion");
+    // A thousand times e-fold and more: 1e-308 is the least number with a reciprocal.
+    series.advance_to(5e3).expect("rest");
+    steps.end_at(5e3).expect("rest");
+    let apart = series.state().difference(&body.state_from(steps.state()));
+    assert!(apart.amax() < 1e-9, "{apart}");
+    assert!(series.state().angular_velocity.amax() < 1e-300);
+}

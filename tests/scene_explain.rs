@@ -36,23 +36,23 @@ fn a_method_is_chosen_by_what_the_motion_is() {
         (
             UNEQUAL.to_owned() + damping,
             "",
-            "Taylor series, 6e-13 a step",
+            "Taylor series, 1e-12 a step",
         ),
         (
             UNEQUAL.to_owned() + gravity,
             "tolerance = 0.05",
-            "DOP853, 1e-4 a step",
+            "DOP853, 6e-5 a step",
         ),
         (
             "inertia = { xx = 2, yy = 3, zz = 4 }\nangular_velocity = [1e-40, 3e-40, 0]".to_owned()
                 + damping,
             "",
-            "DOP853, 6e-12 a step",
+            "DOP853, 2e-11 a step",
         ),
         (
             UNEQUAL.to_owned(),
             "method = 'taylor'",
-            "Taylor series, 6e-13 a step",
+            "Taylor series, 1e-12 a step",
         ),
         (
             UNEQUAL.to_owned(),

@@ -231,6 +231,13 @@ pub(crate) fn positive(step: f64) -> Result<(), MotionError> {
     }
 }
 
+/// What to measure an error by: 1 over the size of what errs, and 1 at rest. A number so small that nothing is its
+/// reciprocal is rest: a damped body comes to it.
+pub(crate) fn over(size: f64) -> f64 {
+    let over = 1.0 / size;
+    if over.is_finite() { over } else { 1.0 }
+}
+
 /// That a time lies within a step.
 pub(crate) fn within(time: f64, start: f64, end: f64) -> Result<(), MotionError> {
     if (start..=end).contains(&time) {

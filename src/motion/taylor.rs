@@ -7,6 +7,7 @@ use crate::motion::registers::at_its_best;
 use crate::motion::{
     Body, MotionError, Number, Scheme, State, Stepper, System, Torque, TorqueLaw, stepper,
 };
+use nalgebra::Vector3;
 use series::{Beside, MOST, Series};
 
 /// One step by the Taylor series of the motion, of order 2 to 30, for the laws of torque that have a recurrence
@@ -241,7 +242,13 @@ impl TaylorMotion {
             return Err(MotionError::Diverged { time: self.start });
         }
         self.start = time;
-        self.begin_series(inner);
+        // So slow that nothing is the reciprocal of its speed, a damped body is at rest.
+        let slow = !(1.0 / inner.angular_velocity.amax()).is_finite();
+        let inner = match slow {
+            true => inner.turning(Vector3::zeros()),
+            false => *inner,
+        };
+        self.begin_series(&inner);
         self.steps += 1;
         self.end = self.end_of_series()?;
         Ok(())

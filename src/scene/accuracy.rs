@@ -98,16 +98,20 @@ pub fn settle(
             way,
         });
     };
-    let mut growth = f64::INFINITY;
-    for loose in LOOSE {
+    let mut growth = None;
+    for loose in LOOSE.into_iter().filter(|loose| *loose >= bound) {
         let off = apart(member, &companion(&way, loose), duration, &found, stop)?;
-        // Two runs that agree by chance: a bound is not met better than by itself.
-        growth = (off / loose.max(bound)).max(1.0);
         if off < LOST {
+            growth = Some(off / loose);
             break;
         }
     }
-    let (needed, error) = needed(growth, &way, tolerance);
+    let growth = match growth {
+        Some(growth) => growth,
+        // The run itself may have lost the motion.
+        None => growth_by_companions(member, &way, duration, stop)?,
+    };
+    let (needed, error) = needed(growth, member, &way, (duration, tolerance));
     let way = way.within(needed);
     if needed < bound {
         found = quarters(member, &way, duration, stop)?;
@@ -136,30 +140,50 @@ pub fn foresee(
         let error = without_bound(member, &way, &end, (duration, tolerance), stop)?;
         return Ok((way, error));
     }
+    let growth = growth_by_companions(member, &way, duration, stop)?;
+    let (needed, error) = needed(growth, member, &way, (duration, tolerance));
+    Ok((way.within(needed), error))
+}
+
+/// What a motion makes of a small error, by pairs of companions of which one is tighter than the other.
+fn growth_by_companions(
+    member: &Member,
+    way: &Way,
+    duration: f64,
+    stop: &dyn Fn() -> bool,
+) -> Result<f64, Unsettled> {
     let mut growth = f64::INFINITY;
     for loose in LOOSE {
-        let tighter = companion(&way, (CLOSER * loose).max(plan::LEAST));
+        let tighter = companion(way, (CLOSER * loose).max(plan::LEAST));
         let other = quarters(member, &tighter, duration, stop)?;
-        let off = apart(member, &companion(&way, loose), duration, &other, stop)?;
-        growth = (off / loose).max(1.0);
+        let off = apart(member, &companion(way, loose), duration, &other, stop)?;
+        growth = off / loose;
         if off < LOST {
             break;
         }
     }
-    let (needed, error) = needed(growth, &way, tolerance);
-    Ok((way.within(needed), error))
+    Ok(growth)
 }
 
 /// The bound of a step, at most the one given, that keeps the error within the tolerance if anything does; and the error.
-fn needed(growth: f64, way: &Way, tolerance: f64) -> (f64, f64) {
+/// `growth` is what the motion makes of a small error.
+fn needed(
+    growth: f64,
+    member: &Member,
+    way: &Way,
+    (duration, tolerance): (f64, f64),
+) -> (f64, f64) {
+    // Two runs that agree by chance: a bound is not met better than by itself.
+    let growth = growth.max(1.0) * plan::gathered(angle(member, duration));
     let bound = way.step_tolerance().unwrap_or(plan::LEAST);
     let least = plan::LEAST.min(bound);
-    let grown = plan::safety(way) * growth;
+    let safety = plan::safety(way);
+    let grown = safety * growth;
     let needed = match grown * bound <= tolerance {
         true => bound,
         false => (MARGIN * tolerance / grown).clamp(least, bound),
     };
-    (needed, grown * needed.max(ROUNDING))
+    (needed, growth * (safety * needed).max(ROUNDING))
 }
 
 /// The cheapest way of a companion.

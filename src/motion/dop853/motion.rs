@@ -315,8 +315,7 @@ fn error(stages: &Stages<f64>, end: &Lane<f64>, step: f64) -> f64 {
     let size = |lane: &Lane<f64>| {
         let speed = start[4..7].iter().chain(&end[4..7]);
         let speed = speed.fold(0.0_f64, |m, w| m.max(w.abs()));
-        // From rest under no torque the error is 0 of 0.
-        let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
+        let over = stepper::over(speed);
         // Over the step first, for the square of a rate of 1e-160 is 0. An error δq is an angle of 2 |δq|.
         let square = |part: &[f64], factor: f64| {
             part.iter()

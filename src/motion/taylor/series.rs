@@ -1,7 +1,7 @@
 //! The equation of motion on truncated power series.
 
 use super::moments::Moments;
-use crate::motion::{Number, Quaternion, State, System, Torque};
+use crate::motion::{Number, Quaternion, State, System, Torque, stepper};
 use nalgebra::Vector3;
 
 /// The highest order.
@@ -147,7 +147,7 @@ impl Series<f64> {
     pub(crate) fn span(&self, tolerance: f64) -> f64 {
         let size = |lane: &Lane<f64>| lane.iter().map(|c| c.abs()).sum::<f64>();
         let speed = size(&self.omega[0]);
-        let over = if speed > 0.0 { 1.0 / speed } else { 1.0 };
+        let over = stepper::over(speed);
         let [last, least] = [self.order, self.order - 1].map(|n| {
             let term = size(&self.attitude[n]) + size(&self.omega[n]) * over;
             (tolerance / term).powf(1.0 / n as f64)
@@ -167,7 +167,7 @@ impl Series<f64> {
         let size = |n: usize| {
             let part = |of: &[Lane<f64>; MOST + 1]| {
                 let start = of[0].iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-                let over = if start > 0.0 { 1.0 / start } else { 1.0 };
+                let over = stepper::over(start);
                 of[n].iter().fold(0.0, |m: f64, c| m.max(c.abs() * over))
             };
             part(&self.attitude).max(part(&self.omega))
