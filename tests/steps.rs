@@ -52,3 +52,43 @@ $$ \tan\beta = \frac{{L_1}}{{L_3}} = {last} $$
     assert!(verdicts(&chain(r"\tfrac12\tan\alpha")).ends_with(['p', 'a']));
     assert!(verdicts(&chain(r"2\tan\alpha")).ends_with('r'));
 }
+
+#[test]
+fn a_general_inertia_matrix_is_put_on_principal_axes() {
+    let text = r"A free rigid body has the inertia matrix $J$, which is symmetric and constant. Each step of the size $h$ is defined by
+
+$$ J\omega_{k+1} = J\omega_k - h\,\omega_k\times J\omega_k $$
+
+For the increment $d = \omega_{k+1} - \omega_k$ it follows that
+
+$$ \omega_k\cdot J d = 0 $$
+
+$$ \omega_{k+1}^T J\,\omega_{k+1} = \omega_k^T J\,\omega_k + d^T J\,d $$
+";
+    assert_eq!(verdicts(text), "aapp");
+}
+
+#[test]
+fn another_section_has_another_step() {
+    let text = r"A free rigid body has the constant inertia matrix $J$.
+
+## Forward
+
+One step of the size $h$ is defined by
+
+$$ J\omega^{k+1} = J\omega^k - h\,\omega^k\times J\omega^k $$
+
+$$ |J\omega^{k+1}|^2 = |J\omega^k|^2 + h^2\,|\omega^k\times J\omega^k|^2 $$
+
+## Midpoint
+
+With $\omega_m = \tfrac12(\omega^k + \omega^{k+1})$ the step solves
+
+$$ J(\omega^{k+1} - \omega^k) = -h\,\omega_m\times J\omega_m $$
+
+The square of the momentum is kept:
+
+$$ |J\omega^{k+1}|^2 = |J\omega^k|^2 $$
+";
+    assert_eq!(verdicts(text), "apaap");
+}

@@ -103,6 +103,8 @@ pub(super) struct Checker<'a> {
     mark: Option<Role>,
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
+    /// Lines that say what a step is, and in which section.
+    pub(super) steps: Vec<(String, u32)>,
     pub(super) level: u8,
     /// The case that is looked at.
     pub(super) cases: Cases,
@@ -179,6 +181,7 @@ impl<'a> Checker<'a> {
             broken: false,
             mark: None,
             scopes: vec![],
+            steps: vec![],
             level: 0,
             cases: Cases::default(),
             axes_before: axes,
@@ -192,6 +195,9 @@ impl<'a> Checker<'a> {
             reading,
         };
         spell(document, &checker.reading, &mut checker.theory.atoms);
+        if checker.reading.on_chosen_axes {
+            checker.choose_axes();
+        }
         checker.single_moments();
         checker.moments_in_words();
         checker.turns_about_fixed_axis();

@@ -1,5 +1,6 @@
 //! What the letters of a document stand for, decided for it as a whole.
 
+pub(super) mod any_axes;
 pub(super) mod attitude_layouts;
 pub(super) mod attitude_matrix;
 pub(super) mod attitude_parts;

@@ -34,5 +34,6 @@ pub(super) mod oscillation;
 pub(super) mod points;
 pub(super) mod small;
 pub(super) mod space_line;
+pub(super) mod steps;
 pub(super) mod summation;
 pub(super) mod trust;

@@ -9,6 +9,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
 use crate::verify::lines::index::written_out;
 use crate::verify::lines::trust::{unexplained, withhold};
+use crate::verify::reason;
 use crate::verify::verdict::Report;
 use crate::verify::words::euler_words::sequences;
 
@@ -22,6 +23,9 @@ pub fn check(document: &Document) -> Report {
     let document = &document;
     let mut reading = Reading::of(document);
     reading.summed = summed;
+    // Steps in general inertia matrices are long.
+    let any_axes = reading.writes_no_components(document);
+    reading.on_chosen_axes = any_axes && reading.usage.counts_steps();
     let first = checked(document, reading.clone());
     let (reading, (first, looked_ahead)) = with_angles(document, reading, first);
     // Which way matrix and quaternion go, where no word says it; and whether a symbol is what the clause behind its
@@ -45,8 +49,22 @@ pub fn check(document: &Document) -> Report {
         let better = then.refuted < now.refuted && then.proved > now.proved;
         if better { other } else { best }
     });
+    if grows(&best) && any_axes && !reading.on_chosen_axes {
+        let chosen = checked(document, with(&|reading| reading.on_chosen_axes = true)).0;
+        let decided = |report: &Report| report.summary().proved + report.summary().refuted;
+        if decided(&chosen) > decided(&best) {
+            best = chosen;
+        }
+    }
     withhold(&mut best);
     best
+}
+
+/// Whether lines stay open because a general inertia matrix makes them long.
+fn grows(report: &Report) -> bool {
+    let reasons = report.findings.iter().filter_map(|f| f.reason.as_deref());
+    let long = [reason::BUDGET, reason::GROWN, reason::NO_PROOF_IN_NUMBERS];
+    reasons.into_iter().any(|found| long.contains(&found))
 }
 
 fn checked(document: &Document, reading: Reading) -> (Report, bool) {

@@ -11,6 +11,8 @@ pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const NO_VALUES: &str = "no values could be put in";
+pub(super) const NO_PROOF_IN_NUMBERS: &str = "equal to the digits shown, and no proof was found";
+pub(super) const GROWN: &str = "the numbers grew beyond what is computed";
 pub(super) const BUDGET: &str =
     "budget: equal in every trial, and the proof grew beyond the terms allowed";
 

@@ -60,6 +60,8 @@ pub(crate) struct Reading {
     pub(crate) totals: BTreeSet<Letter>,
     /// Whether ω and the inertia are only ever numbers.
     pub(crate) flat: bool,
+    /// Whether principal axes are chosen, as any may be.
+    pub(crate) on_chosen_axes: bool,
     /// Whether two letters, A and C, stand for the three moments A, A, C.
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.

@@ -210,6 +210,12 @@ impl Usage {
             .is_some_and(|met| met.iter().any(lettered))
     }
 
+    /// Whether symbols stand for values before and behind a step: `\omega_{k+1}`.
+    pub(crate) fn counts_steps(&self) -> bool {
+        let mut met = self.subscripts.values().flatten();
+        met.any(|label| label.contains('+'))
+    }
+
     /// Whether three plain letters are listed as the components of a vector.
     pub(crate) fn lists(&self, names: [&str; 3]) -> bool {
         self.lists.contains(&names.map(str::to_owned))

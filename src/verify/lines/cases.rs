@@ -36,6 +36,13 @@ const TURNS: &[&str] = &[
     "in the other case",
 ];
 
+impl Cases {
+    /// How many headings stand before.
+    pub(crate) fn section(&self) -> u32 {
+        self.section
+    }
+}
+
 impl Checker<'_> {
     /// A heading ends the assumptions made under headings of its level and below.
     pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {

@@ -1,6 +1,7 @@
 //! Two values held against each other as numbers, to the digits shown.
 
 use crate::algebra::{Bound, Fraction, Interval, Proof, Rational, enclosure};
+use crate::verify::reason;
 use crate::verify::theory::certify::certify_within;
 use crate::verify::theory::decide::{Equation, needed};
 use crate::verify::theory::ledger::ratio;
@@ -44,7 +45,7 @@ pub(crate) fn compare(
     for (place, entry) in residual.entries.iter().enumerate() {
         let gap = theory.normal(entry);
         if std::mem::take(&mut theory.exhausted) || !gap.is_valid() {
-            return Comparison::Doubtful("the numbers grew beyond what is computed");
+            return Comparison::Doubtful(reason::GROWN);
         }
         if !is_number(&theory.atoms, &gap) {
             return Comparison::NoNumbers;
@@ -102,7 +103,7 @@ pub(crate) fn compare(
             let names = needed(theory, &equations, &proof);
             Comparison::Agree(proof, names)
         }
-        None => Comparison::Doubtful("equal to the digits shown, and no proof was found"),
+        None => Comparison::Doubtful(reason::NO_PROOF_IN_NUMBERS),
     }
 }
 

@@ -159,6 +159,7 @@ impl Checker<'_> {
         let settled = self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || self.defines(&sides, line, role, finding)
+            || self.turns_to_step(&sides, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)
             || role != Role::Assume && self.works_out(&sides, role, finding);
         if !settled && !self.goes_wrong_behind(&sides, role, finding) {
@@ -167,6 +168,7 @@ impl Checker<'_> {
                 _ => self.accept(&sides, role, finding),
             }
         }
+        self.note_step(&sides, finding);
         self.leave_gain_open(gained, finding);
         self.note_flat_body(&sides, line.span);
         self.note_figures(&sides, finding);

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
 use crate::verify::theory::kept::{Kept, Relations};
+use crate::verify::theory::law::Dynamics;
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
@@ -56,7 +57,9 @@ impl Theory {
     /// values.
     fn turn(&self, premise: &Premise) -> Turn {
         let momentary = self.instants.contains(&premise.name);
-        let later = !premise.definition && !self.is_of_products(premise);
+        let mut residuals = premise.residuals.iter();
+        let mean = residuals.all(|r| self.is_mean(r.numerator()));
+        let later = !premise.definition && !mean && !self.is_of_products(premise);
         (momentary, later, self.highest_order(premise))
     }
 
@@ -221,7 +224,8 @@ impl Theory {
                 true => 8,
                 false => 0,
             };
-            Some((score + wanted, variable))
+            let behind = self.is_behind_a_mean(polynomial, variable);
+            Some((score + wanted + u32::from(behind) * 128, variable))
         });
         let (_, variable) = candidates.max_by_key(|&(score, v)| (score, std::cmp::Reverse(v)))?;
         let coefficient = Fraction::from(polynomial.coefficient_of(variable, 1));
@@ -289,6 +293,28 @@ impl Theory {
                 + u32::from(of_a_step && small) * 3
                 + u32::from(stepped) * 4,
         )
+    }
+
+    /// Whether a symbol is the velocity behind a step that a mean value is made of: solved for that, the step is linear in
+    /// the velocity before it. Where derivatives are taken, the mean is what is made of the two.
+    fn is_behind_a_mean(&self, relation: &Polynomial, variable: Variable) -> bool {
+        let behind = match self.atoms.owner(variable) {
+            Some(Owner::Quantity(_, name)) => name.contains('+') || name.ends_with('\''),
+            _ => false,
+        };
+        behind && self.setting.dynamics != Dynamics::Forward && self.is_mean(relation)
+    }
+
+    /// Whether a relation is linear and between three angular velocities, as before and behind a step and their mean.
+    fn is_mean(&self, relation: &Polynomial) -> bool {
+        let variant = |v: Variable| match self.atoms.owner(v) {
+            Some(Owner::Quantity(Quantity::AngularVelocity, variant)) => Some(variant.as_str()),
+            _ => None,
+        };
+        let names = relation.variables().into_iter().map(variant);
+        let names: Option<BTreeSet<&str>> = names.collect();
+        let mut terms = relation.terms().iter();
+        terms.all(|(monomial, _)| monomial.degree() == 1) && names.is_some_and(|n| n.len() == 3)
     }
 
     /// Whether a relation is between angular velocities before and behind a step, and linear in this one.

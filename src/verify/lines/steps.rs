@@ -1,0 +1,77 @@
+//! Steps in time: relations between the angular velocities before and behind a step. A section on another method has
+//! another step, and what the one before it said of the velocity behind the step is over.
+
+use crate::notation::ast::Node;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::theory::Name;
+use crate::verify::theory::decide::passes_filter;
+use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use std::collections::BTreeSet;
+
+/// Words of a sentence that says what a step is.
+const STEP: &[&str] = &[
+    "step",
+    "method",
+    "scheme",
+    "update",
+    "rule",
+    "integrator",
+    "iteration",
+    "implicit",
+    "explicit",
+];
+
+impl Checker<'_> {
+    /// Takes in what a sentence calls a step, where no step of this section gives the velocity behind it yet.
+    pub(crate) fn turns_to_step(
+        &mut self,
+        sides: &[Node],
+        role: Role,
+        finding: &mut Finding,
+    ) -> bool {
+        let words = self.sentence.to_lowercase();
+        let said = role != Role::Claim || STEP.iter().any(|word| words.contains(word));
+        if !said || !self.displayed || !self.relates_steps(sides) {
+            return false;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        let holds = |checker: &mut Self| {
+            let mut equations = read.equations.iter();
+            equations.all(|e| passes_filter(&mut checker.theory, &e.residual) == Some(true))
+        };
+        let steps = self.steps.iter();
+        let (before, now): (Vec<_>, Vec<_>) = steps.partition(|(_, s)| *s < self.cases.section());
+        let ended: BTreeSet<Name> = before.into_iter().map(|(name, _)| name.clone()).collect();
+        if !now.is_empty() || ended.is_empty() && role == Role::Claim || holds(self) {
+            return false;
+        }
+        self.steps.clear();
+        self.scopes.retain(|(name, _)| !ended.contains(name));
+        self.theory.retain(|premise| !ended.contains(&premise.name));
+        self.accept_definition(sides, finding)
+    }
+
+    /// Notes a line that was taken in as a step.
+    pub(crate) fn note_step(&mut self, sides: &[Node], finding: &Finding) {
+        if finding.verdict == Verdict::Accepted && self.relates_steps(sides) {
+            let name = self.line_name(finding);
+            self.steps.push((name, self.cases.section()));
+        }
+    }
+
+    /// Whether a line sets angular velocities before and behind a step against each other by the body that it speaks of.
+    fn relates_steps(&mut self, sides: &[Node]) -> bool {
+        let entities: BTreeSet<Entity> = self.entities(sides).into_iter().collect();
+        let owner = |entity: &Entity| self.theory.atoms.info(*entity).owner.clone();
+        let owners: Vec<Owner> = entities.iter().map(owner).collect();
+        let is = |owner: &&Owner, of: Quantity| matches!(owner, Owner::Quantity(q, _) if *q == of);
+        let velocities = owners.iter().filter(|o| is(o, Quantity::AngularVelocity));
+        let inertia = owners.iter().any(|o| is(&o, Quantity::Inertia));
+        velocities.count() > 1 && inertia
+    }
+}
