@@ -12,6 +12,7 @@ use crate::verify::lines::cases::Cases;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
+use crate::verify::lines::signs::Order;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
 use crate::verify::spelling::spell;
@@ -117,6 +118,8 @@ pub(super) struct Checker<'a> {
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
     pub(super) oscillation: Option<(usize, Fraction)>,
+    /// Which quantities are greater than others.
+    pub(super) orders: Vec<Order>,
     pub(super) from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
@@ -190,6 +193,7 @@ impl<'a> Checker<'a> {
             figures: Figures::default(),
             potential: None,
             oscillation: None,
+            orders: vec![],
             from_prose: vec![],
             passed: vec![],
             reading,

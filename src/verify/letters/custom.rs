@@ -202,13 +202,28 @@ impl Reading {
         }
     }
 
+    /// Whether ω is a number of its own beside a body that turns with Ω_1, Ω_2, Ω_3, as in Landau and Lifshitz.
+    fn is_frequency_beside_rates(&self) -> bool {
+        let [own, rates] = ["omega", "Omega"].map(Letter::plain);
+        let number = self.usage.get(&own);
+        let called = self.votes_for(&own, Quantity::AngularVelocity) > 0;
+        let indices = ["1", "2", "3"]
+            .iter()
+            .all(|i| self.usage.has_index(&rates, i));
+        let flat = number.vector + number.component + number.crossed_bare == 0;
+        flat && number.bare > 0 && indices && !called
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;
         let taken = |quantity| self.quantities.values().any(|&q| q == quantity);
         match letter.name.as_str() {
+            "omega" if self.is_frequency_beside_rates() => None,
             "omega" => Some(Quantity::AngularVelocity),
-            "Omega" if directed && !self.has("omega") => Some(Quantity::AngularVelocity),
+            "Omega" if directed && (!self.has("omega") || self.is_frequency_beside_rates()) => {
+                Some(Quantity::AngularVelocity)
+            }
             "Omega" if directed && !self.has_wheel_speeds(letter) => Some(Quantity::FrameRate),
             "Omega" if self.flat && !self.has("omega") => Some(Quantity::AngularVelocity),
             "alpha" if directed => Some(Quantity::AngularAcceleration),

@@ -8,6 +8,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::quantity::Shape;
+use crate::verify::values::subscript::LOADS;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::Finding;
 
@@ -71,7 +72,7 @@ fn lone_letters(node: &Node) -> Vec<Letter> {
             if symbol
                 .subscripts
                 .iter()
-                .all(|s| axis(s).is_some() || s.len() <= 2) =>
+                .all(|s| axis(s).is_some() || s.len() <= 2 || LOADS.contains(&s.as_str())) =>
         {
             vec![Letter::of(symbol)]
         }

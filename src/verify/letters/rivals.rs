@@ -4,7 +4,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::letters::usage::{Letter, axes, axis, inner};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use std::collections::BTreeSet;
@@ -52,10 +52,17 @@ fn sums(node: &Node) -> Vec<BTreeSet<Letter>> {
     let mut found: Vec<BTreeSet<Letter>> = node.children().into_iter().flat_map(sums).collect();
     if let Kind::Sum(terms) = &node.kind {
         let lone = |node: &Node| match &inner(node).kind {
-            Kind::Symbol(symbol) if symbol.subscripts.is_empty() => Some(Letter::of(symbol)),
+            Kind::Symbol(symbol) if symbol.subscripts.iter().all(|s| is_label(s)) => {
+                Some(Letter::of(symbol))
+            }
             _ => None,
         };
         found.push(terms.iter().filter_map(|term| lone(&term.node)).collect());
     }
     found
+}
+
+/// Whether a subscript is no index of a component.
+fn is_label(subscript: &str) -> bool {
+    axis(subscript).is_none() && axes(subscript).is_none()
 }

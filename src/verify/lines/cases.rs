@@ -58,6 +58,7 @@ impl Checker<'_> {
         }
         self.level = level;
         self.end_small_turns();
+        self.end_orders(level);
         let before = std::mem::take(&mut self.cases);
         self.cases.section = before.section + 1;
         self.cases.named = before.named;

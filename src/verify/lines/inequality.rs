@@ -27,15 +27,18 @@ impl Checker<'_> {
             // A criterion is not shown by what is said to follow from it.
             _ if ordered && self.displayed && Words::of(&self.sentence).condition() => {}
             _ if ordered && role != Role::Claim => {
+                self.note_orders(line);
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
             }
             _ if ordered && !self.asserted && self.orders_inputs(line) => {
+                self.note_orders(line);
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
                 finding.role = Role::Given;
                 finding.remarks.push("taken as given".to_owned());
             }
+            _ if ordered => self.decide_signs(line, finding),
             _ => {}
         }
         true

@@ -8,6 +8,7 @@ use crate::notation::ast::{Function, Kind, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::inner;
 use crate::verify::theory::decide::Equation;
+use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
@@ -28,6 +29,28 @@ const BEHIND: &[&str] = &[
     "is a small",
     "are both small",
     "are all small",
+    "is negligible",
+    "is very nearly zero",
+    "is nearly zero",
+    "is of second order",
+];
+/// Words behind a component of ω whose rate is of second order in the others.
+const KEPT: &[&str] = &[
+    "is nearly constant",
+    "is almost constant",
+    "is approximately constant",
+    "is essentially constant",
+    "remains nearly constant",
+    "remains approximately constant",
+    "stays nearly constant",
+    "may be taken as constant",
+    "may be taken to be constant",
+    "can be taken as constant",
+    "can be treated as constant",
+    "can be considered constant",
+    "may be neglected",
+    "can be neglected",
+    "is negligible",
 ];
 /// The highest order to which the series of a sine and a cosine are taken.
 const HIGHEST: u32 = 3;
@@ -47,6 +70,8 @@ impl Checker<'_> {
     pub(crate) fn small_behind(&mut self, text: &str, named: &[Node]) {
         if BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_small(node));
+        } else if let ([node], true) = (named, KEPT.iter().any(|words| text.starts_with(words))) {
+            self.hardly_changes(node);
         }
     }
 
@@ -70,6 +95,13 @@ impl Checker<'_> {
     }
 
     fn call_small(&mut self, node: &Node) {
+        if let Kind::TimeDerivative {
+            operand, order: 1, ..
+        } = &inner(node).kind
+            && self.hardly_changes(operand)
+        {
+            return;
+        }
         let entities = self.entities([node]);
         self.small.extend(entities);
         if let Kind::Symbol(symbol) = &inner(node).kind
@@ -79,6 +111,38 @@ impl Checker<'_> {
             self.small_turns.insert(component);
             self.drop_second_order();
         }
+    }
+
+    /// Supposes that a component of ω keeps its value, where its rate is of second order in the other two: the equation
+    /// of motion about its axis is dropped, and the linear ones go on without it.
+    pub(crate) fn hardly_changes(&mut self, node: &Node) -> bool {
+        let Kind::Symbol(symbol) = &inner(node).kind else {
+            return false;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let Meaning::Component(entity, axis) = self.meaning_of(symbol) else {
+            return false;
+        };
+        if entity != omega || self.reading.fixed_axis.is_some() {
+            return false;
+        }
+        self.theory.set(|setting| setting.dropped_axis = Some(axis));
+        let rate = self.theory.atoms.value(entity, axis, 1);
+        let name = format!(
+            "{} is of second order",
+            self.document.source.slice(node.span)
+        );
+        let premise = Premise {
+            name: name.clone(),
+            preferred: rate.as_variable().into_iter().collect(),
+            residuals: vec![rate],
+            definition: false,
+        };
+        if self.theory.assume(premise) == Taken::Solved {
+            self.keep(&name, false);
+            self.tell(node.span, name);
+        }
+        true
     }
 
     /// Where two components of ω are small and the third was given: the rate of that one is of second order, and the

@@ -67,6 +67,13 @@ impl Lowering<'_> {
     pub(crate) fn over_particles(&mut self, node: &Node, index: &Symbol, body: &Node) -> Lowered {
         let mut body = body.clone();
         body.change_symbols(&mut |symbol| symbol.subscripts.retain(|s| *s != index.name));
+        let load = |symbol: &Symbol| {
+            let quantity = self.reading.quantities.get(&Letter::of(symbol));
+            matches!(quantity, Some(Quantity::Moment | Quantity::Force))
+        };
+        if matches!(&body.kind, Kind::Symbol(symbol) if load(symbol)) {
+            return self.value(&body);
+        }
         let mass = |factor: &Factor| matches!(&factor.node.kind, Kind::Symbol(s) if s.name == "m" && s.subscripts.is_empty());
         if let Kind::Product(factors) = &mut body.kind
             && let Some(at) = factors.iter().position(mass)

@@ -6,6 +6,11 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis};
 use crate::verify::values::quantity::Quantity;
 
+/// Labels of a moment that say where it comes from: all that acts.
+pub(crate) const LOADS: &[&str] = &[
+    "ext", "external", "e", "net", "tot", "total", "app", "applied",
+];
+
 /// The subscripts of a symbol, sorted by what they say.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Subscripts {
@@ -136,7 +141,8 @@ pub(crate) fn tells_nothing_apart(
         }
         _ => false,
     };
-    whole && used_alone && (POINTS.contains(&point) || point == "0")
+    let load = quantity == Quantity::Moment && LOADS.contains(&point);
+    whole && used_alone && (load || POINTS.contains(&point) || point == "0")
 }
 
 /// The two frames that an angular velocity is between: `{}^N\omega^B`, or `\omega_{B/N}` the other way.

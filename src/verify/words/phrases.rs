@@ -322,7 +322,10 @@ pub(crate) fn apposition(text: &str, near: bool) -> Option<Quantity> {
     let found = PHRASES
         .iter()
         .filter(|(phrase, _)| rest.starts_with(phrase.as_str()) && is_word(rest, 0, phrase));
-    found.max_by_key(|(phrase, _)| phrase.len())?.1
+    match found.max_by_key(|(phrase, _)| phrase.len())?.1 {
+        Some(Quantity::Momentum) if is_in_wheels(rest) => Some(Quantity::RelativeMomentum),
+        quantity => quantity,
+    }
 }
 
 /// The quantity that the words right after a letter name: "is the angular momentum".
@@ -376,7 +379,10 @@ fn is_in_wheels(text: &str) -> bool {
         })
     };
     let whole = ["total", "whole", "with ", "and "];
-    !whole.iter().any(|word| clause.contains(word))
+    // "Of the wheels and ⟨": another thing.
+    let own = clause.split(" and ⟨").next().unwrap_or_default();
+    let own = own.strip_suffix(" and ").unwrap_or(own);
+    !whole.iter().any(|word| own.contains(word))
         && carried
             .iter()
             .filter_map(|words| clause.find(words))

@@ -1,0 +1,79 @@
+//! Inequalities that follow from an order of the moments, and what is dropped where a spin hardly changes.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn signs_follow_from_the_order_of_the_moments() {
+    let text = r"Let the principal moments obey $I_1 > I_2 > I_3$.
+
+$$ I_2 - I_1 < 0 $$
+
+$$ \frac{(I_1 - I_2)(I_2 - I_3)}{I_1 I_3} > 0 $$
+
+$$ (I_1 - I_2)(I_3 - I_1) > 0 $$
+
+$$ I_1 - I_2 - I_3 > 0 $$
+";
+    // Of the last nothing is known.
+    assert_eq!(verdicts(text), "appru");
+}
+
+#[test]
+fn an_order_ends_with_its_section() {
+    let text = r"## Oblate
+
+Let $C > A$, where $A$, $A$, $C$ are the moments of inertia.
+
+$$ \frac{C - A}{A} > 0 $$
+
+## Any body
+
+$$ \frac{C - A}{C} > 0 $$
+";
+    assert_eq!(verdicts(text), "apu");
+}
+
+#[test]
+fn a_spin_that_hardly_changes_leaves_linear_equations() {
+    let text = r"No torque acts on the body, with principal moments $I_1$, $I_2$, $I_3$.
+
+$$ I_1\dot\omega_1 = (I_2 - I_3)\,\omega_2\omega_3 $$
+
+The other components are small, so $\dot\omega_1$ is very small and the change of $\omega_1$ is left out.
+
+$$ I_2 I_3\,\ddot\omega_2 = (I_3 - I_1)(I_1 - I_2)\,\omega_1^2\,\omega_2 $$
+
+$$ I_2 I_3\,\ddot\omega_2 = (I_1 - I_3)(I_1 - I_2)\,\omega_1^2\,\omega_2 $$
+";
+    assert_eq!(verdicts(text), "ppr");
+}
+
+#[test]
+fn the_wheels_of_a_satellite_have_a_momentum_and_its_torques_labels() {
+    let text = r"Let $\mathbf J$ be the inertia matrix of the spacecraft and $\mathbf h_w$ the angular momentum of the wheels relative to the body. With the external torque $\mathbf T_{ext}$,
+
+$$ \mathbf J\dot{\boldsymbol\omega} + \dot{\mathbf h}_w + \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h_w) = \mathbf T_{ext} $$
+
+$$ \mathbf J\dot{\boldsymbol\omega} + \dot{\mathbf h}_w + \boldsymbol\omega\times(\mathbf J\boldsymbol\omega - \mathbf h_w) = \mathbf T_{ext} $$
+";
+    assert_eq!(verdicts(text), "pr");
+}
+
+#[test]
+fn a_frequency_may_be_called_omega_beside_rates_called_capital_omega() {
+    let text = r"For a symmetrical top, $I_1 = I_2$, that turns freely with the angular velocity $\boldsymbol\Omega$,
+
+$$ I_1\dot\Omega_1 = (I_1 - I_3)\,\Omega_2\Omega_3 $$
+
+$$ \dot\Omega_3 = 0 $$
+
+We write $\omega = \Omega_3(I_3 - I_1)/I_1$:
+
+$$ \dot\Omega_1 = -\omega\,\Omega_2, \qquad \dot\Omega_2 = \omega\,\Omega_1 $$
+";
+    assert_eq!(verdicts(text), "appapp");
+}
