@@ -135,7 +135,7 @@ impl Checker<'_> {
             None => variable_fraction(v),
         };
         let lift = |c: &crate::algebra::Rational| Fraction::from(Polynomial::constant(c.clone()));
-        let form = above.evaluate(&back, &lift) / below.evaluate(&back, &lift);
+        let form = above.evaluate(back, lift) / below.evaluate(back, lift);
         Some((sign, form))
     }
 
@@ -174,19 +174,18 @@ impl Checker<'_> {
         if self.orders.iter().any(|o| o.difference == variable) {
             return true;
         }
-        match (
-            self.theory.atoms.atom(variable),
-            self.theory.atoms.owner(variable),
-        ) {
-            (
-                Atom::Part {
-                    component: 0..=2,
-                    order: 0,
-                    ..
-                },
-                Some(Owner::Quantity(Quantity::Inertia, _)),
-            )
-            | (Atom::Part { order: 0, .. }, Some(Owner::Quantity(Quantity::Mass, _))) => true,
+        let atoms = &self.theory.atoms;
+        let Atom::Part {
+            component,
+            order: 0,
+            ..
+        } = atoms.atom(variable)
+        else {
+            return false;
+        };
+        match atoms.owner(variable) {
+            Some(Owner::Quantity(Quantity::Inertia, _)) => *component < 3,
+            Some(Owner::Quantity(Quantity::Mass, _)) => true,
             _ => false,
         }
     }
