@@ -142,5 +142,5 @@ fn a_supposed_value_keeps_what_was_supposed_of_its_rate() {
                 $$ \\boldsymbol\\tau_e = \\dot{\\mathbf H} + \\boldsymbol\\omega\\times\\mathbf H $$\n\n\
                 with the dot on body axes. Suppose $\\boldsymbol\\tau_e = \\mathbf 0$, and suppose that \
                 $\\boldsymbol\\omega = \\mathbf 0$. Then\n\n$$ c\\,\\dot{\\mathbf g} = \\mathbf 0 $$\n";
-    assert_eq!(verdicts(text), "aaaap");
+    assert_eq!(verdicts(text), "apaap");
 }
