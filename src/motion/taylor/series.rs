@@ -268,8 +268,8 @@ impl Wanted {
 
 #[inline(always)]
 fn add_products<T: Number>(sum: &mut Lane<T>, a: &Lane<T>, b: &Lane<T>) {
-    for ((sum, a), b) in sum.iter_mut().zip(a).zip(b) {
-        *sum += *a * *b;
+    for i in 0..4 {
+        sum[i] += a[i] * b[i];
     }
 }
 
