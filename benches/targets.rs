@@ -7,7 +7,7 @@
 mod reference_step;
 
 use nalgebra::{SVector, Vector3, Vector6};
-use polhode::bench::{Contender, Point, floor, measure, problems, reference, time_to};
+use polhode::bench::{Contender, Point, Problem, floor, measure, problems, reference, time_to};
 use polhode::motion::{
     Batch, Body, FreeBody, Jacobians, Rk4, Scheme, State, System, Torque, jacobian,
 };
@@ -266,6 +266,9 @@ fn curves(budget: Duration) {
     for problem in problems().expect("bodies") {
         let truth = reference(&problem.member, &[problem.duration]).expect("a motion");
         let name = problem.name.as_str();
+        if name == "top" {
+            row("top: RK4 step", step_of(&problem), "ns", None);
+        }
         let others = [
             Contender::Plan,
             Contender::PlanJacobian,
@@ -274,8 +277,9 @@ fn curves(budget: Duration) {
         let mut points: Vec<Point> = Vec::new();
         for contender in methods.into_iter().chain(others) {
             if contender.takes(&problem.member) {
-                let settings = contender.settings().into_iter();
-                points.extend(settings.map(|s| measure(&problem, contender, s, &truth[0], budget)));
+                let settings = contender.settings();
+                let point = |s| measure(&problem, contender, s, &truth[0], budget);
+                points.extend(finer(&settings).map(point));
             }
         }
         for digits in [3, 6, 9, 12] {
@@ -319,6 +323,27 @@ fn curves(budget: Duration) {
             );
         }
     }
+}
+
+/// Settings with one more between any two: what is lucky at one of them is not a tenth of the time.
+fn finer(settings: &[f64]) -> impl Iterator<Item = f64> + '_ {
+    let between = settings.windows(2).map(|pair| (pair[0] * pair[1]).sqrt());
+    settings.iter().copied().chain(between)
+}
+
+/// Nanoseconds for a step of RK4 on a problem, by which machines can be compared.
+fn step_of(problem: &Problem) -> f64 {
+    let system = System::principal(&problem.member.body, problem.member.torque);
+    let [step] = in_turns(
+        TURNS,
+        [repeated!(Rk4.step(
+            black_box(&system),
+            0.0,
+            black_box(&problem.member.start),
+            STEP
+        ))],
+    );
+    step
 }
 
 /// The times that are asked of the heavy top, µs.
