@@ -13,6 +13,8 @@ use twofloat::TwoFloat;
 /// let root = Double::of(2.0).sqrt();
 /// let off = root * root - Double::of(2.0);
 /// assert!(off.value().abs() < 1e-30);
+/// let third = Double::of(1.0) / Double::of(3.0);
+/// assert!((third * Double::of(3.0) - Double::of(1.0)).value().abs() < 1e-30);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Double(TwoFloat);
@@ -46,7 +48,27 @@ operators! {
     Add add AddAssign add_assign +;
     Sub sub SubAssign sub_assign -;
     Mul mul MulAssign mul_assign *;
-    Div div DivAssign div_assign /;
+}
+
+impl Div for Double {
+    type Output = Self;
+    /// By two corrections of the quotient of the leading doubles: the division of `twofloat` 0.8 keeps a double's digits.
+    fn div(self, other: Self) -> Self {
+        let by = other.0.hi();
+        let mut quotient = TwoFloat::from(self.0.hi() / by);
+        for _ in 0..2 {
+            let rest = self.0 - quotient * other.0;
+            quotient += rest.hi() / by;
+        }
+        Self(quotient)
+    }
+}
+
+impl DivAssign for Double {
+    #[inline]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
 }
 
 impl Neg for Double {

@@ -95,7 +95,8 @@ impl<T: Number> Series<T> {
         self.omega[0] = [omega.x, omega.y, omega.z, T::zero()];
         terms[0].omega = turned(self.omega[0]);
         for n in 0..self.order {
-            let next = T::of(1.0 / (n + 1) as f64);
+            // To all the digits of the number: a third in doubles is none of a reference.
+            let next = T::one() / T::of((n + 1) as f64);
             if with_attitude {
                 terms[n].units = units(&self.attitude[n]);
             }
