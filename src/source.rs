@@ -61,6 +61,16 @@ pub struct Source {
     /// The whole text.
     pub text: String,
     line_starts: Vec<u32>,
+    /// The characters before each block of [`BLOCK`] bytes, so that a column far along a line is soon counted.
+    characters: Vec<u32>,
+}
+
+const BLOCK: usize = 1024;
+
+/// The characters that begin among some bytes.
+fn characters(bytes: &[u8]) -> usize {
+    let inside = |byte: u8| byte & 0xc0 == 0x80;
+    bytes.iter().filter(|&&byte| !inside(byte)).count()
 }
 
 impl Source {
@@ -71,8 +81,15 @@ impl Source {
         let line_starts = std::iter::once(0)
             .chain(breaks.map(|(i, _)| Span::new(i + 1, i + 1).start))
             .collect();
+        let blocks = text.as_bytes().chunks(BLOCK).chain([&[][..]]);
+        let before = blocks.scan(0, |sum, block| {
+            let before = *sum;
+            *sum += characters(block);
+            u32::try_from(before).ok()
+        });
         Self {
             name: name.into(),
+            characters: before.collect(),
             text,
             line_starts,
         }
@@ -90,8 +107,19 @@ impl Source {
             .partition_point(|&start| start <= offset)
             .max(1);
         let start = self.line_starts[line - 1] as usize;
-        let before = self.text.get(start..offset as usize).unwrap_or("");
-        (line, before.chars().count() + 1)
+        let offset = offset as usize;
+        if !self.text.is_char_boundary(offset) {
+            return (line, 1);
+        }
+        let column = self.characters_before(offset) - self.characters_before(start);
+        (line, column + 1)
+    }
+
+    fn characters_before(&self, offset: usize) -> usize {
+        let block = offset / BLOCK;
+        let rest = self.text.as_bytes().get(block * BLOCK..offset);
+        let before = self.characters.get(block).map_or(0, |&n| n as usize);
+        before + characters(rest.unwrap_or_default())
     }
 
     /// The number of lines, at least 1.
@@ -111,6 +139,18 @@ mod tests {
         assert_eq!(source.line_column("α = ".len() as u32), (1, 5));
         assert_eq!(source.line_column("α = ω̇\n".len() as u32), (2, 1));
         assert_eq!(source.lines(), 3);
+    }
+
+    #[test]
+    fn a_column_far_along_a_line_is_counted_in_characters() {
+        let text = format!("the one\n{}", "αx ".repeat(2046));
+        assert_eq!(text.len() % BLOCK, 0);
+        let source = Source::new("notes", text.clone());
+        for (offset, _) in text.char_indices().chain([(text.len(), ' ')]) {
+            let (before, column) = source.line_column(offset as u32);
+            let start = if before == 1 { 0 } else { 8 };
+            assert_eq!(column, text[start..offset].chars().count() + 1, "{offset}");
+        }
     }
 
     #[test]

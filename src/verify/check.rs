@@ -28,6 +28,7 @@ use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Rol
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::{said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition, role};
+use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashMap};
 
 /// Findings in the order of the document.
@@ -49,6 +50,8 @@ pub(super) fn keep_end(text: &mut String, most: usize) {
 /// What is in force at a place of the document.
 pub(super) struct Checker<'a> {
     pub(super) document: &'a Document,
+    /// The whole text in lower case, once it was asked for.
+    lower: OnceCell<String>,
     pub(super) reading: Reading,
     pub(super) theory: Theory,
     pub(super) functions: HashMap<String, FunctionOf>,
@@ -154,6 +157,7 @@ impl<'a> Checker<'a> {
         };
         let mut checker = Self {
             document,
+            lower: OnceCell::new(),
             theory: Theory::new(setting),
             functions: HashMap::new(),
             known: BTreeSet::new(),
@@ -224,6 +228,12 @@ impl<'a> Checker<'a> {
             passed: self.passed,
             variables: names::all(&self.theory.atoms),
         }
+    }
+
+    /// The text of the document in lower case.
+    pub(super) fn whole_text(&self) -> &str {
+        self.lower
+            .get_or_init(|| self.document.source.text.to_lowercase())
     }
 
     fn readings_in_words(&self) -> Vec<String> {
@@ -309,11 +319,15 @@ impl<'a> Checker<'a> {
     /// Notes what the words before a formula say of it, and gives its role.
     fn listen(&mut self, display: bool) -> Role {
         let words = Words::of(&self.sentence);
-        self.asserted = words.derive();
-        self.constrained = words.constrain();
-        self.firm = self.mark.is_some() || words.assume();
+        let speak = words.speak();
+        self.asserted = speak && words.derive();
+        self.constrained = speak && words.constrain();
+        self.firm = self.mark.is_some() || speak && words.assume();
         self.picked = words.pick();
-        self.mark.unwrap_or_else(|| self.role(display))
+        self.mark.unwrap_or_else(|| match speak {
+            true => self.role(display),
+            false => Role::Claim,
+        })
     }
 
     fn formula(&mut self, formula: &Formula) {

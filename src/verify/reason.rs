@@ -9,6 +9,8 @@ pub(super) const AT_A_MOMENT: &str = "it speaks of a moment of the motion, and m
 pub(super) const RELATION: &str = "this relation is not decided";
 pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";
+pub(super) const MANY_FALSE: &str =
+    "its mistake is not searched for, as many lines before it are false";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const NO_VALUES: &str = "no values could be put in";
 pub(super) const NO_PROOF_IN_NUMBERS: &str = "equal to the digits shown, and no proof was found";

@@ -6,6 +6,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::lowered;
 
 /// Words of a sentence that speaks of them.
 const WORDS: &[&str] = &["roots", "root of", "characteristic", "eigenvalue"];
@@ -17,7 +18,7 @@ impl Checker<'_> {
         let [before @ .., last] = sides else {
             return false;
         };
-        let sentence = self.sentence.to_lowercase();
+        let sentence = lowered(&self.sentence);
         let speaks = WORDS.iter().any(|words| sentence.contains(words));
         if !speaks || !is_zero(last) || self.unknown(sides).is_none() {
             return false;

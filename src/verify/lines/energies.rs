@@ -15,6 +15,7 @@ use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
 /// Terms of a Lagrangian whose equations are set up.
@@ -65,7 +66,7 @@ impl Checker<'_> {
 
     /// T + V for an E that the words call the energy, where the document has said what both are.
     pub(crate) fn total_energy(&mut self, symbol: &Symbol) -> Option<Law> {
-        let words = self.sentence.to_lowercase();
+        let words = lowered(&self.sentence);
         let part = ["kinetic", "potential", "rotational"]
             .iter()
             .any(|part| words.contains(part));
@@ -86,19 +87,16 @@ impl Checker<'_> {
     }
 
     fn take_lagrange_equations(&mut self, lagrangian: Entity) {
-        let text = self.document.source.text.to_lowercase();
+        let text = self.whole_text();
         let conservative = !OTHER_FORCES.iter().any(|words| text.contains(words));
+        let named = text.contains("lagrang");
         let kinetic = self.theory.atoms.quantity(Quantity::Energy);
         let mut known = |entity| self.theory.atoms.value(entity, 0, 0);
         let (whole, kinetic) = (known(lagrangian), known(kinetic));
         let potential = self.potential.map_or_else(Fraction::zero, known);
         let apart = self.theory.normal(&(whole.clone() - kinetic + potential));
         let value = self.theory.normal(&whole);
-        if !text.contains("lagrang")
-            || !conservative
-            || !apart.is_zero()
-            || value.numerator().len() > MOST_TERMS
-        {
+        if !named || !conservative || !apart.is_zero() || value.numerator().len() > MOST_TERMS {
             return;
         }
         for (coordinate, rate) in self.coordinates_of_motion(&value) {

@@ -91,6 +91,9 @@ impl Checker<'_> {
     /// The three components, from this line on, where nothing determines them yet.
     fn block_from(&mut self, first: &Line) -> Option<Vec<Component>> {
         let document = self.document;
+        if !self.is_of_omega(first) {
+            return None;
+        }
         let mut block: Vec<Component> = vec![];
         let from = lines(document).skip_while(|line| line.span != first.span);
         for line in from.take(NEAR) {
@@ -105,6 +108,21 @@ impl Checker<'_> {
             }
         }
         (block.len() == 3).then_some(block)
+    }
+
+    /// Whether a component of the angular velocity stands alone on the left.
+    fn is_of_omega(&mut self, line: &Line) -> bool {
+        let [left, _] = line.sides.as_slice() else {
+            return false;
+        };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let Meaning::Component(entity, _) = self.meaning_of(symbol) else {
+            return false;
+        };
+        let omega = Owner::Quantity(Quantity::AngularVelocity, String::new());
+        self.theory.atoms.info(entity).owner == omega
     }
 
     /// `ω_x = …` with rates on the right.

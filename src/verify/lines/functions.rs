@@ -10,6 +10,7 @@ use crate::verify::values::atoms::Entity;
 use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::lowered;
 
 impl Checker<'_> {
     /// `F(ω) = …` defines a function. Where the words call it a Jacobian, that is what it must be.
@@ -92,7 +93,7 @@ impl Checker<'_> {
 
     /// The Jacobian of the one function of such a parameter, where the sentence says that a line writes it down.
     fn jacobian_in_words(&mut self, parameter: &[Variable]) -> Option<Value> {
-        if !self.sentence.to_lowercase().contains("jacobian") {
+        if !lowered(&self.sentence).contains("jacobian") {
             return None;
         }
         let mut same = self.functions.values().filter(|f| f.parameter == parameter);

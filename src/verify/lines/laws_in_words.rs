@@ -11,6 +11,7 @@ use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
+use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
 /// Names of how often a body swings to and fro.
@@ -51,7 +52,7 @@ impl Checker<'_> {
 
     /// Whether the words before a line call what it speaks of the vertical component of the momentum.
     pub(crate) fn speaks_of_vertical_momentum(&self) -> bool {
-        let sentence = self.sentence.to_lowercase();
+        let sentence = lowered(&self.sentence);
         let Some((_, behind)) = sentence.rsplit_once("vertical component of ") else {
             return false;
         };
@@ -148,7 +149,7 @@ impl Checker<'_> {
 
     /// ω² of q̈ = −ω² q, to which the motion of the one angle that an equation of motion rules comes down near zero.
     fn frequency(&mut self, symbol: &Symbol) -> Option<Law> {
-        let sentence = self.sentence.to_lowercase();
+        let sentence = lowered(&self.sentence);
         if !FREQUENCIES.iter().any(|name| sentence.contains(name)) {
             return None;
         }

@@ -17,6 +17,9 @@ use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
+/// False lines of a document whose mistakes are searched for: a search takes as long as hundreds of true lines.
+pub(crate) const SEARCHES: usize = 200;
+
 /// The equations of a line, read with one meaning of the dots that carry no frame.
 pub(crate) struct Read {
     pub(crate) equations: Vec<Equation>,
@@ -45,7 +48,10 @@ impl Checker<'_> {
         self.note_oscillation(&line.sides, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained {
-            self.diagnose(line, &mut finding);
+            match self.slips.len() <= SEARCHES {
+                true => self.diagnose(line, &mut finding),
+                false => finding.remarks.push(reason::MANY_FALSE.to_owned()),
+            }
         }
         self.reading.scalars.clear();
         self.last_side = line.sides.last().cloned();

@@ -6,6 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Finding;
+use crate::verify::words::book::lowered;
 
 impl Checker<'_> {
     /// Leaves a line open that would be a definition but for what it speaks of, claimed or in passing.
@@ -19,7 +20,7 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };
-        let words = self.sentence.to_lowercase();
+        let words = lowered(&self.sentence);
         let of_a_surface = ["semi-ax", "semiax"]
             .iter()
             .any(|word| words.contains(word));

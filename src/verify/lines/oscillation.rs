@@ -9,6 +9,7 @@ use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding, Verdict};
+use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
 /// Findings that may stand between an equation and the frequency: conditions, numbers.
@@ -75,7 +76,7 @@ impl Checker<'_> {
         right: &Node,
         finding: &mut Finding,
     ) -> bool {
-        let words = self.sentence.to_lowercase();
+        let words = lowered(&self.sentence);
         let Some((at, square)) = self.oscillation.clone() else {
             return false;
         };

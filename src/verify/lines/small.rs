@@ -58,8 +58,7 @@ const HIGHEST: u32 = 3;
 impl Checker<'_> {
     /// Notes symbols of an expression that the words before it call small.
     pub(crate) fn small_before(&mut self, node: &Node) {
-        let words: Vec<&str> = self.sentence.split_whitespace().collect();
-        let near = words.iter().rev().take(3);
+        let near = self.sentence.split_whitespace().rev().take(3);
         let clause: Vec<String> = near.map(|word| word.to_lowercase()).collect();
         if clause.iter().any(|word| BEFORE.contains(&word.as_str())) {
             self.call_small(node);

@@ -5,6 +5,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::verify::check::Checker;
+use crate::verify::lines::line::SEARCHES;
 use crate::verify::theory::decide::{Equation, passes_filter, reached};
 use crate::verify::theory::{Premise, Taken, Theory};
 use crate::verify::verdict::Finding;
@@ -31,7 +32,11 @@ const MOST_TERMS: usize = 20_000;
 impl Checker<'_> {
     /// Notes a false line, and says which earlier one it carries forward.
     pub(crate) fn carry(&mut self, equations: &[Equation], finding: &mut Finding) {
-        let slips: Vec<Slip> = self.slips.iter().rev().take(LOOKED_BACK).cloned().collect();
+        let back = match self.slips.len() < SEARCHES {
+            true => LOOKED_BACK,
+            false => 0,
+        };
+        let slips: Vec<Slip> = self.slips.iter().rev().take(back).cloned().collect();
         let source = self.theory.within(MOST_TERMS, |theory| {
             slips.iter().find(|slip| follows(theory, slip, equations))
         });

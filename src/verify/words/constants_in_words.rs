@@ -12,6 +12,7 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::FromProse;
+use crate::verify::words::book::lowered;
 use crate::verify::words::role::Words;
 
 /// Words behind a list of symbols.
@@ -65,7 +66,7 @@ const BEFORE: &[&str] = &[
 const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
 
 fn supposes(sentence: &str) -> bool {
-    let sentence = sentence.to_lowercase();
+    let sentence = lowered(sentence);
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     words.any(|word| SUPPOSED.contains(&word))
 }
@@ -87,7 +88,9 @@ impl Reading {
 impl Checker<'_> {
     /// Notes an expression that the words may call constant.
     pub(crate) fn note_expression(&mut self, node: &Node) {
-        let mut before = self.sentence.trim_end().to_lowercase();
+        let mut before = self.sentence.trim_end().to_owned();
+        keep_end(&mut before, 200);
+        before = before.to_lowercase();
         keep_end(&mut before, 100);
         let uniform = before.ends_with("with the angular velocity")
             && (before.contains("uniformly") || before.contains("steadily"));

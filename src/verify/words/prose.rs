@@ -1,7 +1,7 @@
 //! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
 
 use crate::notation::document::{Document, Item};
-use crate::verify::words::book::Book;
+use crate::verify::words::book::{Book, lowered};
 use crate::verify::words::suppositions::{principal, torque_free};
 use std::sync::LazyLock;
 
@@ -120,7 +120,7 @@ static NOT_SO: LazyLock<Book> =
 
 /// What a piece of prose sets.
 pub(crate) fn said(text: &str) -> Vec<Said> {
-    let text = text.to_lowercase();
+    let text = lowered(text);
     let mut found = vec![];
     let spoken_of = DOTS.is_in(&text).then_some(text.as_str());
     let dots = spoken_of
@@ -236,7 +236,7 @@ pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
 
 /// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
 pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
-    let text = sentence.to_lowercase();
+    let text = lowered(sentence);
     if !text.contains("plane") {
         return None;
     }

@@ -1,7 +1,7 @@
 //! What a line is for, from the sentence that introduces it.
 
 use crate::verify::verdict::Role;
-use crate::verify::words::book::Book;
+use crate::verify::words::book::{Book, lowered};
 use crate::verify::words::role_words::{
     ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, SHORTER, SOURCES,
     SUBJECTS, SUPPOSE,
@@ -19,6 +19,15 @@ static CONSTRAINTS: LazyLock<Book> = LazyLock::new(|| words(&[CONSTRAINT]));
 static WITHOUT_ROLE: LazyLock<Book> = LazyLock::new(|| words(&[NO_ROLE]));
 static LONGER: LazyLock<Book> =
     LazyLock::new(|| Book::of_words(SHORTER.iter().map(|(phrase, _)| *phrase)));
+
+/// Any word that a role, or what else [`Words`] says, hangs on.
+static SPEAKING: LazyLock<Book> = LazyLock::new(|| {
+    let lists = [
+        ASSUME, SUPPOSE, CLAIM, DEFINE, DEFINITION, GIVEN, CONDITION, CONSTRAINT,
+    ];
+    let shorter = SHORTER.iter().map(|(phrase, _)| *phrase);
+    Book::of_words(lists.into_iter().flatten().copied().chain(shorter))
+});
 
 fn words(lists: &[&[&'static str]]) -> Book {
     Book::of_words(lists.iter().copied().flatten().copied())
@@ -95,7 +104,7 @@ impl Words {
     /// The words of a sentence; stops within it are spaces.
     pub(crate) fn of(sentence: &str) -> Self {
         let kept = |c: char| c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩');
-        let lower = sentence.to_lowercase();
+        let lower = lowered(sentence);
         let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
         let mut text = " ".to_owned();
         words.for_each(|word| text.extend([word, " "]));
@@ -117,6 +126,11 @@ impl Words {
             }
         }
         Self(text)
+    }
+
+    /// Whether a role hangs on one of them; else what follows is claimed, and neither derived nor assumed.
+    pub(crate) fn speak(&self) -> bool {
+        SPEAKING.is_in(&self.0)
     }
 
     /// Whether they derive what follows: "hence", "gives".
