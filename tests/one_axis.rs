@@ -122,3 +122,14 @@ $$ {row} $$
     assert_eq!(last(r"\tan\beta = \frac{I_{yz}}{I_{zz}} = 0.06"), Some('p'));
     assert_eq!(last(r"\tan\beta = \frac{I_{yz}}{I_{zz}} = 0.6"), Some('r'));
 }
+
+#[test]
+fn a_barred_moment_of_inertia_is_the_number_about_the_mass_centre() {
+    let text = r"A wheel with the centroidal moment of inertia $\bar I$ rolls with the angular velocity $\omega$, and $\alpha$ is the angular acceleration.
+
+$$ M_G = \bar I\,\alpha $$
+
+$$ M_G = 2\,\bar I\,\alpha $$
+";
+    assert_eq!(verdicts(text), "pr");
+}

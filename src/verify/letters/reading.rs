@@ -386,6 +386,9 @@ impl Reading {
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false
             }
+            Quantity::AngularAcceleration if self.flat && used.vector + used.component == 0 => {
+                letter.name == "alpha"
+            }
             Quantity::Force | Quantity::AngularAcceleration
                 if matches!(letter.name.as_str(), "M" | "tau" | "Gamma" | "T" | "L") =>
             {

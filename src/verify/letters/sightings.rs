@@ -211,7 +211,7 @@ impl Usage {
             entry.double += 1;
         } else if index.is_some() {
             entry.component += 1;
-        } else if symbol.style.vector || symbol.style.bar {
+        } else if symbol.style.vector || symbol.style.bar && !is_number_under_bar(symbol) {
             entry.vector += 1;
             entry.hatted += usize::from(symbol.style.hat);
         } else {
@@ -231,4 +231,9 @@ impl Usage {
 
 fn two() -> num_rational::BigRational {
     num_rational::BigRational::from_integer(2.into())
+}
+
+/// Whether a bar over a letter means the mass centre, about which a moment of inertia is taken.
+fn is_number_under_bar(symbol: &Symbol) -> bool {
+    matches!(symbol.name.as_str(), "I" | "J")
 }

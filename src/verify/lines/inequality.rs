@@ -31,7 +31,8 @@ impl Checker<'_> {
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
             }
-            _ if ordered && !self.asserted && self.orders_inputs(line) => {
+            // "We number them so that I₁ < I₂ < I₃."
+            _ if ordered && !(self.asserted && self.displayed) && self.orders_inputs(line) => {
                 self.note_orders(line);
                 finding.verdict = Verdict::Accepted;
                 finding.reason = None;
