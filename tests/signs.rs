@@ -77,3 +77,47 @@ $$ \dot\Omega_1 = -\omega\,\Omega_2, \qquad \dot\Omega_2 = \omega\,\Omega_1 $$
 ";
     assert_eq!(verdicts(text), "appapp");
 }
+
+#[test]
+fn equations_are_taken_to_first_order_where_words_say_so() {
+    let small = r"A free body spins about axis 3. Perturb the motion: $\boldsymbol\omega = (\epsilon_1, \epsilon_2, \Omega + \epsilon_3)$, where the $\epsilon_i$ are small. Neglecting products of small quantities,
+
+$$ I_1\dot\epsilon_1 = (I_2 - I_3)\,\Omega\,\epsilon_2 $$
+
+$$ I_2\dot\epsilon_2 = (I_1 - I_3)\,\Omega\,\epsilon_1 $$
+
+$$ I_3\dot\epsilon_3 = 0 $$
+
+## Exactly
+
+$$ I_3\dot\epsilon_3 = 0 $$
+";
+    assert_eq!(verdicts(small), "aprpr");
+    let varied = r"A free body. Consider $\omega_1 = \Omega + \delta\omega_1$, $\omega_2 = \delta\omega_2$, $\omega_3 = \delta\omega_3$, with $\Omega$ constant. Linearizing,
+
+$$ I_2\,\delta\dot\omega_2 = (I_3 - I_1)\,\Omega\,\delta\omega_3 $$
+
+$$ I_3\,\delta\dot\omega_3 = (I_1 - I_2)\,\Omega\,\delta\omega_2 $$
+";
+    assert_eq!(verdicts(varied), "aaapp");
+}
+
+#[test]
+fn sums_over_particles_tell_the_sign_of_the_products() {
+    let text = r"$$ I_{xx} = \sum_i m_i(y_i^2 + z_i^2), \qquad I_{xy} = -\sum_i m_i x_i y_i $$
+
+$$ L_x = I_{xx}\omega_x + I_{xy}\omega_y + I_{xz}\omega_z $$
+";
+    assert_eq!(verdicts(text), "ppp");
+}
+
+#[test]
+fn words_call_a_letter_the_identity() {
+    let text = r"The Jacobian of the step $\omega_{k+1} = \omega_k - h\,I^{-1}(\omega_k\times I\omega_k)$ is
+
+$$ \frac{\partial\omega_{k+1}}{\partial\omega_k} = E + h\,I^{-1}\left([I\omega_k]_\times - [\omega_k]_\times I\right) $$
+
+where $E$ is the identity matrix.
+";
+    assert_eq!(verdicts(text), "ap");
+}

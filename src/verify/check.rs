@@ -94,6 +94,8 @@ pub(super) struct Checker<'a> {
     pub(super) small: BTreeSet<Entity>,
     /// Components of the angular velocity that are called small.
     pub(super) small_turns: BTreeSet<u8>,
+    /// Whether equations are taken to first order in what is small.
+    pub(super) linear: bool,
     /// Expressions of a list that the words have named last.
     pub(super) named: Vec<Node>,
     /// Places of lines that were taken in ahead of their turn.
@@ -181,6 +183,7 @@ impl<'a> Checker<'a> {
             vertical: None,
             small: BTreeSet::new(),
             small_turns: BTreeSet::new(),
+            linear: false,
             named: vec![],
             done: BTreeSet::new(),
             looked_ahead: false,
@@ -277,6 +280,7 @@ impl<'a> Checker<'a> {
         }
         let speaks = text.contains(char::is_alphanumeric);
         if speaks {
+            self.note_linear(text);
             self.constants_in_words(text);
         }
         self.sentence.push_str(text);

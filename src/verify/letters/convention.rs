@@ -62,7 +62,12 @@ fn integral_convention(line: &Line, reading: &Reading) -> Option<bool> {
     let product = symbols(left).into_iter().any(|s| is_product(s, reading));
     match &right.kind {
         Kind::Integral { integrand, .. } if product => Some(signed(integrand).0),
-        Kind::Negate(inside) if product && matches!(inside.kind, Kind::Integral { .. }) => {
+        // Σ m x y over particles.
+        Kind::IndexedSum { .. } if product => Some(false),
+        Kind::Negate(inside)
+            if product
+                && matches!(inside.kind, Kind::Integral { .. } | Kind::IndexedSum { .. }) =>
+        {
             Some(true)
         }
         _ => None,

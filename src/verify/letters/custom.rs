@@ -214,6 +214,22 @@ impl Reading {
         flat && number.bare > 0 && indices && !called
     }
 
+    /// Whether a symbol is the identity: where words say so, and by the marks on an E, a 1, or an I beside an inertia J.
+    pub(crate) fn is_identity(&self, symbol: &Symbol) -> bool {
+        let plain = symbol.subscripts.is_empty();
+        let marked = symbol.style.vector || symbol.style.tensor;
+        let beside_j = || self.usage.get(&Letter::plain("J")).bare > 0;
+        match symbol.name.as_str() {
+            _ if plain && self.identities.contains(&Letter::of(symbol)) => true,
+            "E" | "1" => plain && marked,
+            "I" if symbol.subscripts == ["3"] => {
+                !self.usage.has_index(&Letter::plain("I"), "1") && beside_j()
+            }
+            "I" => symbol.style.vector && beside_j(),
+            _ => false,
+        }
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;

@@ -19,7 +19,8 @@ use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
-    apposition, letters_named, lists_moments, reaches, said_after, said_before, speaks_of_wheels,
+    apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
+    speaks_of_wheels,
 };
 use crate::verify::words::prose::{Said, said, turns_to_numbered_axes};
 use std::collections::{BTreeMap, BTreeSet};
@@ -44,6 +45,8 @@ pub(crate) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     votes: BTreeMap<(Letter, Quantity), usize>,
+    /// Letters that words call the identity.
+    pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
     pub(crate) apart: BTreeSet<Letter>,
     /// Vectors from one point to another that are no position: their rate is the difference of two velocities.
@@ -229,6 +232,9 @@ impl Reading {
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     let after = said_after(&text).filter(|_| !opens);
                     let after = after.or_else(|| apposition(&text, near));
+                    if calls_identity(&text) {
+                        self.identities.extend(last.iter().cloned());
+                    }
                     if let Some(quantity) = after.or_else(|| in_a_legend(&text, near, ended)) {
                         last.drain(..)
                             .for_each(|letter| self.vote(letter, quantity, 5));

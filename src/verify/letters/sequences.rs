@@ -41,8 +41,9 @@ impl Reading {
             let rates = names.map(Letter::plain);
             let moving = |l: &Letter| self.usage.get(l).moving && self.usage.get(l).vector == 0;
             let named = |l: &Letter| self.votes_for(l, Quantity::AngularVelocity) > 0;
+            let written = rates.iter().all(|l| self.usage.letters.contains_key(l));
             if rates.iter().filter(|l| moving(l)).count() >= 2
-                || rates.iter().any(named)
+                || written && rates.iter().any(named)
                 || self.usage.lists(names)
             {
                 self.take_components(rates, Quantity::AngularVelocity);

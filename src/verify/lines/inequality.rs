@@ -22,7 +22,14 @@ impl Checker<'_> {
             relation,
             Relation::Less | Relation::LessOrEqual | Relation::Greater | Relation::GreaterOrEqual
         );
+        let text = self.document.source.slice(place);
         match relation {
+            // `J \in \mathbb{R}^{3\times 3}` says where a symbol lives.
+            Relation::Other if matches!(text.trim(), "\\in" | "∈") => {
+                finding.verdict = Verdict::Accepted;
+                finding.role = Role::Define;
+                finding.reason = None;
+            }
             Relation::NotEqual if line.relations.len() == 1 => self.not_equal(line, role, finding),
             // A criterion is not shown by what is said to follow from it.
             _ if ordered && self.displayed && Words::of(&self.sentence).condition() => {}

@@ -6,7 +6,7 @@
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::{Function, Kind, Node, Relation};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::decide::Equation;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, Owner};
@@ -52,6 +52,23 @@ const KEPT: &[&str] = &[
     "can be neglected",
     "is negligible",
 ];
+/// Words that leave out what is of second order.
+const LINEAR: &[&str] = &[
+    "first order",
+    "first-order",
+    "linearis",
+    "lineariz",
+    "linear terms",
+    "products of small",
+    "products of the small",
+    "second-order terms",
+    "higher-order terms",
+    "higher order terms",
+    "terms of second order",
+    "terms of higher order",
+    "quadratic terms",
+    "perturb",
+];
 /// The highest order to which the series of a sine and a cosine are taken.
 const HIGHEST: u32 = 3;
 
@@ -93,7 +110,26 @@ impl Checker<'_> {
             }
     }
 
+    /// Whether words take equations to first order in what is small, until the next heading.
+    pub(crate) fn note_linear(&mut self, text: &str) {
+        let text = text.to_lowercase();
+        self.linear |= LINEAR.iter().any(|words| text.contains(words));
+    }
+
     fn call_small(&mut self, node: &Node) {
+        // "The ⟨ε_i⟩ are small": each of them.
+        if let Kind::Symbol(symbol) = &node.kind
+            && let [index] = symbol.subscripts.as_slice()
+            && matches!(index.as_str(), "i" | "j" | "k")
+        {
+            for axis in ["1", "2", "3", "x", "y", "z"] {
+                if self.reading.usage.has_index(&Letter::of(symbol), axis) {
+                    let mut one = node.clone();
+                    one.change_symbols(&mut |symbol| symbol.subscripts = vec![axis.to_owned()]);
+                    self.call_small(&one);
+                }
+            }
+        }
         if let Kind::TimeDerivative {
             operand, order: 1, ..
         } = &inner(node).kind
@@ -164,6 +200,7 @@ impl Checker<'_> {
     /// Forgets which components were small.
     pub(crate) fn end_small_turns(&mut self) {
         self.small_turns.clear();
+        self.linear = false;
         if self.theory.setting.dropped_axis.is_some() {
             self.theory.set(|setting| setting.dropped_axis = None);
         }
@@ -171,7 +208,7 @@ impl Checker<'_> {
 
     /// Equations of the line at hand to the order of their right sides, where something in them is small; whether any is.
     pub(crate) fn keep_order(&mut self, equations: &mut [Equation]) -> bool {
-        let approximate = self.figures.relations.contains(&Relation::Approximate);
+        let approximate = self.linear || self.figures.relations.contains(&Relation::Approximate);
         let mut cut = false;
         for equation in equations.iter_mut().filter(|_| approximate) {
             cut |= self.cut_off(equation).is_some();

@@ -207,18 +207,7 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     let plain = symbol.subscripts.is_empty();
     match symbol.name.as_str() {
         "pi" if plain => Some(Meaning::Pi),
-        "E" | "1" if plain && (symbol.style.vector || symbol.style.tensor) => {
-            Some(Meaning::Identity)
-        }
-        "I" if symbol.style.vector && reading.usage.get(&Letter::plain("J")).bare > 0 => {
-            Some(Meaning::Identity)
-        }
-        "I" if symbol.subscripts == ["3"]
-            && !reading.usage.has_index(&Letter::plain("I"), "1")
-            && reading.usage.get(&Letter::plain("J")).bare > 0 =>
-        {
-            Some(Meaning::Identity)
-        }
+        _ if reading.is_identity(symbol) => Some(Meaning::Identity),
         _ => None,
     }
 }

@@ -95,7 +95,10 @@ impl Checker<'_> {
         let uniform = before.ends_with("with the angular velocity")
             && (before.contains("uniformly") || before.contains("steadily"));
         if uniform || BEFORE.iter().any(|words| before.ends_with(words)) {
-            self.constant_in_words(node, false);
+            // "With constant ⟨Ω⟩": the vector.
+            let vector = matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.vector);
+            let supposed = vector && !Words::of(&self.sentence).derive();
+            self.constant_in_words(node, supposed);
         }
         self.small_before(node);
         if before.ends_with("vertical is") {

@@ -349,6 +349,24 @@ pub(crate) fn said_after(text: &str) -> Option<Quantity> {
     named_first(rest, 30)
 }
 
+/// Whether the words right after a letter call it the identity: "is the 3 × 3 identity matrix".
+pub(crate) fn calls_identity(text: &str) -> bool {
+    let words: Vec<&str> = text.split_whitespace().take(7).collect();
+    let verb = words
+        .first()
+        .is_some_and(|w| matches!(*w, "is" | "denotes" | "the" | "being" | "for"));
+    let article = words.iter().take(3).any(|w| *w == "the" || *w == "an");
+    let named = words.iter().any(|w| {
+        matches!(
+            w.trim_end_matches(['.', ',', ';', ')']),
+            "identity" | "unit"
+        )
+    });
+    let matrix =
+        text.contains("identity") || text.contains("unit matrix") || text.contains("unit tensor");
+    verb && article && named && matrix
+}
+
 /// The quantity that a text names first, so many bytes from its beginning at most.
 pub(crate) fn named_first(rest: &str, within: usize) -> Option<Quantity> {
     let near = |(phrase, quantity): &(String, Option<Quantity>)| {

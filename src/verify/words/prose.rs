@@ -95,6 +95,7 @@ const FREE: &[&str] = &[
     "no net torque",
     "no resultant torque",
     "free rigid body",
+    "free body",
     "no external torques",
 ];
 static TORQUE_FREE: LazyLock<Book> = LazyLock::new(|| Book::of(FREE));
