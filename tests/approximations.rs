@@ -48,7 +48,7 @@ fn a_disturbed_spin_is_linearised() {
     );
     assert_eq!(
         disturbed(r"I_1\,\delta\dot\omega_1 = (I_2 - I_3)\,\Omega\,\delta\omega_2"),
-        "r"
+        "p"
     );
     let second =
         r"I_1 I_2\,\delta\ddot\omega_1 \approx (I_2 - I_3)(I_3 - I_1)\,\Omega^2\,\delta\omega_1";
