@@ -340,6 +340,23 @@ impl Checker<'_> {
         self.findings.push(finding);
     }
 
+    /// Line, column and cell of an offset.
+    pub(crate) fn place(&self, offset: u32) -> (usize, usize, Option<usize>) {
+        let source = &self.document.source;
+        let (line, column) = source.line_column(offset);
+        let cells = &self.document.cells;
+        let cell = cells.get(cells.partition_point(|c| c.span.end <= offset));
+        let cell = cell.filter(|c| c.span.start <= offset);
+        match cell {
+            Some(cell) => (
+                line + 1 - source.line_column(cell.span.start).0,
+                column,
+                Some(cell.index),
+            ),
+            None => (line, column, None),
+        }
+    }
+
     pub(crate) fn line_name(&self, finding: &Finding) -> String {
         let place = (finding.source_line, finding.cell);
         let again = self.on_line.get(&place).copied().unwrap_or(0);
