@@ -5,9 +5,10 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::verify::check::Checker;
+use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
 use crate::verify::values::atoms::Entity;
-use crate::verify::values::quantity::Shape;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::subscript::LOADS;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::Finding;
@@ -106,5 +107,25 @@ pub(crate) fn jacobian_named(row: &Row, called: bool) -> Option<Letter> {
     match &left.kind {
         Kind::Symbol(symbol) if symbol.subscripts.is_empty() => Some(Letter::of(symbol)),
         _ => None,
+    }
+}
+
+impl Reading {
+    /// The readings in words, for the report.
+    pub(crate) fn describe(&self) -> Vec<String> {
+        let whole = self
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q != Quantity::Attitude)
+            .map(|(l, q)| format!("{}: {}", l.name, q.name()));
+        let parts = self.components.iter().map(|(l, (q, c))| {
+            format!(
+                "{}: {} of the {}",
+                l.name,
+                ["first", "second", "third"][usize::from(*c) % 3],
+                q.name()
+            )
+        });
+        whole.chain(parts).chain(self.attitude.describe()).collect()
     }
 }

@@ -186,24 +186,6 @@ impl Reading {
         }
     }
 
-    /// The readings in words, for the report.
-    pub(crate) fn describe(&self) -> Vec<String> {
-        let whole = self
-            .quantities
-            .iter()
-            .filter(|(_, q)| **q != Quantity::Attitude)
-            .map(|(l, q)| format!("{}: {}", l.name, q.name()));
-        let parts = self.components.iter().map(|(l, (q, c))| {
-            format!(
-                "{}: {} of the {}",
-                l.name,
-                ["first", "second", "third"][usize::from(*c) % 3],
-                q.name()
-            )
-        });
-        whole.chain(parts).chain(self.attitude.describe()).collect()
-    }
-
     /// Votes of the words that stand before and after a letter.
     fn listen(&mut self, document: &Document) {
         let mut before = String::new();
