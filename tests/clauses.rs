@@ -67,4 +67,7 @@ fn a_rotor_may_turn_uniformly_about_an_axis() {
         r"The rotor turns uniformly about the fixed axis $z$ with the angular velocity $\omega$.",
     ];
     all_are(&ways, BEARINGS, "ppp");
+    // The frame turns, and nothing is said of a body.
+    let frame = "A frame turns about the $z$ axis with the constant angular velocity $\\omega$.";
+    assert_ne!(verdicts(&format!("{frame}\n\n{BEARINGS}\n")), "ppp");
 }

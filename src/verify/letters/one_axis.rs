@@ -105,9 +105,11 @@ fn fixed_axis(sentence: &str) -> Option<u8> {
     let near: String = about.chars().take(40).collect();
     let near = near.split([',', ';']).next()?;
     let fixed = near.contains("fixed") && near.contains("axis");
-    let rate = ["velocity ", "speed ", "rate "]
-        .iter()
-        .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));
+    // Of a body: a frame may turn as it likes.
+    let rate = !sentence.contains("frame")
+        && ["velocity ", "speed ", "rate "]
+            .iter()
+            .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));
     let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
     let named = words.find_map(|word| {
         let letter = word.trim_matches(['⟨', '⟩']);
