@@ -195,3 +195,9 @@ fn a_point_with_space_around_it_is_that_of_a_product() {
         document("The sum a + b = c. Then d = e.", Format::Text)
     );
 }
+
+#[test]
+fn a_dot_may_stand_before_the_index_of_a_component() {
+    assert_eq!(plain("Ixx*wdotx"), plain("Ixx*wxdot"));
+    assert_eq!(plain("omegaddot1"), plain("omega1ddot"));
+}

@@ -86,3 +86,16 @@ $$ \omega_x = \dot\phi + 2\dot\psi $$
     let found = verdicts(text);
     assert!(!found[3..4].contains('p'), "{found}");
 }
+
+#[test]
+fn the_momentum_of_a_wheel_may_be_a_number_along_an_axis() {
+    let text = r"A satellite with the principal inertias $J_1$, $J_2$, $J_3$ has a wheel along the second body axis, with the constant spin momentum $h$. No torque acts.
+
+$$ J_1\dot\omega_1 = (J_2 - J_3)\,\omega_2\omega_3 + h\,\omega_3 $$
+
+$$ J_2\dot\omega_2 = (J_3 - J_1)\,\omega_3\omega_1 $$
+
+$$ J_3\dot\omega_3 = (J_1 - J_2)\,\omega_1\omega_2 + h\,\omega_1 $$
+";
+    assert_eq!(verdicts(text), "ppr");
+}

@@ -304,6 +304,9 @@ pub(crate) fn is_call(word: &str) -> bool {
 /// What a word of plain text stands for, where it is known: Greek names, functions, components that run
 /// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
 pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
+    if let Some(spelling) = dot_inside(word) {
+        return Some(spelling);
+    }
     let (stem, dots) = undotted(word);
     if let Some(name) = WORDS
         .iter()
@@ -340,6 +343,28 @@ pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
     (!tail.is_empty() || dots > 0).then_some(Spelling {
         base,
         subscript: tail,
+        dots,
+    })
+}
+
+/// `wdotx`, `omegadot1`: the dot before the index.
+fn dot_inside(word: &str) -> Option<Spelling<'_>> {
+    let (head, subscript) = word.rsplit_once("dot")?;
+    if !matches!(subscript, "x" | "y" | "z" | "1" | "2" | "3") {
+        return None;
+    }
+    let (head, dots) = match head.strip_suffix('d') {
+        Some(twice) if !twice.is_empty() => (twice, 2),
+        _ => (head, 1),
+    };
+    let mut letters = head.chars();
+    let base = match (letters.next(), letters.next()) {
+        (Some(letter), None) if letter.is_ascii_alphabetic() => Lexeme::Letter(letter),
+        _ => Lexeme::Command(GREEK.iter().copied().find(|name| *name == head)?),
+    };
+    Some(Spelling {
+        base,
+        subscript,
         dots,
     })
 }

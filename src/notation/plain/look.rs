@@ -257,7 +257,7 @@ fn is_open(text: &str) -> bool {
 fn belongs(word: &str, run: Option<&str>) -> bool {
     let operators = ['=', '+', '-', '−', '/', '*', '(', '×', '·'];
     let open = run.is_some_and(|run| run.ends_with(operators));
-    let letter = word.trim_end_matches(['.', ',']).len() == 1;
+    let letter = word.trim_end_matches(['.', ',', ':', ';']).len() == 1;
     look(word) != Look::Words
         || (open && (letter || is_constant(word)))
         || (run.is_some() && matches!(word, "A" | "I" | "a"))

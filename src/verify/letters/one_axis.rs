@@ -41,6 +41,27 @@ impl Reading {
         }
     }
 
+    /// "A wheel along the second body axis with the momentum ⟨h⟩": a number is the component along that axis.
+    pub(crate) fn wheel_along_axis(&mut self, document: &Document) {
+        let of_wheels = |q: &Quantity| *q == Quantity::RelativeMomentum;
+        let mut letters = self.quantities.iter().filter(|(_, q)| of_wheels(q));
+        let (Some((letter, _)), None) = (letters.next(), letters.next()) else {
+            return;
+        };
+        let used = self.usage.get(letter);
+        if used.vector + used.component > 0 {
+            return;
+        }
+        let letter = letter.clone();
+        let axis = sentences(document).iter().find_map(|s| wheel_axis(&s.text));
+        if let Some(axis) = axis {
+            self.quantities.remove(&letter);
+            self.components
+                .insert(letter, (Quantity::RelativeMomentum, axis));
+            self.wheel_axis = Some(axis);
+        }
+    }
+
     /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
     pub(crate) fn in_a_plane(&mut self) {
         let turning = |q: &Quantity| {
@@ -116,4 +137,28 @@ fn fixed_axis(sentence: &str) -> Option<u8> {
         matches!(letter, "x" | "y" | "z").then(|| axis(letter))
     });
     named.flatten().filter(|_| fixed || rate)
+}
+
+/// The axis along which a sentence puts a wheel.
+fn wheel_axis(sentence: &str) -> Option<u8> {
+    let wheel = ["wheel", "rotor"]
+        .iter()
+        .filter_map(|w| sentence.find(w))
+        .min()?;
+    let about = ["along the ", "about the ", "parallel to the "];
+    let at = about
+        .iter()
+        .filter_map(|words| Some(sentence[wheel..].find(words)? + words.len()))
+        .min()?;
+    let near: String = sentence[wheel + at..].chars().take(30).collect();
+    if !near.contains("axis") {
+        return None;
+    }
+    let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
+    words.find_map(|word| match word.trim_matches(['⟨', '⟩']) {
+        "first" | "roll" => Some(0),
+        "second" | "pitch" => Some(1),
+        "third" | "yaw" => Some(2),
+        letter => axis(letter),
+    })
 }

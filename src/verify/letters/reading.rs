@@ -55,6 +55,8 @@ pub(crate) struct Reading {
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
     pub(crate) fixed_axis: Option<u8>,
+    /// The axis that the only wheel lies along.
+    pub(crate) wheel_axis: Option<u8>,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
     pub(crate) beginnings: BTreeSet<u32>,
     /// Symbols with what they are at the beginning.
@@ -126,6 +128,7 @@ impl Reading {
         reading.by_labels(document);
         reading.in_a_plane();
         reading.about_fixed_axis(document);
+        reading.wheel_along_axis(document);
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
         reading.space_axes =

@@ -18,10 +18,15 @@ const AXES: &[&str] = &[
     "body's axis",
     "figure axis",
     "axis of figure",
+    "spin axis",
+    "3-axis",
+    "third axis",
 ];
 const ANGLES: &[&str] = &[
     "theta", "vartheta", "alpha", "beta", "gamma", "delta", "nu", "phi",
 ];
+/// Bytes of a sentence that are looked at.
+const LONGEST: usize = 2_000;
 /// What is said of the part of the angular velocity across the axis.
 const ACROSS: &[&str] = &["transverse", "perpendicular to the", "equatorial"];
 /// Labels of that part.
@@ -60,7 +65,8 @@ impl Checker<'_> {
             let mark = format!("⟨{at}⟩");
             let (before, behind) = clause.split_once(&mark).unwrap_or((clause, ""));
             let lead = before.trim_end();
-            let rest = behind.trim_start();
+            let rest = behind.trim_start().replacen("constant angle", "angle", 1);
+            let rest = rest.replacen("fixed angle", "angle", 1);
             let said = [
                 "is the angle",
                 "the angle",
@@ -137,7 +143,10 @@ fn sentences(document: &Document) -> Vec<Sentence<'_>> {
         match item {
             Item::Prose { text, .. } => {
                 for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
-                    open.text.push_str(piece);
+                    // A page without a stop is no sentence.
+                    if open.text.len() < LONGEST {
+                        open.text.push_str(piece);
+                    }
                     if piece.ends_with(['.', '!', '?']) {
                         all.push(std::mem::take(&mut open));
                     }

@@ -42,6 +42,10 @@ const BEFORE: &[&str] = &[
     "constant angular velocity",
     "constant angular speed",
     "constant spin",
+    "constant spin momentum",
+    "constant angular momentum",
+    "constant momentum",
+    "constant wheel momentum",
     "constant rates",
     "with constant",
     "with the constant",
@@ -171,7 +175,8 @@ impl Checker<'_> {
             Some(Owner::Quantity(quantity, variant)) => {
                 let rate = matches!(quantity, Quantity::AngularVelocity | Quantity::FrameRate);
                 let speed = variant == MAGNITUDE;
-                (supposed || speed || about_axis) && rate || *quantity == Quantity::Moment
+                (supposed || speed || about_axis) && rate
+                    || matches!(quantity, Quantity::Moment | Quantity::RelativeMomentum)
             }
             None => false,
         };

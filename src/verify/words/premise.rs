@@ -148,6 +148,24 @@ impl Checker<'_> {
         });
     }
 
+    /// The momentum of the only wheel lies along its axis, where the words name that.
+    pub(crate) fn wheel_lies_along_axis(&mut self) {
+        let Some(axis) = self.reading.wheel_axis else {
+            return;
+        };
+        let entity = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let across = (0..3).filter(|&c| c != axis);
+        let preferred: Vec<Variable> = across
+            .map(|c| self.theory.atoms.part(entity, c, 0))
+            .collect();
+        self.theory.assume(Premise {
+            name: "the wheel lies along one axis".to_owned(),
+            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
+            preferred,
+            definition: true,
+        });
+    }
+
     /// Moments with one index and no product anywhere: the axes are principal, though no word says so.
     pub(crate) fn single_moments(&mut self) {
         if self.reading.plane {
