@@ -37,6 +37,10 @@ fn products_of_inertia_may_be_nothing() {
     let others = [
         "The products of inertia do not vanish.",
         "Both products of inertia of the last section vanish.",
+        "No product of inertia is left out.",
+        "No products of inertia are neglected here.",
+        "Without neglecting any product of inertia,",
+        "None of the products of inertia is dropped.",
         "Is the inertia matrix, with its off-diagonal terms, general?",
     ];
     all_are(&others, COMPONENT, "r");

@@ -72,7 +72,14 @@ const NOTHING: &[&str] = &[
     "free from",
 ];
 /// That something is left out.
-const LEFT_OUT: &[&str] = &["no ", "without", "drop", "neglect", "ignor", "omit"];
+const LEFT_OUT: &[&str] = &[
+    "no products of inertia",
+    "without products of inertia",
+    "drop",
+    "neglect",
+    "ignor",
+    "omit",
+];
 
 static PRODUCTS: LazyLock<Supposition> = LazyLock::new(|| {
     let things = [
@@ -99,6 +106,15 @@ static PRODUCTS: LazyLock<Supposition> = LazyLock::new(|| {
         "remaining",
         "other ",
         "balanc",
+        // "No product of inertia is left out."
+        "no product of inertia",
+        "no products of inertia are",
+        "no products of inertia have",
+        "none of",
+        "without neglect",
+        "without drop",
+        "without ignor",
+        "left out",
     ];
     Supposition::of(&things, &[NOTHING, LEFT_OUT].concat(), &denied)
 });
