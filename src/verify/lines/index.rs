@@ -35,13 +35,17 @@ pub(crate) fn written_out(document: &Document) -> (Document, Option<Indices>) {
     (document, indices)
 }
 
-/// Whether an index runs somewhere: over a range, in a sum, or as a letter i at a symbol.
+/// Whether a line is several: an index runs, over a range, in a sum, or as a letter i at a symbol; or a chain mixes
+/// equalities with other relations.
 fn runs(item: &Item) -> bool {
     let Item::Formula(formula) = item else {
         return false;
     };
     formula.rows.iter().any(|row| match row {
-        Row::Line(line) => !line.ranges.is_empty() || line.sides.iter().any(has_index),
+        Row::Line(line) => {
+            let others = line.relations.iter().any(|(r, _)| !is_equality(*r));
+            others || !line.ranges.is_empty() || line.sides.iter().any(has_index)
+        }
         Row::Expression(_) | Row::Unreadable { .. } => false,
     })
 }
