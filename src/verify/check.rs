@@ -282,7 +282,7 @@ impl<'a> Checker<'a> {
         let speaks = text.contains(char::is_alphanumeric);
         if speaks {
             self.note_linear(text);
-            self.constants_in_words(text);
+            self.constants_in_words(text, span);
         }
         self.sentence.push_str(text);
         if speaks {

@@ -66,7 +66,7 @@ pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
 /// Whether a unit may stand behind a token, given whether one might before it.
 fn measures(kind: Lexeme<'_>, measured: bool) -> bool {
     match kind {
-        Lexeme::Number(_) | Lexeme::Char(')' | ']' | '/') => true,
+        Lexeme::Number(_) | Lexeme::Char(')' | ']' | '/') | Lexeme::End(_) => true,
         Lexeme::Text(_) | Lexeme::Space(_) | Lexeme::Command("cdot") | Lexeme::Superscript => {
             measured
         }

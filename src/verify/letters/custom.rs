@@ -12,10 +12,12 @@ impl Reading {
     pub(crate) fn by_custom(&mut self) {
         let letters: Vec<Letter> = self.usage.letters().map(|(l, _)| l.clone()).collect();
         for letter in letters {
-            let free = matches!(
-                letter.name.as_str(),
-                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta"
-            );
+            let free = match letter.name.as_str() {
+                "T" | "E" | "N" | "F" | "J" | "Gamma" | "Theta" => true,
+                // "A rod of length L".
+                "L" | "H" | "M" | "h" => !self.is_directed(&letter.name),
+                _ => false,
+            };
             let apart = free && self.apart.contains(&letter) || self.arms.contains(&letter);
             if self.quantities.contains_key(&letter) || apart {
                 continue;

@@ -38,6 +38,13 @@ impl Reading {
         if let (Some(letter), Some(axis), false) = (letter, axis, others || self.plane) {
             self.usage.components_named.insert(letter, axis);
             self.fixed_axis = Some(axis);
+            let rate = Letter::plain("alpha");
+            let called = self.votes_for(&rate, Quantity::AngularAcceleration) > 0;
+            if called && self.has_bare("alpha") {
+                self.quantities.remove(&rate);
+                self.components
+                    .insert(rate, (Quantity::AngularAcceleration, axis));
+            }
         }
     }
 

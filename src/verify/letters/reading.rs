@@ -16,7 +16,7 @@ use crate::verify::letters::usage::{Letter, Usage, axis};
 use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::lines::summation::Indices;
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::words::legend::{in_a_legend, listed_apart, names_wheel_speeds};
+use crate::verify::words::legend::{in_a_legend, listed_apart, names_a_size, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
 use crate::verify::words::phrases::{
     apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
@@ -249,6 +249,9 @@ impl Reading {
                     let rows = formula.rows.iter();
                     self.apart
                         .extend(rows.filter_map(|row| jacobian_named(row, called)));
+                    if names_a_size(&before) {
+                        self.apart.extend(named.iter().cloned());
+                    }
                     let display = formula.display;
                     let said = said_before(&before, |after| reaches(after, display));
                     if let Some(quantity) = said {

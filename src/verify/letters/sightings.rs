@@ -23,13 +23,12 @@ impl Usage {
         }
         // What is set against a column is a vector, and against a square of numbers a tensor.
         for pair in line.sides.windows(2) {
-            if let (Kind::Symbol(symbol), Kind::Matrix(rows)) =
-                (&inner(&pair[0]).kind, &inner(&pair[1]).kind)
-                && rows.len() > 1
+            if let (Kind::Symbol(symbol), Some(columns)) =
+                (&inner(&pair[0]).kind, columns(&pair[1]))
                 && !symbol.style.tilde
             {
                 let used = self.letters.entry(Letter::of(symbol)).or_default();
-                match rows.first().map_or(0, Vec::len) {
+                match columns {
                     1 => used.vector += 1,
                     _ => used.tensor += 1,
                 }
@@ -236,4 +235,20 @@ fn two() -> num_rational::BigRational {
 /// Whether a bar over a letter means the mass centre, about which a moment of inertia is taken.
 fn is_number_under_bar(symbol: &Symbol) -> bool {
     matches!(symbol.name.as_str(), "I" | "J")
+}
+
+/// How many columns a side has that is written out row by row, or as a list of three, whatever it is multiplied by:
+/// `\frac{s}{\sqrt 5} [1, 2, 0]^T`.
+fn columns(side: &Node) -> Option<usize> {
+    match &inner(side).kind {
+        Kind::Matrix(rows) if rows.len() > 1 => rows.first().map(Vec::len),
+        Kind::Tuple(entries) => (entries.len() == 3).then_some(1),
+        Kind::Transpose(row) => {
+            matches!(&inner(row).kind, Kind::Matrix(rows) if rows.len() == 1 && rows[0].len() > 1)
+                .then_some(1)
+        }
+        Kind::Quotient(above, _) | Kind::WithUnit(above, _) => columns(above),
+        Kind::Product(factors) => factors.last().and_then(|factor| columns(&factor.node)),
+        _ => None,
+    }
 }

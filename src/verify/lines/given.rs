@@ -12,6 +12,7 @@ use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
 /// Quantities that a problem hands over.
@@ -24,6 +25,9 @@ pub(crate) const INPUTS: &[Quantity] = &[
     Quantity::Position,
     Quantity::Mass,
 ];
+
+/// Words of what acts on a body.
+const LOADS: &[&str] = &["torque", "moment", "couple", "thruster"];
 
 impl Checker<'_> {
     /// Whether a line only hands over what nothing determines: the mass, a moment of inertia, the angular velocity, by
@@ -57,6 +61,13 @@ impl Checker<'_> {
         if number && !self.asserted && !self.firm && self.is_any_moment(first, zero) {
             return true;
         }
+        // "A moment about axis 1 alone acts, so ⟨M_2 = M_3 = 0⟩."
+        let [loads @ .., _] = sides else { return false };
+        let said = lowered(&self.sentence);
+        let of_loads = zero && !self.displayed && LOADS.iter().any(|load| said.contains(load));
+        if of_loads && loads.iter().all(|side| self.is_any_moment(side, zero)) {
+            return true;
+        }
         if number && !zero && !self.asserted && self.is_free_rate(first) {
             return true;
         }
@@ -72,10 +83,17 @@ impl Checker<'_> {
         {
             return true;
         }
-        (0..read.equations.len()).all(|i| {
-            let [left, right] = [&sides[i], &sides[i + 1]].map(|side| self.hands_over(side));
-            let holds = passes_filter(&mut self.theory, &read.equations[i].residual) == Some(true);
-            holds
+        let holds: Vec<bool> = (0..read.equations.len())
+            .map(|i| passes_filter(&mut self.theory, &read.equations[i].residual) == Some(true))
+            .collect();
+        // What equals a side that hands something over does so too: `I_zz = I_xx + I_yy = m r²`.
+        let mut handed: Vec<_> = sides.iter().map(|side| self.hands_over(side)).collect();
+        for i in (0..holds.len()).rev().filter(|&i| holds[i]) {
+            handed[i] = handed[i].max(handed[i + 1]);
+        }
+        (0..holds.len()).all(|i| {
+            let [left, right] = [handed[i], handed[i + 1]];
+            holds[i]
                 || (left.is_some()
                     && right.is_some()
                     && (left, right) != (Some(false), Some(false)))

@@ -66,6 +66,22 @@ const BEFORE: &[&str] = &[
     "at the constant",
 ];
 
+/// Of a body that turns about one axis: its speed, without a letter.
+const SPEED: &[&str] = &[
+    "at constant speed",
+    "at a constant speed",
+    "at constant angular speed",
+    "at constant angular velocity",
+    "at constant rotational speed",
+    "at steady speed",
+    "at uniform speed",
+    "for constant speed",
+    "with constant speed",
+    "once the speed is constant",
+    "when the speed is constant",
+    "if the speed is constant",
+];
+
 /// Words of a supposition: what it calls constant may change elsewhere.
 const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
 
@@ -113,8 +129,11 @@ impl Checker<'_> {
     }
 
     /// Takes what a piece of prose behind expressions calls constant.
-    pub(crate) fn constants_in_words(&mut self, text: &str) {
+    pub(crate) fn constants_in_words(&mut self, text: &str, span: Span) {
         let text = text.trim_start().to_lowercase();
+        if SPEED.iter().any(|words| text.contains(words)) {
+            self.turns_steadily(span);
+        }
         let rest = text.trim_start_matches(',').trim_start();
         let goes_on = rest.is_empty() || rest.starts_with("and ");
         if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains(['.', ';', ':']) {
@@ -132,6 +151,26 @@ impl Checker<'_> {
             named
                 .iter()
                 .for_each(|node| self.constant_in_words(node, supposed));
+        }
+    }
+
+    /// "At constant speed" of a body that turns about one axis.
+    fn turns_steadily(&mut self, span: Span) {
+        let axis = self.reading.fixed_axis;
+        let Some(axis) = axis.or(self.reading.plane.then_some(2)) else {
+            return;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let name = "constant speed".to_owned();
+        let premise = Premise {
+            name: name.clone(),
+            residuals: vec![self.theory.atoms.value(omega, axis, 1)],
+            preferred: vec![self.theory.atoms.part(omega, axis, 1)],
+            definition: false,
+        };
+        if self.theory.assume(premise) == Taken::Solved {
+            self.keep(&name, false);
+            self.tell(span, name);
         }
     }
 

@@ -20,6 +20,32 @@ pub(crate) fn listed_apart(text: &str, near: bool) -> bool {
     set_off && near && entry.len() > WITHIN && named_first(entry, WITHIN).is_none()
 }
 
+/// What has a size and is none of the quantities.
+const SIZES: &[&str] = &[
+    "length",
+    "lengths",
+    "height",
+    "width",
+    "thickness",
+    "radius",
+    "diameter",
+    "side",
+    "sides",
+    "edge",
+    "distance",
+    "arm",
+    "weight",
+    "period",
+    "load",
+    "angle",
+];
+
+/// Whether the last word before a symbol calls it a size: "a rod of length ⟨".
+pub(crate) fn names_a_size(before: &str) -> bool {
+    let last = before.split_whitespace().next_back();
+    last.is_some_and(|word| SIZES.contains(&word))
+}
+
 /// Whether the words behind a symbol call it the speeds of wheels.
 pub(crate) fn names_wheel_speeds(text: &str) -> bool {
     let clause = text.split(['.', ';', ',']).next().unwrap_or_default();

@@ -7,7 +7,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::letters::usage::{Letter, axes, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, decide};
@@ -195,7 +195,10 @@ impl Checker<'_> {
             used.bare + used.tensor + used.vector > 0
         });
         let by_letters = by_component && !whole && !self.reading.speaks_of_products;
-        if !double && (single || by_letters) {
+        let by_data = double
+            && self.reading.writes_only_diagonal()
+            && gives_three_moments(self.document, &self.reading);
+        if !double && (single || by_letters) || by_data {
             self.take(Said::Principal, Span::default());
         }
     }
@@ -262,6 +265,26 @@ pub(crate) fn inertia_changes(document: &Document, reading: &Reading) -> bool {
         of_inertia && !symbols(value).is_empty()
     };
     reading.usage.functions_of_time.iter().any(inertia) || reading.plane && rates().any(changes)
+}
+
+/// Whether lines hand over all three moments of inertia I_xx, I_yy and I_zz, each by something else than inertia and rates.
+fn gives_three_moments(document: &Document, reading: &Reading) -> bool {
+    let quantity = |symbol: &Symbol| reading.quantities.get(&Letter::of(symbol)).copied();
+    let data = |side: &Node| {
+        let mut met = symbols(side).into_iter().map(quantity);
+        met.all(|q| matches!(q, None | Some(Quantity::Mass)))
+    };
+    let moment = |side: &Node| match &inner(side).kind {
+        Kind::Symbol(symbol) if quantity(symbol) == Some(Quantity::Inertia) => symbol
+            .subscripts
+            .iter()
+            .find_map(|s| axes(s))
+            .map(|(r, _)| r),
+        _ => None,
+    };
+    let handed = lines(document).filter(|line| line.sides.iter().any(data));
+    let given: BTreeSet<u8> = handed.flat_map(|l| &l.sides).filter_map(moment).collect();
+    given.len() == 3
 }
 
 /// The component of the product of inertia of two axes.

@@ -1,0 +1,86 @@
+//! Small worked examples: what a problem hands over in words and numbers, and what follows from it.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn three_moments_handed_over_leave_no_product() {
+    let text = r"For a thin rectangular plate of mass $m$ and sides $a$ and $b$ in the $xy$ plane:
+
+$$ I_{xx} = \frac{1}{12} m b^2,\quad I_{yy} = \frac{1}{12} m a^2,\quad I_{zz} = I_{xx} + I_{yy} = \frac{1}{12}m(a^2+b^2) $$
+
+$$ \tau_z = I_{zz}\dot\omega_z + (I_{yy} - I_{xx})\omega_x\omega_y $$
+
+$$ \tau_z = I_{zz}\dot\omega_z + (I_{xx} - I_{yy})\omega_x\omega_y $$
+";
+    assert_eq!(verdicts(text), "aaapr");
+    let text = text.replace("and sides", "with a product of inertia $I_{xy}$ and sides");
+    assert_eq!(verdicts(&text), "aaauu");
+}
+
+#[test]
+fn a_length_is_no_angular_momentum() {
+    let text = r"A thin rod of mass $m$ and length $L$ makes the constant angle $\beta$ with a shaft that turns at the constant rate $\Omega$.
+The moment of inertia about its end is $I = \frac13 mL^2$. With $x$ along the rod, $I_x = 0$, $I_y = I_z = I$:
+
+$$ \omega_x = \Omega\cos\beta,\quad \omega_y = 0,\quad\omega_z = \Omega\sin\beta $$
+
+$$ M_y = (I_x - I_z)\omega_z\omega_x = -\frac13mL^2\Omega^2\sin\beta\cos\beta $$
+
+$$ M_y = -\frac23mL^2\Omega^2\sin\beta\cos\beta $$
+";
+    assert_eq!(verdicts(text), "aaaaaapr");
+}
+
+#[test]
+fn a_rotor_about_one_axis_has_an_acceleration_too() {
+    let text = r"A rotor turns about the fixed $z$ axis with angular velocity $\omega$ and angular acceleration $\alpha$. The axes are fixed in the rotor.
+
+$$ M_x = -I_{xz}\alpha + I_{yz}\omega^2 $$
+
+$$ M_y = -I_{yz}\alpha + I_{xz}\omega^2 $$
+
+At constant speed
+
+$$ M_x = I_{yz}\omega^2 $$
+";
+    assert_eq!(verdicts(text), "prp");
+}
+
+#[test]
+fn loads_that_words_exclude_are_zero() {
+    let text = r"A body has $I_1 = I_2 = A$ and $I_3 = C$. Thrusters give a moment $M$ about axis 1 only, so $M_1 = M$ and $M_2 = M_3 = 0$.
+
+$$ A\dot\omega_2 = (C - A)\omega_3\omega_1 $$
+
+$$ A\dot\omega_1 = (A - C)\omega_2\omega_3 + M $$
+
+$$ A\dot\omega_1 = (A - C)\omega_2\omega_3 - M $$
+";
+    assert_eq!(verdicts(text), "aapappr");
+}
+
+#[test]
+fn columns_have_units_and_lists_are_columns() {
+    for (list, expected) in [
+        (r"[10, -6, 0]^T\ \mathrm{N\,m\,s}", "aap"),
+        (r"(10, -6, 0)", "aap"),
+        (
+            r"\begin{pmatrix} 10 \\ -6 \\ 0 \end{pmatrix}\ \text{kg m}^2/\text{s}",
+            "aap",
+        ),
+        (r"2(5, -3, 0)^T", "aap"),
+        (r"(10, 6, 0)", "aar"),
+    ] {
+        let text = format!(
+            r"$$ J = \begin{{pmatrix}} 3 & -1 & 0 \\ -1 & 3 & 0 \\ 0 & 0 & 5 \end{{pmatrix}}\ \text{{kg m}}^2, \qquad \omega = [3, -1, 0]^T\ \text{{rad/s}} $$
+
+$$ h = J\omega = {list} $$
+"
+        );
+        assert_eq!(verdicts(&text), expected, "{list}");
+    }
+}
