@@ -6,6 +6,7 @@ use crate::verify::letters::attitude_reading::{AttitudeReading, Part, Spelling};
 use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::repair::lines;
 use crate::verify::words::attitude_words::{Sentence, sentences};
+use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// Changes of the layout that are followed at most.
@@ -133,6 +134,5 @@ pub(crate) fn is_vector_part(letter: &str, said: &[Sentence]) -> bool {
         format!("vector part is {name}"),
         format!("vector part by {name}"),
     ];
-    said.iter()
-        .any(|s| called.iter().any(|words| s.text.contains(words)))
+    said.iter().any(|s| has_any(&s.text, &called))
 }

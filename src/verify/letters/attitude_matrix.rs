@@ -6,6 +6,7 @@ use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::words::attitude_words::Sentence;
+use crate::verify::words::book::has_any;
 use std::collections::BTreeSet;
 
 /// Letters that an attitude matrix has.
@@ -36,9 +37,7 @@ impl AttitudeReading {
             "orthogonal",
             "direction cosin",
         ];
-        let about_turning = said
-            .iter()
-            .any(|s| stems.iter().any(|stem| s.text.contains(stem)));
+        let about_turning = said.iter().any(|s| has_any(&s.text, &stems));
         let mut found: Vec<Letter> = vec![];
         let mut made: BTreeSet<Letter> = BTreeSet::new();
         for line in lines(document) {
@@ -52,9 +51,7 @@ impl AttitudeReading {
                 made.insert(Letter::of(symbol));
             }
         }
-        let spoken = said
-            .iter()
-            .filter(|s| MATRIX_WORDS.iter().any(|w| s.text.contains(w)));
+        let spoken = said.iter().filter(|s| has_any(&s.text, MATRIX_WORDS));
         found.extend(
             spoken
                 .flat_map(|s| &s.letters)

@@ -7,6 +7,7 @@ use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::theory::attitude_law::Convention;
 use crate::verify::words::attitude_words::{Sentence, Way, rate_in_space, sentences, way};
+use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// A part of a quaternion.
@@ -223,9 +224,7 @@ impl AttitudeReading {
                     .any(|s| s.name == **name && s.subscripts.is_empty())
             };
             let spoken = |s: &Sentence| {
-                let whole = ["scalar part", "vector part", "quaternion"]
-                    .iter()
-                    .any(|w| s.text.contains(w));
+                let whole = has_any(&s.text, &["scalar part", "vector part", "quaternion"]);
                 whole
                     && family
                         .iter()

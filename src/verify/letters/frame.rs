@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{FrameLabel, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::words::book::has_any;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The frame that a derivative is taken in.
@@ -219,9 +220,7 @@ pub(crate) fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
 }
 
 fn in_words(text: &str) -> Option<Frame> {
-    let said = WORDS
-        .iter()
-        .find(|(_, words)| words.iter().any(|word| text.contains(word)));
+    let said = WORDS.iter().find(|(_, words)| has_any(text, words));
     said.map(|(frame, _)| *frame)
 }
 

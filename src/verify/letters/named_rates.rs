@@ -6,6 +6,7 @@ use crate::notation::document::{Document, Formula, Item, Row};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::values::quantity::Quantity;
+use crate::verify::words::book::has_any;
 
 /// Words between a list of letters and what the letters are.
 const VERBS: &[&str] = &["denote ", "are ", "be ", "being ", "stand for ", "mean "];
@@ -101,7 +102,7 @@ fn called_before(words: &str) -> bool {
 
 /// Where a clause speaks of the components of the angular velocity on the axes of the body.
 fn names_components(clause: &str) -> Option<usize> {
-    if ELSEWHERE.iter().any(|word| clause.contains(word)) {
+    if has_any(clause, ELSEWHERE) {
         return None;
     }
     let near = clause.find("angular velocity components");

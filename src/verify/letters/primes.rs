@@ -4,6 +4,7 @@ use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::usage::{axis, symbols};
 use crate::verify::repair::lines;
+use crate::verify::words::book::has_any;
 
 /// Writes dots for the primes of a document whose words or equations say that they are rates.
 pub(crate) fn dots_for_primes(document: &mut Document) {
@@ -32,7 +33,7 @@ fn said(document: &Document) -> bool {
         };
         let text = text.to_lowercase();
         text.split(['.', ';']).any(|clause| {
-            let speaks = |words: &[&str]| words.iter().any(|word| clause.contains(word));
+            let speaks = |words: &[&str]| has_any(clause, words);
             clause.contains("prime")
                 && speaks(&["derivative", "differentiat", "d/dt", "rate"])
                 && speaks(&["time", "d/dt"])

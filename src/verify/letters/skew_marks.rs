@@ -6,6 +6,7 @@ use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::space_axes::turns_a_tensor;
 use crate::verify::letters::usage::{Letter, Usage, inner, symbols};
 use crate::verify::words::attitude_words::{rate_in_space, sentences};
+use crate::verify::words::book::has_any;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -42,8 +43,7 @@ pub(crate) fn note_skew_marks(document: &mut Document) {
         marks.turning.clear();
     }
     let matrix = ["matrix", "skew", "cross product"];
-    let named =
-        |text: &str| text.contains(" hat ") && matrix.iter().any(|word| text.contains(word));
+    let named = |text: &str| text.contains(" hat ") && has_any(text, &matrix);
     marks.hat_map |= said.iter().any(|s| named(&format!(" {}", s.text)));
     if marks.hat_map {
         let usage = Usage::of(document);

@@ -6,7 +6,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::verdict::{Finding, Role, Verdict};
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 
 /// Words of a sentence that speaks of them.
 const WORDS: &[&str] = &["roots", "root of", "characteristic", "eigenvalue"];
@@ -19,7 +19,7 @@ impl Checker<'_> {
             return false;
         };
         let sentence = lowered(&self.sentence);
-        let speaks = WORDS.iter().any(|words| sentence.contains(words));
+        let speaks = has_any(&sentence, WORDS);
         if !speaks || !is_zero(last) || self.unknown(sides).is_none() {
             return false;
         }

@@ -15,7 +15,7 @@ use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 
 /// Terms of a Lagrangian whose equations are set up.
@@ -67,9 +67,7 @@ impl Checker<'_> {
     /// T + V for an E that the words call the energy, where the document has said what both are.
     pub(crate) fn total_energy(&mut self, symbol: &Symbol) -> Option<Law> {
         let words = lowered(&self.sentence);
-        let part = ["kinetic", "potential", "rotational"]
-            .iter()
-            .any(|part| words.contains(part));
+        let part = has_any(&words, &["kinetic", "potential", "rotational"]);
         let named = matches!(symbol.name.as_str(), "E" | "H" | "h" | "W");
         if part || !named || !words.contains("energy") || !self.reading.speaks_of(Quantity::Energy)
         {
@@ -88,7 +86,7 @@ impl Checker<'_> {
 
     fn take_lagrange_equations(&mut self, lagrangian: Entity) {
         let text = self.whole_text();
-        let conservative = !OTHER_FORCES.iter().any(|words| text.contains(words));
+        let conservative = !has_any(text, OTHER_FORCES);
         let named = text.contains("lagrang");
         let kinetic = self.theory.atoms.quantity(Quantity::Energy);
         let mut known = |entity| self.theory.atoms.value(entity, 0, 0);

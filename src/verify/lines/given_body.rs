@@ -9,7 +9,7 @@ use crate::verify::lines::given::INPUTS;
 use crate::verify::lines::line::Read;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -76,9 +76,7 @@ impl Checker<'_> {
     /// Whether a line says so, and its sentence speaks of a flat body.
     pub(crate) fn is_said_of_a_lamina(&mut self, sides: &[Node], read: &Read) -> bool {
         let text = lowered(&self.sentence);
-        let flat = ["thin", "lamina", "flat"]
-            .iter()
-            .any(|word| text.contains(word));
+        let flat = has_any(&text, &["thin", "lamina", "flat"]);
         flat && self.narrows_the_body(sides, read)
     }
 }

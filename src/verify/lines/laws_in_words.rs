@@ -11,7 +11,7 @@ use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 
 /// Names of how often a body swings to and fro.
@@ -150,7 +150,7 @@ impl Checker<'_> {
     /// ω² of q̈ = −ω² q, to which the motion of the one angle that an equation of motion rules comes down near zero.
     fn frequency(&mut self, symbol: &Symbol) -> Option<Law> {
         let sentence = lowered(&self.sentence);
-        if !FREQUENCIES.iter().any(|name| sentence.contains(name)) {
+        if !has_any(&sentence, FREQUENCIES) {
             return None;
         }
         let angle = self.reading.usage.only_angle()?;

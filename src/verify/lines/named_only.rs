@@ -6,7 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Finding;
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 
 impl Checker<'_> {
     /// Leaves a line open that would be a definition but for what it speaks of, claimed or in passing.
@@ -21,9 +21,7 @@ impl Checker<'_> {
             return false;
         };
         let words = lowered(&self.sentence);
-        let of_a_surface = ["semi-ax", "semiax"]
-            .iter()
-            .any(|word| words.contains(word));
+        let of_a_surface = has_any(&words, &["semi-ax", "semiax"]);
         let reason = if claimed && of_a_surface {
             "whether the surface has these axes is not decided"
         } else if claimed && self.displayed && is_multiple_of_unprimed(symbol, right) {

@@ -9,6 +9,7 @@ use crate::verify::theory::decide::passes_filter;
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::has_any;
 use std::collections::BTreeSet;
 
 /// Words of a sentence that says what a step is.
@@ -33,7 +34,7 @@ impl Checker<'_> {
         finding: &mut Finding,
     ) -> bool {
         let words = self.sentence.to_lowercase();
-        let said = role != Role::Claim || STEP.iter().any(|word| words.contains(word));
+        let said = role != Role::Claim || has_any(&words, STEP);
         if !said || !self.displayed || !self.relates_steps(sides) {
             return false;
         }

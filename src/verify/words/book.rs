@@ -64,3 +64,8 @@ impl Book {
         self.places(text).map(|(which, ..)| which).collect()
     }
 }
+
+/// Whether one of a few phrases stands in a text.
+pub(crate) fn has_any<P: AsRef<str>>(text: &str, phrases: &[P]) -> bool {
+    phrases.iter().any(|phrase| text.contains(phrase.as_ref()))
+}

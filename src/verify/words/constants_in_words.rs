@@ -12,7 +12,7 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::FromProse;
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::role::Words;
 
 /// Words behind a list of symbols.
@@ -143,9 +143,7 @@ impl Checker<'_> {
         self.small_behind(&text, &named);
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));
         // What is "a constant of the motion" is for laws to say.
-        let of_motion = ["constant of", "constants of"]
-            .iter()
-            .any(|w| rest.contains(w));
+        let of_motion = has_any(rest, &["constant of", "constants of"]);
         if constant && !of_motion && !Words::of(&self.sentence).derive() {
             let supposed = supposes(&self.sentence);
             named

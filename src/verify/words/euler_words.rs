@@ -2,6 +2,7 @@
 
 use crate::notation::document::Document;
 use crate::verify::words::attitude_words::sentences;
+use crate::verify::words::book::has_any;
 
 /// The axes of three turns, each about an axis that the turns before have carried along.
 pub(crate) type Sequence = [u8; 3];
@@ -75,8 +76,7 @@ pub(crate) fn leaves_out_the_spin(document: &Document) -> bool {
         "do not turn with",
     ];
     let said = sentences(document);
-    said.iter()
-        .any(|sentence| words.iter().any(|word| sentence.text.contains(word)))
+    said.iter().any(|sentence| has_any(&sentence.text, &words))
 }
 
 /// Sequences as such: "3-1-3", "z-x'-z''", "ZYX", "the x-convention".
@@ -94,7 +94,7 @@ fn written(source: &str) -> Vec<Sequence> {
         let at = word.as_ptr() as usize - plain.as_ptr() as usize;
         let told = || {
             let near = around(&plain, at);
-            TELLING.iter().any(|name| near.contains(name))
+            has_any(near, &TELLING)
         };
         match word {
             "x-convention" => found.push([2, 0, 2]),

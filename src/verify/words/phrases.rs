@@ -1,7 +1,7 @@
 //! What words call a quantity, and where they stand beside a letter.
 
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::book::Book;
+use crate::verify::words::book::{Book, has_any};
 use std::sync::LazyLock;
 
 /// What the phrases for a quantity name; `None` keeps a phrase from being read as a shorter one in it.
@@ -212,7 +212,7 @@ const WHEELS: &[&str] = &[
 
 /// Whether a text in small letters speaks of wheels in the body, which have a momentum of their own.
 pub(crate) fn speaks_of_wheels(text: &str) -> bool {
-    WHEELS.iter().any(|word| text.contains(word))
+    has_any(text, WHEELS)
 }
 
 /// Whether what a clause in small letters says of a momentum is said of a wheel: "relative to the airframe the propeller
@@ -236,8 +236,7 @@ fn is_aside(before: &str, behind: &str) -> bool {
     let verbs = [
         "becomes", "gives", "yields", "reads", "this is", "we get", "we find", "we have",
     ];
-    ASIDE.iter().any(|words| before.ends_with(words))
-        && verbs.iter().any(|verb| behind.contains(verb))
+    ASIDE.iter().any(|words| before.ends_with(words)) && has_any(behind, &verbs)
 }
 
 /// The quantity that the words before a formula name, where they come close to it.
@@ -304,9 +303,7 @@ pub(crate) fn reaches(text: &str, display: bool) -> bool {
 
 /// Whether a sentence in small letters is about to list moments of inertia: "the principal moments at ⟨ are ".
 pub(crate) fn lists_moments(sentence: &str) -> bool {
-    ["moments of inertia", "principal moments"]
-        .iter()
-        .any(|words| sentence.contains(words))
+    has_any(sentence, &["moments of inertia", "principal moments"])
 }
 
 /// The quantity in words set right behind a letter: "and $\mathbf K$ the total torque".
@@ -400,7 +397,7 @@ fn is_in_wheels(text: &str) -> bool {
     // "Of the wheels and ⟨": another thing.
     let own = clause.split(" and ⟨").next().unwrap_or_default();
     let own = own.strip_suffix(" and ").unwrap_or(own);
-    !whole.iter().any(|word| own.contains(word))
+    !has_any(own, &whole)
         && carried
             .iter()
             .filter_map(|words| clause.find(words))

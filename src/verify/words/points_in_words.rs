@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::usage::inner;
+use crate::verify::words::book::has_any;
 
 const CENTRES: &[&str] = &[
     "mass centre",
@@ -110,7 +111,7 @@ pub(crate) fn calls_distance(document: &Document, symbol: &Symbol) -> bool {
 pub(crate) fn places(document: &Document, vector: &Option<Symbol>) -> Vec<[Symbol; 3]> {
     let said = named(document, |node| triple(node).is_some());
     let placed = said.filter(|(before, behind)| {
-        let near = |text: &str| PLACING.iter().any(|word| text.contains(word));
+        let near = |text: &str| has_any(text, PLACING);
         near(before) || near(behind)
     });
     let lists = placed.map(|(before, _)| before.len());
@@ -144,7 +145,7 @@ pub(crate) fn places(document: &Document, vector: &Option<Symbol>) -> Vec<[Symbo
 
 /// Whether the words speak of a point that the body turns about.
 pub(crate) fn holds_still(document: &Document) -> bool {
-    prose(document).any(|text| PIVOTS.iter().any(|words| text.contains(words)))
+    prose(document).any(|text| has_any(&text, PIVOTS))
 }
 
 fn prose(document: &Document) -> impl Iterator<Item = String> {

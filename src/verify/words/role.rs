@@ -1,7 +1,7 @@
 //! What a line is for, from the sentence that introduces it.
 
 use crate::verify::verdict::Role;
-use crate::verify::words::book::{Book, lowered};
+use crate::verify::words::book::{Book, has_any, lowered};
 use crate::verify::words::role_words::{
     ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, SHORTER, SOURCES,
     SUBJECTS, SUPPOSE,
@@ -83,7 +83,7 @@ fn has_left_its_condition(text: &str) -> bool {
     let says_again = [" that is ", " which is "];
     predicate.iter().any(|verb| trailing.ends_with(verb))
         && !says_again.iter().any(|words| trailing.ends_with(words))
-        && weak.iter().any(|word| text.contains(word))
+        && has_any(text, &weak)
 }
 
 /// Whether a text before a comma ends with a condition: "with ⟨B = 2A⟩", "with ⟨B = 2A⟩ and all else the same".
