@@ -9,6 +9,7 @@ use crate::verify::letters::usage::inner;
 use crate::verify::reason;
 use crate::verify::theory::Name;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::has_any;
 use crate::verify::words::prose::{Said, said};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -89,10 +90,7 @@ impl Checker<'_> {
     /// Ends what an earlier section says of another component by the same symbol: a spin n about axis 3, now about axis 1.
     pub(crate) fn pass_name_on(&mut self, sides: &[Node], name: &str) {
         let mut lowering = self.lowering(Frame::Moving);
-        let mut part = |side: &Node| match lowering.value(side).ok()?.entries.as_slice() {
-            [entry] => entry.as_variable(),
-            _ => None,
-        };
+        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
         let [left, right] = sides else { return };
         let (Some(left), Some(right)) = (part(left), part(right)) else {
             return;
@@ -127,7 +125,7 @@ impl Checker<'_> {
         let lower = text.trim_start().to_lowercase();
         let counted = ["case ", "(a) ", "(b) ", "(c) ", "(d) "];
         let counted = counted.iter().any(|start| lower.starts_with(start));
-        let turned = TURNS.iter().any(|words| lower.contains(words));
+        let turned = has_any(&lower, TURNS);
         if opens_paragraph && (title || counted) || turned {
             self.cases.now += 1;
         }

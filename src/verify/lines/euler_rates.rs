@@ -141,8 +141,7 @@ impl Checker<'_> {
         if self.theory.atoms.info(entity).owner != omega || self.theory.rule(variable).is_some() {
             return None;
         }
-        let value = self.lowering(Frame::Moving).value(right).ok()?;
-        let entry = value.entries.first().filter(|_| value.is_scalar())?.clone();
+        let entry = self.lowering(Frame::Moving).scalar(right)?;
         self.slopes(&Vector3::new(
             entry.clone(),
             Fraction::zero(),

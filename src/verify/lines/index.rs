@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Line, Node, Relation, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::primes::dots_for_primes;
-use crate::verify::letters::usage::{Letter, Usage};
+use crate::verify::letters::usage::{Letter, Usage, symbols};
 use crate::verify::lines::summation::Indices;
 use crate::verify::verdict::{Finding, Verdict};
 use num_traits::ToPrimitive;
@@ -131,12 +131,8 @@ pub(crate) fn is_equality(relation: Relation) -> bool {
 
 /// An index i without a range runs over the axes if each letter that carries it has components elsewhere.
 fn free_index(line: &Line, usage: &Usage) -> Option<(String, Vec<String>)> {
-    let mut symbols = vec![];
-    line.sides
-        .iter()
-        .for_each(|side| collect(side, &mut symbols));
-    let indexed: Vec<&Symbol> = symbols
-        .into_iter()
+    let all = line.sides.iter().flat_map(symbols);
+    let indexed: Vec<&Symbol> = all
         .filter(|s| s.subscripts.iter().any(|s| s == "i"))
         .collect();
     let numbered = |s: &&Symbol| components(s, usage).is_some();
@@ -155,15 +151,6 @@ fn components(symbol: &Symbol, usage: &Usage) -> Option<[&'static str; 3]> {
     } else {
         (met.contains("x") || met.contains("y")).then_some(["x", "y", "z"])
     }
-}
-
-fn collect<'a>(node: &'a Node, out: &mut Vec<&'a Symbol>) {
-    if let Kind::Symbol(symbol) = &node.kind {
-        out.push(symbol);
-    }
-    node.children()
-        .into_iter()
-        .for_each(|child| collect(child, out));
 }
 
 /// An index letter replaced by its value, in subscripts of one or two letters.
@@ -197,10 +184,8 @@ fn sums(node: &mut Node, usage: &Usage) {
     let values = match limits {
         Some((from, to)) => between(from, to),
         None => {
-            let mut symbols = vec![];
-            collect(body, &mut symbols);
-            let carries = |s: &&&Symbol| s.subscripts.contains(&index.name);
-            let indexed: Vec<_> = symbols.iter().filter(carries).collect();
+            let carries = |s: &&Symbol| s.subscripts.contains(&index.name);
+            let indexed: Vec<_> = symbols(body).into_iter().filter(carries).collect();
             let all = indexed.iter().all(|s| components(s, usage).is_some());
             let first = indexed
                 .first()

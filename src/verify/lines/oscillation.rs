@@ -94,13 +94,10 @@ impl Checker<'_> {
         }) {
             return false;
         }
-        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+        let Some(value) = self.lowering(Frame::Moving).scalar(right) else {
             return false;
         };
-        let ([value], true) = (value.entries.as_slice(), value.is_scalar()) else {
-            return false;
-        };
-        let [left, right] = [square, value.clone() * value.clone()].map(Value::scalar);
+        let [left, right] = [square, value.clone() * value].map(Value::scalar);
         let Ok(residual) = left.plus(&right, true) else {
             return false;
         };

@@ -3,13 +3,14 @@
 //! A moment that is greater than another is that one and something positive. With this put in, a polynomial of which all
 //! terms have one sign has that sign. What is proved with a certificate is that the difference is the sum of those terms.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::{Line, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
@@ -64,11 +65,8 @@ impl Checker<'_> {
     }
 
     fn lone(&mut self, side: &Node) -> Option<Variable> {
-        let value = self.lowering(Frame::Moving).value(side).ok()?;
-        let [entry] = value.entries.as_slice() else {
-            return None;
-        };
-        self.theory.normal(entry).as_variable()
+        let value = self.lowering(Frame::Moving).scalar(side)?;
+        self.theory.normal(&value).as_variable()
     }
 
     /// Decides a line of <, ≤, >, ≥ by the signs of its differences, where those are known.
@@ -134,7 +132,7 @@ impl Checker<'_> {
             Some(order) => variable_fraction(order.greater) - variable_fraction(order.smaller),
             None => variable_fraction(v),
         };
-        let lift = |c: &crate::algebra::Rational| Fraction::from(Polynomial::constant(c.clone()));
+        let lift = |c: &Rational| constant(c.clone());
         let form = above.evaluate(back, lift) / below.evaluate(back, lift);
         Some((sign, form))
     }

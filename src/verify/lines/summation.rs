@@ -4,6 +4,7 @@
 
 use crate::notation::ast::{Factor, FrameLabel, Kind, Line, Node, Number, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::usage::symbols;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
@@ -30,12 +31,10 @@ impl Indices {
         let mut letters: Vec<char> = vec![];
         let mut permutes = false;
         let mut note = |node: &Node| {
-            each_symbol(node, &mut |symbol| {
-                if let Some(indices) = tensor_indices(symbol) {
-                    permutes |= indices.len() == 3;
-                    letters.extend(indices);
-                }
-            });
+            for indices in symbols(node).into_iter().filter_map(tensor_indices) {
+                permutes |= indices.len() == 3;
+                letters.extend(indices);
+            }
         };
         let mut told = false;
         for item in &document.items {
@@ -257,13 +256,6 @@ fn rank(symbol: &Symbol) -> Option<usize> {
         "delta" => Some(2),
         _ => None,
     }
-}
-
-fn each_symbol(node: &Node, visit: &mut dyn FnMut(&Symbol)) {
-    if let Kind::Symbol(symbol) = &node.kind {
-        visit(symbol);
-    }
-    node.each_child(&mut |child| each_symbol(child, visit));
 }
 
 fn is_two(node: &Node) -> bool {

@@ -74,16 +74,13 @@ impl Checker<'_> {
     fn word(&mut self, text: String) -> Option<Word> {
         let node = expression(self.document, &text)?;
         let (symbol, order) = symbol(&node)?;
-        let value = self.lowering(Frame::Moving).value(&node).ok()?;
-        let [value] = value.entries.as_slice() else {
-            return None;
-        };
+        let value = self.lowering(Frame::Moving).scalar(&node)?;
         let of = match self.meaning_of(symbol) {
             Meaning::Component(entity, _) => Some(entity),
             _ => None,
         };
         Some(Word {
-            value: value.clone(),
+            value,
             letter: Letter::of(symbol),
             subscripts: symbol.subscripts.clone(),
             order,

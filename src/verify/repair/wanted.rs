@@ -140,11 +140,7 @@ impl Checker<'_> {
         if span.start < line.span.start || line.span.end < span.end {
             return None;
         }
-        let value = self.lowering(Frame::Moving).value(place.node).ok()?;
-        let [value] = value.entries.as_slice() else {
-            return None;
-        };
-        let value = value.clone();
+        let value = self.lowering(Frame::Moving).scalar(place.node)?;
         let text = self.document.source.slice(span).to_owned();
         let edit = Edit {
             span,

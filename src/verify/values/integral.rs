@@ -108,11 +108,7 @@ impl Lowering<'_> {
             kind: Kind::Symbol(symbol),
             span: node.span,
         })?;
-        let variable = value
-            .entries
-            .first()
-            .filter(|_| value.is_scalar())
-            .and_then(Fraction::as_variable);
+        let variable = value.as_scalar().and_then(Fraction::as_variable);
         variable.ok_or_else(|| {
             trouble(
                 TroubleKind::Unsupported,

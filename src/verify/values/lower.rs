@@ -213,6 +213,11 @@ impl Lowering<'_> {
         }
     }
 
+    /// The value of a node that is a number.
+    pub(crate) fn scalar(&mut self, node: &Node) -> Option<Fraction> {
+        self.value(node).ok()?.as_scalar().cloned()
+    }
+
     /// `[I\,]_{xy}`, or the whole matrix where the label is that of a frame.
     fn entry(&self, matrix: &Value, label: &FrameLabel) -> Lowered {
         if let Some((row, column)) = axes(&label.text) {

@@ -83,10 +83,8 @@ impl Lowering<'_> {
     pub(crate) fn power(&mut self, node: &Node, base: &Node, exponent: &Node) -> Lowered {
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
         let power = self.value(exponent)?;
-        let power = power.entries[0]
-            .numerator()
-            .is_constant()
-            .filter(|_| power.is_scalar() && power.entries[0].is_polynomial());
+        let power = power.as_scalar().filter(|power| power.is_polynomial());
+        let power = power.and_then(|power| power.numerator().is_constant());
         let Some(power) = power.and_then(|p| p.to_integer()) else {
             return Err(trouble(
                 TroubleKind::Unsupported,

@@ -38,10 +38,8 @@ impl Lowering<'_> {
         let value = self.value(integrand)?;
         let time = self.theory.atoms.quantity(Quantity::Time);
         let time = self.theory.atoms.part(time, 0, 0);
-        if !value.is_scalar() {
-            return Err(unsupported());
-        }
-        let normal = self.theory.normal(&value.entries[0]);
+        let value = value.as_scalar().ok_or_else(unsupported)?;
+        let normal = self.theory.normal(value);
         let below = normal.denominator().clone();
         let depends = |v: Variable| self.theory.atoms.with_arguments(v).contains(&time);
         // What moves by a law that is not known here has no primitive.

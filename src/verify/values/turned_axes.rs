@@ -107,8 +107,7 @@ impl Lowering<'_> {
     fn coordinate(&mut self, symbol: &Symbol) -> Option<Fraction> {
         let kind = Kind::Symbol(symbol.clone());
         let span = Span::default();
-        let value = self.value(&Node { kind, span }).ok()?;
-        value.is_scalar().then(|| value.entries[0].clone())
+        self.scalar(&Node { kind, span })
     }
 
     /// A coordinate on turned axes in those on the axes used; `None` where no line says what it is.

@@ -86,6 +86,11 @@ impl Value {
         self.rows == 1 && self.columns == 1
     }
 
+    /// The one entry of a number.
+    pub(crate) fn as_scalar(&self) -> Option<&Fraction> {
+        self.entries.first().filter(|_| self.is_scalar())
+    }
+
     /// Whether it is a column of three.
     pub(crate) fn is_vector(&self) -> bool {
         self.rows == 3 && self.columns == 1
