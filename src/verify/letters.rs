@@ -16,6 +16,7 @@ pub(super) mod naming;
 pub(super) mod one_axis;
 pub(super) mod point_labels;
 pub(super) mod primes;
+pub(super) mod raised;
 pub(super) mod raised_labels;
 pub(super) mod raised_steps;
 pub(super) mod reading;

@@ -6,6 +6,7 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::point_labels::formulas_mut;
+use crate::verify::letters::raised::raised;
 use crate::verify::repair::lines;
 use std::collections::BTreeSet;
 
@@ -26,7 +27,7 @@ pub(crate) fn lower_labels(document: &mut Document) {
 
 /// Notes the labels over an ω.
 fn note(node: &Node, labels: &mut BTreeSet<String>) {
-    if let Some((symbol, label)) = raised(node)
+    if let Some((symbol, label)) = labelled(node)
         && LABELS.contains(&label.as_str())
         && matches!(symbol.name.as_str(), "omega" | "Omega")
         && symbol.subscripts.is_empty()
@@ -39,7 +40,7 @@ fn note(node: &Node, labels: &mut BTreeSet<String>) {
 }
 
 fn lower(node: &mut Node, labels: &BTreeSet<String>) {
-    if let Some((_, label)) = raised(node).filter(|(_, label)| labels.contains(label))
+    if let Some((_, label)) = labelled(node).filter(|(_, label)| labels.contains(label))
         && let Kind::Power(base, _) = &mut node.kind
     {
         base.change_symbols(&mut |symbol| {
@@ -57,18 +58,9 @@ fn lower(node: &mut Node, labels: &BTreeSet<String>) {
         .for_each(|child| lower(child, labels));
 }
 
-/// A symbol, with dots or without, and the letter over it.
-fn raised(node: &Node) -> Option<(&Symbol, String)> {
-    let Kind::Power(base, exponent) = &node.kind else {
-        return None;
-    };
-    let base = match &base.kind {
-        Kind::TimeDerivative { operand, .. } => operand,
-        _ => base,
-    };
-    let Kind::Symbol(symbol) = &base.kind else {
-        return None;
-    };
+/// A symbol and the letter over it.
+fn labelled(node: &Node) -> Option<(&Symbol, String)> {
+    let (symbol, exponent) = raised(node)?;
     Some((symbol, letter(exponent)?.to_owned()))
 }
 

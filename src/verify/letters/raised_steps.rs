@@ -6,6 +6,7 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::point_labels::formulas_mut;
+use crate::verify::letters::raised::raised;
 use crate::verify::letters::usage::inner;
 use crate::verify::repair::lines;
 use std::collections::BTreeSet;
@@ -31,7 +32,7 @@ fn note(node: &Node, counters: &mut BTreeSet<String>) {
     let label = |symbol: &Symbol| symbol.superscripts.iter().find_map(|label| in_label(label));
     let found = match &node.kind {
         Kind::Symbol(symbol) => label(symbol).map(|step| (symbol, step)),
-        _ => raised(node),
+        _ => stepped(node),
     };
     if let Some((symbol, step)) = found
         && (symbol.style.vector || STEPPED.contains(&symbol.name.as_str()))
@@ -44,7 +45,7 @@ fn note(node: &Node, counters: &mut BTreeSet<String>) {
 
 fn lower(node: &mut Node, counters: &BTreeSet<String>) {
     let counted = |step: &String| counters.contains(&step[..1]);
-    if let Some(step) = raised(node).map(|(_, step)| step).filter(counted)
+    if let Some(step) = stepped(node).map(|(_, step)| step).filter(counted)
         && let Kind::Power(base, _) = &mut node.kind
     {
         base.change_symbols(&mut |symbol| symbol.subscripts.push(step.clone()));
@@ -63,18 +64,9 @@ fn lower(node: &mut Node, counters: &BTreeSet<String>) {
         .for_each(|child| lower(child, counters));
 }
 
-/// A symbol, with dots or without, and the number of a step over it.
-fn raised(node: &Node) -> Option<(&Symbol, String)> {
-    let Kind::Power(base, exponent) = &node.kind else {
-        return None;
-    };
-    let base = match &base.kind {
-        Kind::TimeDerivative { operand, .. } | Kind::Skew(operand) => operand,
-        _ => base,
-    };
-    let Kind::Symbol(symbol) = &base.kind else {
-        return None;
-    };
+/// A symbol and the number of a step over it.
+fn stepped(node: &Node) -> Option<(&Symbol, String)> {
+    let (symbol, exponent) = raised(node)?;
     Some((symbol, step(inner(exponent))?))
 }
 
