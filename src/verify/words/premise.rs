@@ -136,16 +136,11 @@ impl Checker<'_> {
         let Some(axis) = self.reading.fixed_axis else {
             return;
         };
-        let across: Vec<u8> = (0..3).filter(|&c| c != axis).collect();
-        let entity = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let parts = across.iter().map(|&c| self.theory.atoms.part(entity, c, 0));
-        let preferred: Vec<Variable> = parts.collect();
-        self.theory.assume(Premise {
-            name: "it turns about a fixed axis".to_owned(),
-            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
-            preferred,
-            definition: true,
-        });
+        self.lies_along(
+            "it turns about a fixed axis",
+            Quantity::AngularVelocity,
+            axis,
+        );
     }
 
     /// The momentum of the only wheel lies along its axis, where the words name that.
@@ -153,13 +148,21 @@ impl Checker<'_> {
         let Some(axis) = self.reading.wheel_axis else {
             return;
         };
-        let entity = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        self.lies_along(
+            "the wheel lies along one axis",
+            Quantity::RelativeMomentum,
+            axis,
+        );
+    }
+
+    /// The components of a vector across an axis vanish by what it is.
+    fn lies_along(&mut self, name: &str, vector: Quantity, axis: u8) {
+        let entity = self.theory.atoms.quantity(vector);
         let across = (0..3).filter(|&c| c != axis);
-        let preferred: Vec<Variable> = across
-            .map(|c| self.theory.atoms.part(entity, c, 0))
-            .collect();
+        let parts = across.map(|c| self.theory.atoms.part(entity, c, 0));
+        let preferred: Vec<Variable> = parts.collect();
         self.theory.assume(Premise {
-            name: "the wheel lies along one axis".to_owned(),
+            name: name.to_owned(),
             residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
             preferred,
             definition: true,
