@@ -14,5 +14,6 @@ pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod role;
 pub(super) mod role_words;
+pub(super) mod sentences;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;

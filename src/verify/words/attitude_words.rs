@@ -1,10 +1,9 @@
 //! What the words of a document say of its attitude: which way the matrix and the quaternion go, and on which axes the
 //! angular velocity stands.
 
-use crate::notation::ast::{Kind, Node};
-use crate::notation::document::{Document, Item, Row};
-use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
-use crate::verify::letters::usage::inner;
+use crate::notation::document::Document;
+use crate::verify::words::book::has_any;
+use crate::verify::words::sentences::{self, Paragraphs};
 
 /// A sentence in lower case, each formula of one symbol as `⟨name⟩`, every other as `⟨⟩`.
 #[derive(Clone, Debug, Default)]
@@ -24,9 +23,6 @@ pub(crate) enum Way {
     ToBody,
 }
 
-/// Bytes of a sentence that are kept.
-const LONGEST: usize = 4_000;
-
 /// Words for axes of fixed orientation.
 const SPACE: &[&str] = &[
     "space",
@@ -43,64 +39,14 @@ const SPACE: &[&str] = &[
     "reference frame",
 ];
 
-/// The sentences of a document.
+/// The sentences of a document, those with nothing in them left out.
 pub(crate) fn sentences(document: &Document) -> Vec<Sentence> {
-    let mut all = vec![];
-    let mut open = Sentence::default();
-    for item in &document.items {
-        match item {
-            Item::Prose { text, .. } => {
-                for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
-                    if open.text.len() < LONGEST {
-                        open.text.push_str(piece);
-                    }
-                    if piece.ends_with(['.', '!', '?']) {
-                        all.push(std::mem::take(&mut open));
-                    }
-                }
-            }
-            Item::Formula(formula) => {
-                for row in &formula.rows {
-                    let letter = match row {
-                        Row::Expression(node) => lone(node),
-                        _ => None,
-                    };
-                    open.text.push_str(&format!("⟨{}⟩", letter.unwrap_or("")));
-                    open.letters.extend(letter.map(str::to_owned));
-                }
-            }
-            Item::Heading { text, .. } => {
-                all.push(std::mem::take(&mut open));
-                all.push(Sentence {
-                    text: text.to_lowercase(),
-                    letters: vec![],
-                });
-            }
-            Item::Break => all.push(std::mem::take(&mut open)),
-            Item::Comment { .. } => {}
-        }
-    }
-    all.push(open);
-    all.retain(|s| !s.text.trim().is_empty());
-    all
-}
-
-fn lone(node: &Node) -> Option<&str> {
-    match &inner(node).kind {
-        Kind::Symbol(symbol) => Some(&symbol.name),
-        // The matrix `R(q)` of a quaternion.
-        Kind::Call(head, arguments) if is_symbol(arguments) => match &inner(head).kind {
-            Kind::Symbol(symbol) if MATRIX_LETTERS.contains(&symbol.name.as_str()) => {
-                Some(&symbol.name)
-            }
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn is_symbol(arguments: &[Node]) -> bool {
-    matches!(arguments, [one] if matches!(inner(one).kind, Kind::Symbol(_)))
+    let all = sentences::sentences(document, Paragraphs::Apart);
+    let spoken = all.iter().map(|sentence| Sentence {
+        text: sentence.named(),
+        letters: sentence.symbols().map(|(s, _)| s.name.clone()).collect(),
+    });
+    spoken.filter(|s| !s.text.trim().is_empty()).collect()
 }
 
 /// Which way a sentence says that something goes, if it does.
@@ -134,16 +80,13 @@ pub(crate) fn way(text: &str) -> Option<Way> {
     let rest = &text[start..];
     let of_axes = rest.starts_with("rotat") || rest.starts_with("turn") || rest.starts_with("carr");
     let components = ["component", "coordinate", "vector", "resolved", "expressed"];
-    if of_axes && !components.iter().any(|word| rest.contains(word)) {
+    if of_axes && !has_any(rest, &components) {
         return None;
     }
     let body = rest.find("body")?;
     let space = SPACE.iter().filter_map(|word| rest.find(word)).min()?;
     let between = &rest[body.min(space)..body.max(space)];
-    if ![" to ", " into ", " to\n", "-to-", " onto "]
-        .iter()
-        .any(|word| between.contains(word))
-    {
+    if !has_any(between, &[" to ", " into ", " to\n", "-to-", " onto "]) {
         return None;
     }
     Some(if body < space {
@@ -156,7 +99,7 @@ pub(crate) fn way(text: &str) -> Option<Way> {
 /// Whether a sentence says that the angular velocity, as the letter stands, has its components on space axes (`true`) or
 /// on the body's (`false`).
 pub(crate) fn rate_in_space(text: &str) -> Option<bool> {
-    let says = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    let says = |words: &[&str]| has_any(text, words);
     let rate = says(&["angular velocity", "body rate", "⟨omega⟩", "⟨ω⟩"]);
     let resolved = says(&[
         "component",

@@ -1,14 +1,15 @@
 //! Words that give the angles and the transverse rate of a free symmetric body their names: "the angle θ between L and
 //! the symmetry axis".
 
-use crate::notation::ast::{Kind, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::ast::Symbol;
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::letters::usage::Letter;
 use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
+use crate::verify::words::book::has_any;
+use crate::verify::words::sentences::{Paragraphs, sentences};
 
 const AXES: &[&str] = &[
     "symmetry axis",
@@ -25,35 +26,27 @@ const AXES: &[&str] = &[
 const ANGLES: &[&str] = &[
     "theta", "vartheta", "alpha", "beta", "gamma", "delta", "nu", "phi",
 ];
-/// Bytes of a sentence that are looked at.
-const LONGEST: usize = 2_000;
 /// What is said of the part of the angular velocity across the axis.
 const ACROSS: &[&str] = &["transverse", "perpendicular to the", "equatorial"];
 /// Labels of that part.
 const LABELS: &[&str] = &["t", "T", "tr", "perp", "⊥", "n", "12"];
 
-/// A sentence with the lone symbols in it, each of which stands as `⟨number⟩`.
-#[derive(Default)]
-struct Sentence<'d> {
-    text: String,
-    symbols: Vec<&'d Symbol>,
-}
-
 impl Checker<'_> {
     /// Notes what the words call such an angle, and ties the transverse rate.
     pub(crate) fn note_cones(&mut self) {
-        for sentence in sentences(self.document) {
-            let axis = AXES.iter().any(|words| sentence.text.contains(words));
-            for clause in sentence
-                .text
-                .split([',', ';', ':'])
-                .flat_map(|c| c.split(" while "))
-            {
+        for sentence in sentences(self.document, Paragraphs::Apart) {
+            let symbols: Vec<&Symbol> = sentence.symbols().map(|(symbol, _)| symbol).collect();
+            if symbols.is_empty() {
+                continue;
+            }
+            let text = sentence.numbered();
+            let axis = has_any(&text, AXES);
+            for clause in text.split([',', ';', ':']).flat_map(|c| c.split(" while ")) {
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
-                    self.note_cone(clause, &sentence.symbols);
+                    self.note_cone(clause, &symbols);
                 }
-                if ACROSS.iter().any(|words| clause.contains(words)) {
-                    self.note_transverse_rate(clause, &sentence.symbols);
+                if has_any(clause, ACROSS) {
+                    self.note_transverse_rate(clause, &symbols);
                 }
             }
         }
@@ -134,38 +127,4 @@ fn in_clause<'d>(clause: &str, symbols: &[&'d Symbol]) -> Vec<(usize, &'d Symbol
         .filter(|(at, _)| clause.contains(&format!("⟨{at}⟩")))
         .map(|(at, symbol)| (at, *symbol))
         .collect()
-}
-
-fn sentences(document: &Document) -> Vec<Sentence<'_>> {
-    let mut all = vec![];
-    let mut open = Sentence::default();
-    for item in &document.items {
-        match item {
-            Item::Prose { text, .. } => {
-                for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
-                    // A page without a stop is no sentence.
-                    if open.text.len() < LONGEST {
-                        open.text.push_str(piece);
-                    }
-                    if piece.ends_with(['.', '!', '?']) {
-                        all.push(std::mem::take(&mut open));
-                    }
-                }
-            }
-            Item::Formula(formula) => {
-                for row in &formula.rows {
-                    if let Row::Expression(node) = row
-                        && let Kind::Symbol(symbol) = &inner(node).kind
-                    {
-                        open.text.push_str(&format!("⟨{}⟩", open.symbols.len()));
-                        open.symbols.push(symbol);
-                    }
-                }
-            }
-            Item::Heading { .. } | Item::Break => all.push(std::mem::take(&mut open)),
-            Item::Comment { .. } => {}
-        }
-    }
-    all.push(open);
-    all
 }

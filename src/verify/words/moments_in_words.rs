@@ -1,17 +1,19 @@
 //! Moments of inertia that words give a letter: "with I for the moment of inertia about the axis of symmetry and I' about
 //! a diameter".
 
-use crate::notation::ast::{Kind, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::ast::Symbol;
+use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
+use crate::verify::words::book::has_any;
 use crate::verify::words::prose::Said;
+use crate::verify::words::sentences::{Paragraphs, sentences};
 use crate::verify::words::symmetric_body::equal_moments;
 
 /// The axis that words name.
@@ -34,15 +36,11 @@ pub(crate) struct NamedMoment {
     pub(crate) span: Span,
 }
 
-/// A sentence with `⟨n⟩` in the place of its n-th lone symbol and `⟨⟩` in that of any other formula.
-#[derive(Default)]
-struct Sentence {
+/// A sentence with `⟨n⟩` in the place of its n-th symbol.
+struct Numbered<'d> {
     text: String,
-    symbols: Vec<(Symbol, Span)>,
+    symbols: Vec<(&'d Symbol, Span)>,
 }
-
-/// Bytes of a sentence that are looked at.
-const LONGEST: usize = 2_000;
 
 const PHRASES: &[&str] = &[
     "moment of inertia about",
@@ -92,7 +90,12 @@ const BETWEEN: &[&str] = &[
 
 /// The moments that a document names in words.
 pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
-    let sentences = sentences(document);
+    let all = sentences(document, Paragraphs::Joined);
+    let numbered = all.iter().map(|sentence| Numbered {
+        text: sentence.numbered(),
+        symbols: sentence.symbols().collect(),
+    });
+    let sentences: Vec<Numbered> = numbered.collect();
     let Some(along) = sentences.iter().find_map(axis_of_symmetry).or(Some(2)) else {
         return vec![];
     };
@@ -100,7 +103,7 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
     let mut found: Vec<NamedMoment> = vec![];
     for sentence in &sentences {
         for (at, named) in sentence.named() {
-            let Some((symbol, span)) = sentence.symbols.get(at).cloned() else {
+            let Some(&(symbol, span)) = sentence.symbols.get(at) else {
                 continue;
             };
             let components = match named {
@@ -108,9 +111,9 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
                 Named::Axial => vec![along],
                 Named::Transverse => across.clone(),
             };
-            if found.iter().all(|other| other.symbol != symbol) {
+            if found.iter().all(|other| other.symbol != *symbol) {
                 found.push(NamedMoment {
-                    symbol,
+                    symbol: symbol.clone(),
                     components,
                     span,
                 });
@@ -120,7 +123,7 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
     found
 }
 
-impl Sentence {
+impl Numbered<'_> {
     /// Symbols by their place, with the axis that the words give each.
     fn named(&self) -> Vec<(usize, Named)> {
         let mut found = vec![];
@@ -228,8 +231,8 @@ impl Sentence {
 }
 
 /// The axis that is said to be the one of symmetry: "the ⟨x⟩ axis is the shaft".
-fn axis_of_symmetry(sentence: &Sentence) -> Option<u8> {
-    if !AXIAL.iter().any(|words| sentence.text.contains(words)) {
+fn axis_of_symmetry(sentence: &Numbered) -> Option<u8> {
+    if !has_any(&sentence.text, AXIAL) {
         return None;
     }
     let text = &sentence.text;
@@ -244,47 +247,6 @@ fn axis_of_symmetry(sentence: &Sentence) -> Option<u8> {
             let about = text.contains(&format!("about the ⟨{at}⟩"));
             (named && !about).then(|| axis(&symbol.name))?
         })
-}
-
-fn sentences(document: &Document) -> Vec<Sentence> {
-    let mut all = vec![];
-    let mut open = Sentence::default();
-    for item in &document.items {
-        match item {
-            Item::Prose { text, .. } => {
-                for piece in text.to_lowercase().split_inclusive(['.', '!', '?']) {
-                    // A page without a stop is no sentence.
-                    if open.text.len() + piece.len() < LONGEST {
-                        open.text.push_str(&piece.replace(['\n', '*'], " "));
-                    }
-                    if piece.ends_with(['.', '!', '?']) {
-                        all.push(std::mem::take(&mut open));
-                    }
-                }
-            }
-            Item::Formula(_) if open.text.len() > LONGEST => {}
-            Item::Formula(formula) => {
-                let lone = match formula.rows.as_slice() {
-                    [Row::Expression(node)] => match &inner(node).kind {
-                        Kind::Symbol(symbol) => Some(symbol.clone()),
-                        _ => None,
-                    },
-                    _ => None,
-                };
-                match lone {
-                    Some(symbol) => {
-                        open.text.push_str(&format!("⟨{}⟩", open.symbols.len()));
-                        open.symbols.push((symbol, formula.span));
-                    }
-                    None => open.text.push_str("⟨⟩"),
-                }
-            }
-            Item::Heading { .. } => all.push(std::mem::take(&mut open)),
-            Item::Break | Item::Comment { .. } => open.text.push(' '),
-        }
-    }
-    all.push(open);
-    all
 }
 
 impl Reading {

@@ -1,0 +1,158 @@
+//! The sentences of a document, with the symbols that stand in them.
+
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::{Document, Item, Row};
+use crate::source::Span;
+use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
+use crate::verify::letters::usage::inner;
+use crate::verify::words::book::lowered;
+
+/// Bytes of a sentence that are kept: a page without a stop is no sentence.
+const LONGEST: usize = 4_000;
+
+/// Whether a sentence may go on in the next paragraph, as round a display or through a list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Paragraphs {
+    /// It ends with its paragraph.
+    Apart,
+    /// It goes on.
+    Joined,
+}
+
+/// A sentence in small letters, on one line.
+#[derive(Debug, Default)]
+pub(crate) struct Sentence<'d> {
+    pieces: Vec<Piece<'d>>,
+    length: usize,
+}
+
+#[derive(Debug)]
+enum Piece<'d> {
+    Words(String),
+    /// A formula of one symbol.
+    Symbol(&'d Symbol, Span),
+    /// Any other formula.
+    Formula,
+}
+
+impl<'d> Sentence<'d> {
+    /// The lone symbols in it.
+    pub(crate) fn symbols(&self) -> impl Iterator<Item = (&'d Symbol, Span)> {
+        self.pieces.iter().filter_map(|piece| match piece {
+            Piece::Symbol(symbol, span) => Some((*symbol, *span)),
+            _ => None,
+        })
+    }
+
+    /// Its words, with `⟨n⟩` in the place of its n-th lone symbol and `⟨⟩` in that of any other formula.
+    pub(crate) fn numbered(&self) -> String {
+        self.text(|n, _| format!("⟨{n}⟩"))
+    }
+
+    /// Its words, with `⟨name⟩` in the place of a lone symbol and `⟨⟩` in that of any other formula.
+    pub(crate) fn named(&self) -> String {
+        self.text(|_, symbol| format!("⟨{}⟩", symbol.name))
+    }
+
+    fn text(&self, mark: impl Fn(usize, &Symbol) -> String) -> String {
+        let mut text = String::with_capacity(self.length);
+        let mut count = 0;
+        for piece in &self.pieces {
+            match piece {
+                Piece::Words(words) => text.push_str(words),
+                Piece::Symbol(symbol, _) => {
+                    text.push_str(&mark(count, symbol));
+                    count += 1;
+                }
+                Piece::Formula => text.push_str("⟨⟩"),
+            }
+        }
+        text
+    }
+
+    fn push(&mut self, piece: Piece<'d>) {
+        if self.length < LONGEST {
+            self.length += match &piece {
+                Piece::Words(words) => words.len(),
+                Piece::Symbol(..) | Piece::Formula => 1,
+            };
+            self.pieces.push(piece);
+        }
+    }
+}
+
+/// The sentences of a document, each heading one of its own.
+pub(crate) fn sentences(document: &Document, paragraphs: Paragraphs) -> Vec<Sentence<'_>> {
+    let mut all = vec![];
+    let mut open = Sentence::default();
+    for item in &document.items {
+        match item {
+            Item::Prose { text, .. } => {
+                for words in lowered(text).split_inclusive(['.', '!', '?']) {
+                    open.push(Piece::Words(words.replace(['\n', '*'], " ")));
+                    if words.ends_with(['.', '!', '?']) {
+                        all.push(std::mem::take(&mut open));
+                    }
+                }
+            }
+            Item::Formula(formula) => formula.rows.iter().for_each(|row| {
+                let lone = match row {
+                    Row::Expression(node) => lone(node),
+                    _ => None,
+                };
+                open.push(lone.map_or(Piece::Formula, |s| Piece::Symbol(s, formula.span)));
+            }),
+            Item::Heading { text, .. } => {
+                all.push(std::mem::take(&mut open));
+                open.push(Piece::Words(lowered(text)));
+                all.push(std::mem::take(&mut open));
+            }
+            Item::Break if paragraphs == Paragraphs::Apart => all.push(std::mem::take(&mut open)),
+            Item::Break => open.push(Piece::Words(" ".to_owned())),
+            Item::Comment { .. } => {}
+        }
+    }
+    all.push(open);
+    all.retain(|sentence| !sentence.pieces.is_empty());
+    all
+}
+
+/// The symbol that a formula is, the matrix `R(q)` of a quaternion included.
+fn lone(node: &Node) -> Option<&Symbol> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        Kind::Call(head, arguments) => match (&inner(head).kind, arguments.as_slice()) {
+            (Kind::Symbol(symbol), [one])
+                if MATRIX_LETTERS.contains(&symbol.name.as_str())
+                    && matches!(inner(one).kind, Kind::Symbol(_)) =>
+            {
+                Some(symbol)
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::notation::document::Format;
+    use crate::notation::read;
+
+    #[test]
+    fn symbols_stand_in_their_sentence_however_it_is_wrapped() {
+        let text = "Let $\\beta$ be the\nangle, $a = b$\n\n- of $R(q)$. More.";
+        let (document, _) = read("a document", text, Format::Latex);
+        let texts = |paragraphs| -> Vec<String> {
+            let all = sentences(&document, paragraphs);
+            all.iter().map(Sentence::numbered).collect()
+        };
+        let apart = texts(Paragraphs::Apart);
+        assert_eq!(apart[0], "let ⟨0⟩ be the angle, ⟨⟩");
+        assert!(apart[1].contains("of ⟨0⟩."), "{apart:?}");
+        let joined = sentences(&document, Paragraphs::Joined);
+        assert!(joined[0].named().ends_with("of ⟨R⟩."), "{joined:?}");
+        assert_eq!(joined[0].symbols().count(), 2);
+    }
+}
