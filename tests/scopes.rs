@@ -15,6 +15,7 @@ fn no_torque_lasts_where_nothing_speaks_of_a_torque_again() {
         )
     };
     assert_eq!(verdicts(&text("")), "ap");
+    assert_eq!(verdicts(&text("There is no outside torque.")), "ap");
     assert_ne!(
         verdicts(&text("A torque $\\mathbf M$ is switched on.")),
         "ap"

@@ -17,3 +17,4 @@ pub(super) mod role_words;
 pub(super) mod sentences;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;
+pub(super) mod torque_free;

@@ -7,7 +7,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::prose::speaks_of_a_torque;
+use crate::verify::words::torque_free::speaks_of_a_torque;
 
 impl Checker<'_> {
     /// Whether a premise that no moment acts holds on under the next heading: nothing speaks of a moment from there on.

@@ -1,8 +1,10 @@
 //! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
 
 use crate::notation::document::{Document, Item};
-use crate::verify::words::book::{Book, lowered};
-use crate::verify::words::suppositions::{principal, torque_free};
+use crate::verify::words::book::{Book, has_any, lowered};
+use crate::verify::words::suppositions::{principal, stands};
+use crate::verify::words::symmetric_body::AXIS_OF_SYMMETRY;
+use crate::verify::words::torque_free::torque_free;
 use std::sync::LazyLock;
 
 /// What words can set.
@@ -76,29 +78,8 @@ static DOTS: LazyLock<Book> = LazyLock::new(|| {
         "dot is the",
     ])
 });
-const FREE: &[&str] = &[
-    "no torque",
-    "torque-free",
-    "torque free",
-    "zero torque",
-    "no external torque",
-    "no moment acts",
-    "no external moment",
-    "free of torque",
-    "no moments act",
-    "moment-free",
-    "absence of torque",
-    "without torque",
-    "force-free",
-    "free motion",
-    "no applied torque",
-    "no net torque",
-    "no resultant torque",
-    "free rigid body",
-    "free body",
-    "no external torques",
-];
-static TORQUE_FREE: LazyLock<Book> = LazyLock::new(|| Book::of(FREE));
+/// A body with an axis of symmetry has no products of inertia on axes along it.
+static AXIS: LazyLock<Book> = LazyLock::new(|| Book::of(AXIS_OF_SYMMETRY));
 static PRINCIPAL: LazyLock<Book> = LazyLock::new(|| {
     Book::of([
         "principal axes",
@@ -116,9 +97,6 @@ static PRINCIPAL: LazyLock<Book> = LazyLock::new(|| {
         "be principal",
     ])
 });
-static NOT_SO: LazyLock<Book> =
-    LazyLock::new(|| Book::of(["not ", "need not", "n't ", "general axes", "arbitrary"]));
-
 /// What a piece of prose sets.
 pub(crate) fn said(text: &str) -> Vec<Said> {
     let text = lowered(text);
@@ -129,48 +107,26 @@ pub(crate) fn said(text: &str) -> Vec<Said> {
         .split(['.', ';'])
         .filter(|clause| DOTS.is_in(clause));
     for clause in dots {
-        if ["body", "moving", "rotating"]
-            .iter()
-            .any(|w| clause.contains(w))
-        {
+        if has_any(clause, &["body", "moving", "rotating"]) {
             found.push(Said::DotsOnBody);
-        } else if ["inertial", "in space", "fixed frame"]
-            .iter()
-            .any(|w| clause.contains(w))
-        {
+        } else if has_any(clause, &["inertial", "in space", "fixed frame"]) {
             found.push(Said::DotsInSpace);
         }
     }
-    if positive(&text, &ATTACHED) {
+    if stands(&ATTACHED, &text) {
         found.push(Said::BodyAxes);
-    } else if positive(&text, &BODY_AXES) {
+    } else if stands(&BODY_AXES, &text) {
         found.push(Said::SpeaksOfBodyAxes);
     }
-    let by_axis = || positive(&text, &AXIS) && !text.contains("plane");
-    if positive(&text, &PRINCIPAL) || by_axis() || principal(&text) {
+    let by_axis = || stands(&AXIS, &text) && !text.contains("plane");
+    if stands(&PRINCIPAL, &text) || by_axis() || principal(&text) {
         found.push(Said::Principal);
     }
-    if positive(&text, &TORQUE_FREE) || no_torque(&text) || torque_free(&text) {
+    if torque_free(&text) {
         found.push(Said::TorqueFree);
     }
     found
 }
-
-/// A body with an axis of symmetry has no products of inertia on axes along it.
-static AXIS: LazyLock<Book> = LazyLock::new(|| {
-    Book::of([
-        "symmetric about",
-        "symmetrical about",
-        "axis of symmetry",
-        "symmetry axis",
-        "axially symmetric",
-        "axisymmetric",
-        "body of revolution",
-        "solid of revolution",
-        "symmetric top",
-        "symmetrical top",
-    ])
-});
 
 /// Whether a document speaks of vectors that may be any.
 pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
@@ -188,51 +144,10 @@ pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
     document.items.iter().any(|item| match item {
         Item::Prose { text, .. } | Item::Heading { text, .. } => {
             let text = text.to_lowercase();
-            any.iter().any(|words| text.contains(words))
+            has_any(&text, &any)
         }
         _ => false,
     })
-}
-
-/// "No outside torque", "without any applied moment": a denial, at most one word, and the thing.
-fn no_torque(text: &str) -> bool {
-    if !["torque", "moment", "couple"]
-        .iter()
-        .any(|thing| text.contains(thing))
-    {
-        return false;
-    }
-    let words: Vec<&str> = text
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|w| !w.is_empty())
-        .collect();
-    let kinds = [
-        "outside",
-        "external",
-        "applied",
-        "net",
-        "resultant",
-        "outer",
-        "other",
-        "disturbing",
-    ];
-    let things = [
-        "torque", "torques", "moment", "moments", "couple", "couples",
-    ];
-    words.windows(3).any(|w| {
-        matches!(w[0], "no" | "without") && kinds.contains(&w[1]) && things.contains(&w[2])
-    })
-}
-
-/// Whether a text speaks of a torque, other than that there is none.
-pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
-    let mut text = text.to_lowercase();
-    for phrase in FREE {
-        text = text.replace(phrase, "");
-    }
-    ["torque", "couple", "motor", "damp"]
-        .iter()
-        .any(|word| text.contains(word))
 }
 
 /// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
@@ -250,13 +165,9 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         "symmetrical about",
         "symmetric about",
     ];
-    let flat = ["flat", "thin", "lamina", "plate"]
-        .iter()
-        .any(|word| text.contains(word))
-        && ["lies in the", "lying in the", "in the plane"]
-            .iter()
-            .any(|words| text.contains(words));
-    if !flat && !symmetric.iter().any(|words| text.contains(words)) {
+    let flat = has_any(&text, &["flat", "thin", "lamina", "plate"])
+        && has_any(&text, &["lies in the", "lying in the", "in the plane"]);
+    if !flat && !has_any(&text, &symmetric) {
         return None;
     }
     let planes = [
@@ -307,15 +218,4 @@ pub(crate) fn turns_to_numbered_axes(text: &str) -> bool {
         .any(|w| w[..3] == ["1", "2", "3"] && w[3] == "are")
         && words.contains(&"principal")
         && words.contains(&"axes")
-}
-
-/// Whether one of the phrases stands there and is not denied right before or after it.
-fn positive(text: &str, phrases: &Book) -> bool {
-    phrases.places(text).any(|(_, at, end)| {
-        let stops = ['.', ';', '!', '?'];
-        let before = text[..at].rfind(stops).map_or(0, |i| i + 1);
-        let behind = text[at..].find(stops).map_or(text.len(), |i| at + i);
-        let clause = &text[before..behind];
-        !NOT_SO.is_in(&clause.replace(&text[at..end], ""))
-    })
 }

@@ -4,14 +4,15 @@ use crate::verify::words::book::Book;
 use std::sync::LazyLock;
 
 /// A thing, what is said of it, and what denies either.
-struct Supposition {
+pub(crate) struct Supposition {
     things: Book,
     said: Book,
     denied: Book,
 }
 
 impl Supposition {
-    fn of(things: &[&str], said: &[&str], denied: &[&str]) -> Self {
+    /// The supposition that one of some things has one of some words beside it, and none that deny it.
+    pub(crate) fn of(things: &[&str], said: &[&str], denied: &[&str]) -> Self {
         Self {
             things: Book::of(things),
             said: Book::of(said),
@@ -20,7 +21,7 @@ impl Supposition {
     }
 
     /// Whether a clause of a text in small letters supposes it; a formula is ⟨⟩ there.
-    fn is_in(&self, text: &str) -> bool {
+    pub(crate) fn is_in(&self, text: &str) -> bool {
         self.things.is_in(text)
             && text
                 .split(['.', ';', '!', '?'])
@@ -62,7 +63,7 @@ static DENIED: LazyLock<Book> = LazyLock::new(|| {
 });
 
 /// That something is nothing.
-const NOTHING: &[&str] = &[
+pub(crate) const NOTHING: &[&str] = &[
     "vanish",
     "zero",
     "disappear",
@@ -157,81 +158,22 @@ static SYMMETRY_PLANES: LazyLock<Supposition> = LazyLock::new(|| {
     Supposition::of(&things, &said, &denied)
 });
 
-static NO_TORQUE: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "torque",
-        "moment ",
-        "moments ",
-        "moment,",
-        "moments,",
-        "couple ",
-        "couples ",
-        "moment⟨",
-    ];
-    // A part of it, or of something else.
-    let denied = [
-        "of inertia",
-        "principal moment",
-        "moment of momentum",
-        "deviation",
-        "centrifugal",
-        "both ",
-        "component",
-        "along",
-        "about the axis",
-        "about this axis",
-        "about its axis",
-        " axis",
-        "gyroscopic",
-        "friction",
-        "damping",
-        "product",
-        "angular velocity",
-        "work",
-        "motor",
-        "wheel",
-        "control",
-        "input",
-        "gravity gradient",
-        "equal",
-        "then ",
-        "needs",
-    ];
-    Supposition::of(&things, NOTHING, &denied)
-});
-
-static FREELY: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "freely",
-        "free rotation",
-        "free precession",
-        "free tumbling",
-    ];
-    let said = [
-        "rotat", "tumbl", "spin", "moves", "moving", "flies", "precess", "body",
-    ];
-    let denied = [
-        "about", "can ", "may ", "fall", "hinge", "pivot", "axle", "bearing", "point",
-    ];
-    Supposition::of(&things, &said, &denied)
-});
-
-static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "no forces act",
-        "no force acts",
-        "no external forces",
-        "without external forces",
-    ];
-    Supposition::of(&things, &[""], &["but ", "except", "other than", "along"])
-});
-
 /// Whether a text in small letters supposes that the axes are principal.
 pub(crate) fn principal(text: &str) -> bool {
     PRODUCTS.is_in(text) || DIAGONAL.is_in(text) || SYMMETRY_PLANES.is_in(text)
 }
 
-/// Whether a text in small letters supposes that no torque acts.
-pub(crate) fn torque_free(text: &str) -> bool {
-    NO_TORQUE.is_in(text) || FREELY.is_in(text) || NO_FORCE.is_in(text)
+/// What denies a phrase.
+static NOT_SO: LazyLock<Book> =
+    LazyLock::new(|| Book::of(["not ", "need not", "n't ", "general axes", "arbitrary"]));
+
+/// Whether one of the phrases stands in a text and nothing in its clause denies it.
+pub(crate) fn stands(phrases: &Book, text: &str) -> bool {
+    phrases.places(text).any(|(_, at, end)| {
+        let stops = ['.', ';', '!', '?'];
+        let before = text[..at].rfind(stops).map_or(0, |i| i + 1);
+        let behind = text[at..].find(stops).map_or(text.len(), |i| at + i);
+        let clause = &text[before..behind];
+        !NOT_SO.is_in(&clause.replace(&text[at..end], ""))
+    })
 }

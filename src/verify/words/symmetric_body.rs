@@ -5,27 +5,34 @@ use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::usage::{Letter, Usage, inner};
+use crate::verify::words::book::{Book, lowered};
 use crate::verify::words::moments_in_words::NamedMoment;
+use std::sync::LazyLock;
 
 /// Letters of moments of inertia.
 const MOMENTS: &[&str] = &["I", "J", "A", "B", "C", "Theta", "lambda"];
-/// What says that a body has an axis of symmetry.
-const SYMMETRIC: &[&str] = &[
-    "symmetric top",
-    "symmetrical top",
-    "symmetric body",
-    "symmetrical body",
-    "symmetric rotor",
-    "symmetric gyro",
+/// Words for a body with an axis of symmetry.
+pub(crate) const AXIS_OF_SYMMETRY: &[&str] = &[
     "symmetric about",
     "symmetrical about",
     "axis of symmetry",
     "symmetry axis",
+    "axially symmetric",
+    "axisymmetric",
+    "body of revolution",
+    "solid of revolution",
+    "symmetric top",
+    "symmetrical top",
+];
+/// Other words of which a body with two equal moments is told.
+const TWO_EQUAL: &[&str] = &[
+    "symmetric body",
+    "symmetrical body",
+    "symmetric rotor",
+    "symmetric gyro",
     "rotational symmetry",
     "rotationally symmetric",
     "axial symmetry",
-    "axially symmetric",
-    "axisymmetric",
     "axi-symmetric",
     "of revolution",
     "heavy top",
@@ -40,6 +47,8 @@ const SYMMETRIC: &[&str] = &[
     "circular disk",
     "circular disc",
 ];
+static SYMMETRIC: LazyLock<Book> =
+    LazyLock::new(|| Book::of(AXIS_OF_SYMMETRY.iter().chain(TWO_EQUAL)));
 
 /// The moments that stand for several components, each with those.
 pub(crate) fn equal_moments(document: &Document, usage: &Usage) -> Vec<NamedMoment> {
@@ -157,9 +166,7 @@ fn unwritten(document: &Document, usage: &Usage) -> Option<NamedMoment> {
     })?;
     let span = document.items.iter().find_map(|item| match item {
         Item::Prose { text, span } | Item::Heading { text, span, .. } => {
-            let text = text.to_lowercase();
-            let said = SYMMETRIC.iter().any(|words| text.contains(words));
-            said.then_some(*span)
+            SYMMETRIC.is_in(&lowered(text)).then_some(*span)
         }
         _ => None,
     })?;

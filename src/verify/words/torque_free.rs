@@ -1,0 +1,145 @@
+//! What words say of the torque on a body: that none acts, or that there is one.
+
+use crate::verify::words::book::{Book, has_any, lowered};
+use crate::verify::words::suppositions::{NOTHING, Supposition, stands};
+use std::sync::LazyLock;
+
+/// Set phrases for a motion without a torque.
+const FREE: &[&str] = &[
+    "no torque",
+    "torque-free",
+    "torque free",
+    "zero torque",
+    "no moment acts",
+    "free of torque",
+    "no moments act",
+    "moment-free",
+    "absence of torque",
+    "without torque",
+    "force-free",
+    "free motion",
+    "free rigid body",
+    "free body",
+];
+static FREE_BOOK: LazyLock<Book> = LazyLock::new(|| Book::of(FREE));
+
+/// What a torque that is denied may be called, between the "no" and the thing: "no outside torque".
+const KINDS: &[&str] = &[
+    "outside",
+    "external",
+    "applied",
+    "net",
+    "resultant",
+    "outer",
+    "other",
+    "disturbing",
+];
+const THINGS: &[&str] = &[
+    "torque", "torques", "moment", "moments", "couple", "couples",
+];
+
+static NO_TORQUE: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "torque",
+        "moment ",
+        "moments ",
+        "moment,",
+        "moments,",
+        "couple ",
+        "couples ",
+        "moment⟨",
+    ];
+    // A part of it, or of something else.
+    let denied = [
+        "of inertia",
+        "principal moment",
+        "moment of momentum",
+        "deviation",
+        "centrifugal",
+        "both ",
+        "component",
+        "along",
+        "about the axis",
+        "about this axis",
+        "about its axis",
+        " axis",
+        "gyroscopic",
+        "friction",
+        "damping",
+        "product",
+        "angular velocity",
+        "work",
+        "motor",
+        "wheel",
+        "control",
+        "input",
+        "gravity gradient",
+        "equal",
+        "then ",
+        "needs",
+    ];
+    Supposition::of(&things, NOTHING, &denied)
+});
+
+static FREELY: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "freely",
+        "free rotation",
+        "free precession",
+        "free tumbling",
+    ];
+    let said = [
+        "rotat", "tumbl", "spin", "moves", "moving", "flies", "precess", "body",
+    ];
+    let denied = [
+        "about", "can ", "may ", "fall", "hinge", "pivot", "axle", "bearing", "point",
+    ];
+    Supposition::of(&things, &said, &denied)
+});
+
+static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
+    let things = [
+        "no forces act",
+        "no force acts",
+        "no external forces",
+        "without external forces",
+    ];
+    Supposition::of(&things, &[""], &["but ", "except", "other than", "along"])
+});
+
+/// Whether a text in small letters says that no torque acts.
+pub(crate) fn torque_free(text: &str) -> bool {
+    stands(&FREE_BOOK, text)
+        || denies_a_kind(text)
+        || [&NO_TORQUE, &FREELY, &NO_FORCE]
+            .iter()
+            .any(|supposed| supposed.is_in(text))
+}
+
+/// Whether a text speaks of a torque, other than that there is none.
+pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
+    let mut text = lowered(text);
+    for phrase in FREE {
+        text = text.replace(phrase, "");
+    }
+    let words = words(&text);
+    let denied = |at: usize| at >= 2 && denies(&words[at - 2..=at]);
+    let named = |word: &str| has_any(word, &["torque", "couple", "motor", "damp"]);
+    let mut all = words.iter().enumerate();
+    all.any(|(at, word)| named(word) && !denied(at))
+}
+
+/// "No outside torque", "without applied moments": a denial, a word for the kind, and the thing.
+fn denies_a_kind(text: &str) -> bool {
+    let mut names = ["torque", "moment", "couple"].iter();
+    names.any(|name| text.contains(name)) && words(text).windows(3).any(denies)
+}
+
+fn denies(words: &[&str]) -> bool {
+    matches!(words, ["no" | "without", kind, thing] if KINDS.contains(kind) && THINGS.contains(thing))
+}
+
+fn words(text: &str) -> Vec<&str> {
+    let words = text.split(|c: char| !c.is_alphanumeric());
+    words.filter(|word| !word.is_empty()).collect()
+}
