@@ -17,6 +17,7 @@ pub(super) mod normal;
 pub(super) mod parallel_axes;
 pub(super) mod point;
 pub(super) mod roots;
+pub(super) mod solution;
 pub(super) mod solve;
 pub(super) mod variety;
 pub(super) mod wheels;
@@ -28,6 +29,7 @@ use crate::verify::theory::law::{Setting, law};
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::mentioned::Mentioned;
 use crate::verify::theory::normal::Normals;
+use crate::verify::theory::solution::{Case, Solution, Solutions};
 use crate::verify::values::atoms::{Atom, Atoms, Entity};
 use crate::verify::values::figures::Alternative;
 use crate::verify::values::quantity::Quantity;
@@ -109,6 +111,9 @@ pub(super) struct Theory {
     pub(super) normals: Normals,
     /// Where the rules come from.
     pub(super) sources: HashMap<(Entity, u8), Source>,
+    /// What the rules in force are the solution of; `None` where more was put in since.
+    case: Option<Case>,
+    solutions: Solutions,
     /// What the laws say of variables, whichever are left out.
     laws: HashMap<Variable, Option<(&'static str, Arc<Fraction>)>>,
     /// Facts for proofs.
@@ -138,6 +143,8 @@ impl Theory {
             rules: HashMap::default(),
             normals: Normals::default(),
             sources: HashMap::default(),
+            case: None,
+            solutions: Solutions::default(),
             laws: HashMap::default(),
             ledger: Ledger::default(),
             open: BTreeSet::new(),
@@ -153,9 +160,10 @@ impl Theory {
 
     /// Changes the setting; what was solved is solved again.
     pub(super) fn set(&mut self, change: impl FnOnce(&mut Setting)) {
+        self.set_aside();
         change(&mut self.setting);
         self.laws.clear();
-        self.rebuild();
+        self.solve_again();
     }
 
     /// Leaves premises out by name for as long as `work` runs.
@@ -164,24 +172,16 @@ impl Theory {
         names: BTreeSet<Name>,
         work: impl FnOnce(&mut Self) -> R,
     ) -> R {
-        let before = std::mem::replace(&mut self.left_out, names);
-        let rules = std::mem::take(&mut self.rules);
-        let normals = std::mem::take(&mut self.normals);
-        let sources = std::mem::take(&mut self.sources);
-        let relations = std::mem::take(&mut self.relations);
-        let ledger = std::mem::take(&mut self.ledger);
+        let left_out = std::mem::replace(&mut self.left_out, names);
+        let before = self.put(Solution::default());
         let premises = self.premises.len();
-        self.rebuild();
+        self.solve_again();
         let result = work(self);
-        self.left_out = before;
-        if self.premises.len() == premises {
-            self.rules = rules;
-            self.normals = normals;
-            self.sources = sources;
-            self.relations = relations;
-            self.ledger = ledger;
-        } else {
-            self.rebuild();
+        self.set_aside();
+        self.left_out = left_out;
+        match self.premises.len() == premises {
+            true => drop(self.put(before)),
+            false => drop(self.rebuild()),
         }
         result
     }
@@ -203,6 +203,7 @@ impl Theory {
         let before = self.premises.len();
         self.premises.retain(keep);
         if self.premises.len() != before {
+            self.solutions.clear();
             self.mentioned = Mentioned::default();
             for premise in &self.premises {
                 self.mentioned.add(premise, &self.atoms);
@@ -219,6 +220,8 @@ impl Theory {
         }
         // A definition may have told that a symbol moves.
         self.laws.clear();
+        self.solutions.clear();
+        self.case = None;
         let last = self.comes_last(&premise);
         self.premises.push(premise.clone());
         let taken = if last {

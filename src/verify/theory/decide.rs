@@ -50,9 +50,10 @@ pub(crate) enum Decision {
 pub(crate) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<bool> {
     theory.follow_rates(&residual.entries);
     for seed in 1..=TRIES {
-        let mut world: World<Prime> = World::new(theory, seed);
+        let mut world: World<Prime> = World::resumed(theory, seed);
         let values: Option<Vec<Prime>> =
             residual.entries.iter().map(|e| world.fraction(e)).collect();
+        world.leave();
         if std::mem::take(&mut theory.exhausted) {
             return None;
         }

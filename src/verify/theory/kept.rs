@@ -9,6 +9,7 @@ use crate::algebra::{
 use crate::scalar::Prime;
 use crate::verify::theory::certify::Elimination;
 use crate::verify::theory::variety::Variety;
+use crate::verify::theory::world::Drawn;
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use num_traits::{One, Zero};
@@ -47,6 +48,8 @@ pub(crate) struct Relations {
     pub varieties: Option<Arc<[Variety]>>,
     /// Points of varieties modulo the prime, by the place of the variety and the seed.
     pub points: HashMap<(usize, u64), Point<Prime>>,
+    /// Worlds modulo the prime, by the seed.
+    pub worlds: HashMap<u64, Drawn<Prime>>,
     /// Whether they contradict each other, where that is known.
     contradictory: Option<bool>,
 }
@@ -59,6 +62,7 @@ impl Relations {
     pub(crate) fn forget(&mut self) {
         self.varieties = None;
         self.points.clear();
+        self.worlds.clear();
     }
 }
 

@@ -33,7 +33,7 @@ pub(crate) enum Dynamics {
 }
 
 /// What the laws depend on besides the variables.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Setting {
     /// The axes used.
     pub axes: Axes,

@@ -20,7 +20,7 @@ use num_traits::Zero;
 const NAME: &str = "parallel-axis";
 
 /// Two tensors or two moments, about the mass centre and about another point or an axis through it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ParallelAxes {
     centre: Entity,
     other: Entity,

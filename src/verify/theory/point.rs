@@ -28,7 +28,7 @@ impl<T: Substance> World<'_, T> {
         else {
             return Some(());
         };
-        if !self.settled.insert(index) {
+        if !self.drawn.settled.insert(index) {
             return Some(());
         }
         let key = (index, self.seed);
@@ -53,14 +53,14 @@ impl<T: Substance> World<'_, T> {
     /// A point of a variety, the same for a seed wherever the world comes to need it.
     fn point(&mut self, variety: &Variety) -> Point<T> {
         // What another variety gives falls out of these relations: it is not settled again.
-        let settled = self.settled.clone();
+        let settled = self.drawn.settled.clone();
         let mut world: World<'_, T> = World::new(self.theory, self.seed);
-        world.settled = settled;
+        world.drawn.settled = settled;
         world.meet(variety)?;
         let value = |&v: &Variable| Some((v, world.value(v)?));
         let point = variety.variables.iter().map(value).collect();
-        let solved = world.solved;
-        self.solved.extend(solved);
+        let solved = world.drawn.solved;
+        self.drawn.solved.extend(solved);
         point
     }
 
@@ -143,7 +143,7 @@ impl<T: Substance> World<'_, T> {
             return c.is_zero().then_some(());
         };
         self.suits(variable, &value).then_some(())?;
-        self.solved.insert(variable);
+        self.drawn.solved.insert(variable);
         self.keep(variable, value);
         Some(())
     }
@@ -213,7 +213,7 @@ impl<T: Substance> World<'_, T> {
                 Atom::Kernel { function, argument } if *function != Function::Sqrt => argument
                     .variables()
                     .iter()
-                    .all(|v| !self.solved.contains(v)),
+                    .all(|v| !self.drawn.solved.contains(v)),
                 _ => true,
             })
     }

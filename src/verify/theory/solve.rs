@@ -17,8 +17,17 @@ pub(crate) type Turn = (bool, bool, u8);
 const MOST_TERMS: usize = 12;
 
 impl Theory {
-    /// Solves all premises anew: definitions first, then conditions without rates, then the rest.
+    /// Solves all premises anew.
     pub(crate) fn rebuild(&mut self) -> Taken {
+        let exhausted = std::mem::take(&mut self.exhausted);
+        let taken = self.solve_all();
+        self.case = self.case_at_hand().filter(|_| !self.exhausted);
+        self.exhausted |= exhausted;
+        taken
+    }
+
+    /// Solves definitions first, then conditions without rates, then the rest.
+    fn solve_all(&mut self) -> Taken {
         self.rules.clear();
         self.normals.clear();
         self.relations = Relations::default();
@@ -45,7 +54,7 @@ impl Theory {
             }
         }
         if self.of_rates.len() > rates {
-            return self.rebuild();
+            return self.solve_all();
         }
         match worst {
             Taken::Kept => self.solve_kept(&order),
@@ -182,6 +191,8 @@ impl Theory {
             rules: self.sources.len(),
         });
         self.relations.kept.extend(kept);
+        self.relations.forget();
+        self.case = None;
         Taken::Kept
     }
 
@@ -205,6 +216,7 @@ impl Theory {
             {
                 self.of_rates.insert(of_rate.name.clone(), *ruled);
             }
+            self.case = None;
             self.sources.insert(part, source);
             self.rules.insert(part, (order, rule));
             self.normals.clear();

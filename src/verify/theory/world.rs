@@ -91,18 +91,26 @@ impl Substance for Rational {
     }
 }
 
-/// A value for every variable that is asked for.
-pub(crate) struct World<'a, T> {
-    pub(crate) theory: &'a mut Theory,
+/// What is known of a world.
+#[derive(Clone, Debug)]
+pub(crate) struct Drawn<T> {
     /// By variable.
     values: Vec<Option<T>>,
-    open: BTreeSet<Variable>,
     state: u64,
-    pub(crate) seed: u64,
     /// Varieties that the world was put on, by their place.
     pub(crate) settled: BTreeSet<usize>,
     /// Variables that relations gave.
     pub(crate) solved: BTreeSet<Variable>,
+    /// How often what is known of entities had changed.
+    changes: usize,
+}
+
+/// A value for every variable that is asked for.
+pub(crate) struct World<'a, T> {
+    pub(crate) theory: &'a mut Theory,
+    pub(crate) drawn: Drawn<T>,
+    open: BTreeSet<Variable>,
+    pub(crate) seed: u64,
     /// Whether some variety was missed.
     pub(crate) lost: bool,
 }
@@ -111,14 +119,22 @@ impl<'a, T: Substance> World<'a, T> {
     /// The world that a seed makes; the same seed makes the same world everywhere.
     pub(crate) fn new(theory: &'a mut Theory, seed: u64) -> Self {
         let state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D_4C95_7F2D;
-        Self {
-            theory,
+        let drawn = Drawn {
             values: vec![],
-            open: BTreeSet::new(),
             state,
-            seed,
             settled: BTreeSet::new(),
             solved: BTreeSet::new(),
+            changes: theory.atoms.changes(),
+        };
+        Self::with(theory, seed, drawn)
+    }
+
+    fn with(theory: &'a mut Theory, seed: u64, drawn: Drawn<T>) -> Self {
+        Self {
+            theory,
+            drawn,
+            open: BTreeSet::new(),
+            seed,
             lost: false,
         }
     }
@@ -151,7 +167,7 @@ impl<'a, T: Substance> World<'a, T> {
 
     /// The value of a variable.
     pub(crate) fn variable(&mut self, variable: Variable) -> Option<T> {
-        if let Some(Some(value)) = self.values.get(variable as usize) {
+        if let Some(Some(value)) = self.drawn.values.get(variable as usize) {
             return Some(value.clone());
         }
         let ruled = if self.open.insert(variable) {
@@ -174,19 +190,20 @@ impl<'a, T: Substance> World<'a, T> {
 
     /// The value that a variable has by now.
     pub(crate) fn value(&self, variable: Variable) -> Option<T> {
-        self.values.get(variable as usize).cloned().flatten()
+        self.drawn.values.get(variable as usize).cloned().flatten()
     }
 
     pub(crate) fn is_known(&self, variable: Variable) -> bool {
-        matches!(self.values.get(variable as usize), Some(Some(_)))
+        matches!(self.drawn.values.get(variable as usize), Some(Some(_)))
     }
 
     pub(crate) fn keep(&mut self, variable: Variable, value: T) {
         let place = variable as usize;
-        if self.values.len() <= place {
-            self.values.resize(place + 1, None);
+        let values = &mut self.drawn.values;
+        if values.len() <= place {
+            values.resize(place + 1, None);
         }
-        self.values[place] = Some(value);
+        values[place] = Some(value);
     }
 
     fn on_variety(&mut self, variable: Variable) -> Option<T> {
@@ -301,10 +318,29 @@ impl<'a, T: Substance> World<'a, T> {
 
     /// The next number of the sequence (splitmix64: Steele, Lea, Flood 2014).
     pub(crate) fn chance(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.state;
+        let state = &mut self.drawn.state;
+        *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = *state;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         z ^ (z >> 31)
+    }
+}
+
+impl<'a> World<'a, Prime> {
+    /// The world that a seed makes, with what was drawn in it for other equations since the rules are as they are.
+    pub(crate) fn resumed(theory: &'a mut Theory, seed: u64) -> Self {
+        let known = theory.relations.worlds.remove(&seed);
+        match known.filter(|drawn| drawn.changes == theory.atoms.changes()) {
+            Some(drawn) => Self::with(theory, seed, drawn),
+            None => Self::new(theory, seed),
+        }
+    }
+
+    /// Keeps what was drawn, unless the world was given up.
+    pub(crate) fn leave(self) {
+        if !self.lost && !self.theory.exhausted {
+            self.theory.relations.worlds.insert(self.seed, self.drawn);
+        }
     }
 }

@@ -86,6 +86,7 @@ pub(crate) struct Atoms {
     spelled: HashMap<(Entity, u8), String>,
     /// What symbols were found to stand for.
     meanings: HashMap<Symbol, Meaning>,
+    changes: usize,
     /// Whether the document numbers its axes.
     pub numbered: bool,
     /// The label of what stands on the body's axes, where the plain letters are those on space axes.
@@ -154,8 +155,14 @@ impl Atoms {
         self.meanings.clear();
     }
 
+    /// How often what is known of entities was changed.
+    pub(crate) fn changes(&self) -> usize {
+        self.changes
+    }
+
     /// Changes what is known of an entity.
     pub(crate) fn info_mut(&mut self, entity: Entity) -> &mut EntityInfo {
+        self.changes += 1;
         &mut self.entities[entity.0 as usize]
     }
 

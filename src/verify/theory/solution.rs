@@ -1,0 +1,118 @@
+//! Solutions of the premises that are set aside while others are in force.
+//!
+//! To see what a proof needs, laws and premises are left out in turn, and for a derivative the moment equation is solved
+//! the other way round. Each time all premises would be solved anew, so what came out is kept for as long as it holds.
+
+use crate::verify::theory::kept::Relations;
+use crate::verify::theory::law::Setting;
+use crate::verify::theory::ledger::{Ledger, Source};
+use crate::verify::theory::normal::Normals;
+use crate::verify::theory::{Name, Rule, Theory};
+use crate::verify::values::atoms::Entity;
+use foldhash::HashMap;
+use std::collections::BTreeSet;
+
+/// Solutions that are kept at most.
+const MOST: usize = 32;
+
+/// What the premises in force came to, and what was made of that since.
+#[derive(Debug, Default)]
+pub(crate) struct Solution {
+    rules: HashMap<(Entity, u8), (u8, Rule)>,
+    normals: Normals,
+    sources: HashMap<(Entity, u8), Source>,
+    relations: Relations,
+    ledger: Ledger,
+    case: Option<Case>,
+}
+
+/// What was solved, besides which premises there are.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Case {
+    setting: Setting,
+    left_out: BTreeSet<Name>,
+    /// What solutions rest on besides. Each of these only grows, or is put back as it was.
+    counts: [usize; 4],
+}
+
+/// Solutions that hold for the premises as they are, the one that was used last behind.
+#[derive(Debug, Default)]
+pub(crate) struct Solutions(Vec<Solution>);
+
+/// A copy goes other ways, and solves anew.
+impl Clone for Solutions {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl Solutions {
+    /// Forgets all, as the premises change.
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    fn keep(&mut self, solution: Solution) {
+        if self.0.len() == MOST {
+            self.0.remove(0);
+        }
+        self.0.push(solution);
+    }
+
+    fn take(&mut self, case: &Case) -> Option<Solution> {
+        let same = |known: &Solution| known.case.as_ref() == Some(case);
+        let place = self.0.iter().position(same)?;
+        Some(self.0.remove(place))
+    }
+}
+
+impl Theory {
+    /// What is to be solved here; `None` where other values stand in the place of what premises give.
+    pub(crate) fn case_at_hand(&self) -> Option<Case> {
+        let rates = self.of_rates.values().map(|&order| 1 + usize::from(order));
+        self.fixed.is_empty().then(|| Case {
+            setting: self.setting,
+            left_out: self.left_out.clone(),
+            counts: [
+                self.atoms.changes(),
+                rates.sum(),
+                self.instants.len(),
+                self.cones.len(),
+            ],
+        })
+    }
+
+    /// Puts a solution in force, and gives back the one that was.
+    pub(crate) fn put(&mut self, other: Solution) -> Solution {
+        use std::mem::replace;
+        Solution {
+            rules: replace(&mut self.rules, other.rules),
+            normals: replace(&mut self.normals, other.normals),
+            sources: replace(&mut self.sources, other.sources),
+            relations: replace(&mut self.relations, other.relations),
+            ledger: replace(&mut self.ledger, other.ledger),
+            case: replace(&mut self.case, other.case),
+        }
+    }
+
+    /// Sets the solution in force aside, if it is still that of the premises; none is in force then.
+    pub(crate) fn set_aside(&mut self) {
+        let solution = self.put(Solution::default());
+        if solution.case.is_some() {
+            self.solutions.keep(solution);
+        }
+    }
+
+    /// Puts the solution for what is in force now in the place of none, as it was set aside or anew.
+    pub(crate) fn solve_again(&mut self) {
+        let case = self.case_at_hand();
+        match case.and_then(|case| self.solutions.take(&case)) {
+            Some(known) => {
+                self.put(known);
+            }
+            None => {
+                self.rebuild();
+            }
+        }
+    }
+}
