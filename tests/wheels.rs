@@ -99,3 +99,48 @@ $$ J_3\dot\omega_3 = (J_1 - J_2)\,\omega_1\omega_2 + h\,\omega_1 $$
 ";
     assert_eq!(verdicts(text), "ppr");
 }
+
+/// A platform and a rotor on one axis.
+const DUAL_SPIN: &str = r"Platform and rotor share the axis $\mathbf{e}_3$. Together they have the moments of inertia $A, A, C$; the rotor alone has the axial moment of inertia $J_w$ and spins with the rate $\nu$ relative to the platform. Let $h = J_w\nu$. The angular momentum is
+
+$$ \mathbf{L} = A\omega_1\mathbf{e}_1 + A\omega_2\mathbf{e}_2 + (C\omega_3 + h)\,\mathbf{e}_3 $$
+
+";
+
+#[test]
+fn the_kinetic_energy_of_body_and_wheel_has_both() {
+    let with = |part: &str| {
+        let line = format!(
+            "$$ T = \\frac12 A(\\omega_1^2 + \\omega_2^2) + \\frac12 C\\omega_3^2 {part} $$\n"
+        );
+        verdicts(&format!("{DUAL_SPIN}The kinetic energy is\n\n{line}"))
+    };
+    assert_eq!(with(r"+ J_w\nu\omega_3 + \frac12 J_w\nu^2"), "aap");
+    assert_ne!(with(r"+ \frac12 J_w\nu^2"), "aap");
+    assert_ne!(with(r"+ J_w\nu\omega_3 + J_w\nu^2"), "aap");
+}
+
+#[test]
+fn products_of_rates_that_are_dropped_are_of_second_order() {
+    let text = r"No external torque acts. The motor is off, and $\dot h = 0$ may be assumed. All rates are small, and products of two rates are dropped. Then
+
+$$ A\dot\omega_1 = -h\,\omega_2 $$
+
+$$ A\dot\omega_2 = -h\,\omega_1 $$
+";
+    let found = verdicts(&format!("{DUAL_SPIN}{text}"));
+    assert_eq!(&found[2..], "apr");
+}
+
+#[test]
+fn torques_may_be_told_apart_by_the_angles() {
+    let text = r"A rigid body on principal axes with the rates $p, q, r$ and the torques $\tau_\phi, \tau_\theta, \tau_\psi$ obeys
+
+$$ I_x\dot p = (I_y - I_z)\,qr + \tau_\phi $$
+
+$$ I_y\dot q = (I_x - I_z)\,pr + \tau_\theta $$
+
+$$ I_z\dot r = (I_x - I_y)\,pq + \tau_\psi $$
+";
+    assert_eq!(verdicts(text), "prp");
+}

@@ -106,7 +106,7 @@ pub(super) struct Checker<'a> {
     pub(super) implicit: BTreeSet<Entity>,
     /// Whether a paragraph ended since the last words or formula.
     broken: bool,
-    mark: Option<Role>,
+    pub(super) mark: Option<Role>,
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
     /// Lines that say what a step is, and in which section.
@@ -149,6 +149,7 @@ impl<'a> Checker<'a> {
             origin_moves: false,
             dropped_axis: None,
             translation: None,
+            wheel_inertia: None,
             drifts: reading.speaks_of(Quantity::CentreVelocity),
             newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
             rigid: !inertia_changes(document, &reading),

@@ -71,6 +71,7 @@ fn checked(document: &Document, reading: Reading) -> (Report, bool) {
     let mut checker = Checker::new(document, reading);
     for (at, item) in document.items.iter().enumerate() {
         checker.look_ahead(at);
+        checker.hear_ahead(at);
         checker.item(item);
         // A reading that is only tried and grows beyond its budget goes no further.
         if checker.theory.terms_left == Some(0) {

@@ -15,6 +15,7 @@ pub(super) mod prose;
 pub(super) mod role;
 pub(super) mod role_words;
 pub(super) mod sentences;
+pub(super) mod small_rates;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;
 pub(super) mod torque_free;

@@ -82,6 +82,9 @@ impl Checker<'_> {
         if self.follows_no_spin(read) {
             return Some("the axes may turn without the spin of the body".to_owned());
         }
+        if self.lacks_energy_of_wheels(read) {
+            return Some("nothing before says what energy the wheels have".to_owned());
+        }
         if self.is_at_a_moment() {
             return Some(AT_A_MOMENT.to_owned());
         }

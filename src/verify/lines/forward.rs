@@ -10,7 +10,31 @@ use std::collections::BTreeSet;
 /// Items that are looked at behind a formula.
 const FARTHEST: usize = 12;
 
+/// Words right behind a line that suppose it.
+const SUPPOSED_BEHIND: &[&str] = &[
+    "may be assumed",
+    "can be assumed",
+    "is assumed",
+    "are assumed",
+    "will be assumed",
+    "may be supposed",
+    "is supposed",
+];
+
 impl<'a> Checker<'a> {
+    /// "No friction: ⟨\dot h = 0⟩ may be assumed": the words that suppose a line stand behind it.
+    pub(crate) fn hear_ahead(&mut self, at: usize) {
+        let (Some(Item::Formula(formula)), Some(Item::Prose { text, .. })) =
+            (self.document.items.get(at), self.document.items.get(at + 1))
+        else {
+            return;
+        };
+        let text = text.trim_start();
+        if !formula.display && SUPPOSED_BEHIND.iter().any(|words| text.starts_with(words)) {
+            self.mark = self.mark.or(Some(Role::Assume));
+        }
+    }
+
     /// Looks for definitions behind a formula that name symbols of it. They are taken in at once; or, where the other
     /// way is tried, the formula itself says what they are, and the definition is a claim.
     pub(crate) fn look_ahead(&mut self, at: usize) {

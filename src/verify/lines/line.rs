@@ -148,6 +148,7 @@ impl Checker<'_> {
         self.note_origin(&sides);
         self.note_turned_moments(&sides);
         self.note_translation(&sides);
+        self.note_wheel_energy(&sides);
         self.note_scalars(&sides);
         self.note_other_moments(&sides);
         let role = self.role_by_content(role, &sides);

@@ -4,9 +4,18 @@
 use crate::notation::ast::{Factor, Kind, Node, Operator, Symbol, Term};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::reason::DRIVES_A_PART;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Finding;
 use crate::verify::words::book::{has_any, lowered};
+
+/// What drives a wheel in the body, and turns that as well.
+const DRIVES: &[&str] = &[
+    "motor torque",
+    "torque of the motor",
+    "torque on the wheel",
+    "torque on the rotor",
+];
 
 impl Checker<'_> {
     /// Leaves a line open that would be a definition but for what it speaks of, claimed or in passing.
@@ -26,6 +35,8 @@ impl Checker<'_> {
             "whether the surface has these axes is not decided"
         } else if claimed && self.displayed && is_multiple_of_unprimed(symbol, right) {
             "how the new value follows from the old one is not decided"
+        } else if claimed && DRIVES.iter().any(|word| words.contains(word)) {
+            DRIVES_A_PART
         } else if self.speaks_of_vertical_momentum() {
             "which way the vertical points on the axes used is not known"
         } else if self.turns_the_arm_round(symbol, right) {

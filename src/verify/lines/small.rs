@@ -114,6 +114,7 @@ impl Checker<'_> {
     pub(crate) fn note_linear(&mut self, text: &str) {
         let text = text.to_lowercase();
         self.linear |= LINEAR.iter().any(|words| text.contains(words));
+        self.note_small_rates(&text);
     }
 
     fn call_small(&mut self, node: &Node) {

@@ -53,6 +53,8 @@ pub(crate) struct Setting {
     pub origin_moves: bool,
     /// The velocity of the mass centre, where the kinetic energy has a part of it: T = ½ m v_G² + ½ ω·L (König).
     pub translation: Option<Entity>,
+    /// The axis and the moment of inertia of the only wheel, where the kinetic energy is that of body and wheel.
+    pub wheel_inertia: Option<(u8, Variable)>,
     /// Moments that act beside the one that is written as the moment.
     pub other_moments: OtherMoments,
     /// Inertia about the mass centre and about another point: tensors, and moments about one axis.
@@ -212,7 +214,13 @@ fn determined(
                 true => mechanics::angular_momentum(&inertia(atoms, setting.products), &omega),
                 false => vector(atoms, Momentum, 0),
             };
-            let turning = half.clone() * omega.dot(&momentum);
+            let mut turning = half.clone() * omega.dot(&momentum);
+            if let Some((axis, inertia)) = setting.wheel_inertia {
+                let stored = vector(atoms, RelativeMomentum, 0);
+                let own = stored[usize::from(axis)].clone();
+                let own = own.clone() * own / variable_fraction(inertia);
+                turning += omega.dot(&stored) + half.clone() * own;
+            }
             let Some(centre) = setting.translation else {
                 return Some(("energy", turning));
             };

@@ -4,7 +4,8 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::lines::line::Read;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
@@ -31,13 +32,95 @@ impl Checker<'_> {
         };
         let rests: Vec<_> = read.residuals().cloned().collect();
         let rests: Vec<_> = rests.iter().map(|rest| self.theory.normal(rest)).collect();
-        let own = |v: u32| matches!(self.theory.atoms.owner(v), Some(Owner::Symbol(_)));
+        // The moment of inertia of a wheel alone has a label.
+        let own = |v: u32| match self.theory.atoms.owner(v) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, variant)) => {
+                *quantity == Quantity::Inertia && !variant.is_empty()
+            }
+            None => false,
+        };
         let foreign = rests.iter().filter(|rest| !rest.is_zero()).all(|rest| {
             let variables = rest.variables();
             !variables.is_empty() && variables.into_iter().all(own)
         });
         let brings = foreign && rests.len() == 3 && rests.iter().any(|rest| !rest.is_zero());
         brings && self.take_wheels(rests, sides, finding)
+    }
+
+    /// A kinetic energy in which the moment of inertia of the only wheel stands is that of body and wheel: with the
+    /// relative momentum J s along an axis, ½ ω·Iω + ω·h + ½ J s² (Hughes, Spacecraft Attitude Dynamics, section 3.4).
+    pub(crate) fn note_wheel_energy(&mut self, sides: &[Node]) {
+        let [left, right @ ..] = sides else { return };
+        if !self.theory.setting.gyrostat || self.theory.setting.wheel_inertia.is_some() {
+            return;
+        }
+        let energy = self.theory.atoms.quantity(Quantity::Energy);
+        if self.entities([left]) != [energy] {
+            return;
+        }
+        let Some((axis, inertia)) = self.only_wheel() else {
+            return;
+        };
+        let met = self.entities(right);
+        let own = self.theory.atoms.entity_of(inertia);
+        if own.is_some_and(|own| met.contains(&own)) {
+            self.theory
+                .set(|setting| setting.wheel_inertia = Some((axis, inertia)));
+        }
+    }
+
+    /// The axis along which the relative momentum is a constant times a rate, and that constant.
+    fn only_wheel(&mut self) -> Option<(u8, Variable)> {
+        let wheels = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let stored = self.theory.atoms.vector(wheels, 0);
+        let stored = stored.each_ref().map(|part| self.theory.normal(part));
+        let mut along = (0..3).filter(|&axis| !stored[axis].is_zero());
+        let (Some(axis), None) = (along.next(), along.next()) else {
+            return None;
+        };
+        let [one, other] = stored[axis].variables().as_slice().try_into().ok()?;
+        let product = variable_fraction(one) * variable_fraction(other);
+        let info = |v: Variable| Some(self.theory.atoms.info(self.theory.atoms.entity_of(v)?));
+        let moment = |v: Variable| {
+            let named = |name: &str| {
+                let letter = Letter::plain(name);
+                let whole = self.reading.quantities.get(&letter);
+                whole == Some(&Quantity::Inertia)
+            };
+            match info(v).map(|info| &info.owner) {
+                Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::Inertia,
+                Some(Owner::Symbol(key)) => key.split(' ').next().is_some_and(named),
+                None => false,
+            }
+        };
+        let moves = |v: Variable| info(v).is_some_and(|info| !info.constant);
+        let inertia = match (moment(one), moment(other)) {
+            (true, false) => one,
+            (false, true) => other,
+            (false, false) if moves(other) && !moves(one) => one,
+            (false, false) if moves(one) && !moves(other) => other,
+            _ => return None,
+        };
+        (stored[axis] == product).then_some((axis as u8, inertia))
+    }
+
+    /// Whether a difference from the kinetic energy has something of the wheels in it, and nothing says what their own is.
+    pub(crate) fn lacks_energy_of_wheels(&mut self, read: &Read) -> bool {
+        let energy = self.theory.atoms.quantity(Quantity::Energy);
+        let energy = self.theory.atoms.part(energy, 0, 0);
+        if !self.theory.setting.gyrostat || self.theory.setting.wheel_inertia.is_some() {
+            return false;
+        }
+        let residuals: Vec<Fraction> = read.residuals().cloned().collect();
+        let wheels = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let stored = self.theory.atoms.vector(wheels, 0);
+        let stored = stored.iter().map(|part| self.theory.normal(part));
+        let of_wheels: Vec<Variable> = stored.flat_map(|part| part.variables()).collect();
+        residuals.iter().any(|residual| {
+            let rest = self.theory.normal(residual).variables();
+            residual.variables().contains(&energy) && rest.iter().any(|v| of_wheels.contains(v))
+        })
     }
 
     /// Gives the wheels the momentum that is missing beside Iω: what Iω less the right side has, but for the sign.

@@ -48,6 +48,8 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.single = Some(index);
         } else if let Some(pair) = axes(text) {
             sorted.double = Some(pair);
+        } else if let Some(index) = about_an_angle(text, &letter, reading) {
+            sorted.single = Some(index);
         } else if let Some((name, index)) = name_and_index(text, &letter, reading) {
             sorted.single = Some(index);
             sorted.variant.push_str(name);
@@ -79,6 +81,18 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         sorted.variant.push('δ');
     }
     sorted
+}
+
+/// The axis of roll, pitch or yaw, where moments are told apart by the angles of all three: `\tau_\phi`, `\tau_\theta`,
+/// `\tau_\psi`.
+fn about_an_angle(text: &str, letter: &Letter, reading: &Reading) -> Option<u8> {
+    let angles = ["phi", "theta", "psi"];
+    let at = angles.iter().position(|angle| *angle == text)?;
+    let moment = reading.quantities.get(letter) == Some(&Quantity::Moment);
+    let all = |angles: [&str; 3]| angles.iter().all(|a| reading.usage.has_index(letter, a));
+    let other = |index: &&String| axis(index).is_some();
+    let met = reading.usage.subscripts.get(letter).into_iter().flatten();
+    (moment && all(angles) && met.filter(other).count() == 0).then_some(at as u8)
 }
 
 /// Whether a letter of the inertia has the labels of two points: `I_{xx}^O` beside `I_{xx}^G`.

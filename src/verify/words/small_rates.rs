@@ -1,0 +1,134 @@
+//! Rates and angles that words call small, all of them at once: "small rates, so their products are dropped".
+
+use crate::notation::ast::Symbol;
+use crate::verify::check::Checker;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
+
+/// What turns, in the plural.
+const RATES: &[&str] = &["rates", "angular velocities", "velocities"];
+/// Words before and behind them.
+const SMALL_BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
+const SMALL_BEHIND: &[&str] = &[
+    "are small",
+    "are all small",
+    "remain small",
+    "stay small",
+    "are very small",
+];
+/// Words between "products of" and what turns.
+const OF: &[&str] = &[
+    "",
+    "the ",
+    "two ",
+    "two of the ",
+    "angular ",
+    "the angular ",
+    "body ",
+    "these ",
+];
+const DROPPED: &[&str] = &[
+    "dropped",
+    "drop ",
+    "neglected",
+    "neglect",
+    "negligible",
+    "ignored",
+    "left out",
+    "omitted",
+    "second order",
+];
+/// Words that pick some of them out.
+const SOME: &[&str] = &[
+    "transverse",
+    "cross ",
+    "other",
+    "two of",
+    "roll and",
+    "yaw and",
+    "both",
+    "lateral",
+];
+
+/// Whether a sentence calls every rate of turning small, or drops the products of any two.
+fn calls_rates_small(sentence: &str) -> bool {
+    let called = RATES.iter().any(|noun| {
+        let before = SMALL_BEFORE.iter().any(|small| {
+            let near = ["", " angular", " body", " attitude"];
+            near.iter()
+                .any(|kind| sentence.contains(&format!("{small}{kind} {noun}")))
+        });
+        let behind = SMALL_BEHIND
+            .iter()
+            .any(|small| sentence.contains(&format!("{noun} {small}")));
+        before || behind
+    });
+    let some = SOME.iter().any(|word| sentence.contains(word));
+    called && !some || drops_products(sentence)
+}
+
+/// "Products of two rates are dropped."
+fn drops_products(sentence: &str) -> bool {
+    let Some((_, behind)) = sentence.split_once("products of ") else {
+        return false;
+    };
+    let dropped = DROPPED.iter().any(|word| sentence.contains(word));
+    dropped
+        && RATES.iter().any(|noun| {
+            OF.iter()
+                .any(|of| behind.starts_with(&format!("{of}{noun}")))
+        })
+}
+
+/// "All angles and rates are small."
+fn calls_angles_small(sentence: &str) -> bool {
+    let nouns = [
+        "angles are",
+        "angles and rates are",
+        "angles and the rates are",
+    ];
+    let behind = nouns.iter().any(|noun| {
+        ["small", "all small"]
+            .iter()
+            .any(|small| sentence.contains(&format!("{noun} {small}")))
+    });
+    behind
+        || sentence.contains("small angles and rates")
+        || sentence.contains("small angles and small rates")
+}
+
+impl Checker<'_> {
+    /// Notes rates and angles that the words call small as a whole; equations are then taken to first order in them.
+    pub(crate) fn note_small_rates(&mut self, text: &str) {
+        let text = text.replace('\n', " ");
+        for sentence in text
+            .split(['.', ';'])
+            .filter(|s| s.contains("rates") || s.contains("velocities"))
+        {
+            if !calls_rates_small(sentence) {
+                continue;
+            }
+            let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+            self.small.insert(omega);
+            self.linear = true;
+            if calls_angles_small(sentence) {
+                self.call_angles_small();
+            }
+        }
+    }
+
+    /// The angles of roll, pitch and yaw that the document writes.
+    fn call_angles_small(&mut self) {
+        for name in ["phi", "theta", "psi"] {
+            let symbol = Symbol {
+                name: name.to_owned(),
+                ..Symbol::default()
+            };
+            if let (true, Meaning::Whole(entity)) =
+                (self.reading.has(name), self.meaning_of(&symbol))
+            {
+                self.small.insert(entity);
+            }
+        }
+    }
+}
