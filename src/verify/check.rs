@@ -25,6 +25,7 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
+use crate::verify::words::book::lowered;
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::{said, speaks_of_any_vector, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition, role};
@@ -287,7 +288,7 @@ impl<'a> Checker<'a> {
         }
         self.sentence.push_str(text);
         if speaks {
-            let whole = self.sentence.clone();
+            let whole = lowered(&self.sentence);
             for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
                 self.take(said, span);
             }

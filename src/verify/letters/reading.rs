@@ -22,7 +22,8 @@ use crate::verify::words::phrases::{
     apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
     speaks_of_wheels,
 };
-use crate::verify::words::prose::{Said, said, turns_to_numbered_axes};
+use crate::verify::words::prose::turns_to_numbered_axes;
+use crate::verify::words::torque_free::torque_free;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What letters stand for.
@@ -210,7 +211,7 @@ impl Reading {
                     self.speaks_of_energy |= text.contains("energy");
                     self.speaks_of_force |= text.contains("force");
                     self.speaks_of_wheels |= speaks_of_wheels(&text);
-                    self.speaks_of_no_torque |= said(&text).contains(&Said::TorqueFree);
+                    self.speaks_of_no_torque |= torque_free(&text);
                     self.speaks_of_products |=
                         text.contains("products of inertia") || text.contains("product of inertia");
                     self.turns_to_numbers |= turns_to_numbered_axes(&text);

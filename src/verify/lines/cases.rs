@@ -9,7 +9,7 @@ use crate::verify::letters::usage::inner;
 use crate::verify::reason;
 use crate::verify::theory::Name;
 use crate::verify::verdict::{Finding, Role, Verdict};
-use crate::verify::words::book::has_any;
+use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::prose::{Said, said};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -65,7 +65,7 @@ impl Checker<'_> {
         self.cases.named = before.named;
         self.sentence.clear();
         self.last_side = None;
-        for said in said(text)
+        for said in said(&lowered(text))
             .into_iter()
             .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
         {

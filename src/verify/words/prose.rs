@@ -1,8 +1,8 @@
 //! Premises that a document sets in words: "principal axes", "no torque", "attached to the body".
 
 use crate::notation::document::{Document, Item};
-use crate::verify::words::book::{Book, has_any, lowered};
-use crate::verify::words::suppositions::{principal, stands};
+use crate::verify::words::book::{Book, has_any};
+use crate::verify::words::suppositions::{is_denied, principal};
 use crate::verify::words::symmetric_body::AXIS_OF_SYMMETRY;
 use crate::verify::words::torque_free::torque_free;
 use std::sync::LazyLock;
@@ -49,80 +49,107 @@ impl Said {
     }
 }
 
-static ATTACHED: LazyLock<Book> = LazyLock::new(|| {
-    Book::of([
-        "attached to the body",
-        "attached to the rigid body",
-        "fixed in the body",
-        "fixed to the body",
-        "fixed with the body",
-        "carried by the body",
-        "fixed in the airframe",
-        "axes fixed in the",
-        "axes in the body",
-        "rotate with the body",
-        "turn with the body",
-        "attached to the rotor",
-        "embedded in the body",
-    ])
+/// What a phrase speaks of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Topic {
+    Attached,
+    BodyAxes,
+    Dots,
+    Principal,
+    /// A body with an axis of symmetry has no products of inertia on axes along it.
+    AxisOfSymmetry,
+}
+
+const PHRASES: &[(Topic, &[&str])] = &[
+    (
+        Topic::Attached,
+        &[
+            "attached to the body",
+            "attached to the rigid body",
+            "fixed in the body",
+            "fixed to the body",
+            "fixed with the body",
+            "carried by the body",
+            "fixed in the airframe",
+            "axes fixed in the",
+            "axes in the body",
+            "rotate with the body",
+            "turn with the body",
+            "attached to the rotor",
+            "embedded in the body",
+        ],
+    ),
+    (
+        Topic::BodyAxes,
+        &["body axes", "body-fixed", "body fixed", "body frame"],
+    ),
+    (Topic::Dots, DOTS),
+    (
+        Topic::Principal,
+        &[
+            "principal axes",
+            "the principal axis",
+            "principal axis system",
+            "principal axis frame",
+            "principal axis form",
+            "principal axis version",
+            "principal-axis",
+            "principal moments",
+            "principal body axes",
+            "principal coordinates",
+            "principal frame",
+            "are principal",
+            "be principal",
+        ],
+    ),
+    (Topic::AxisOfSymmetry, AXIS_OF_SYMMETRY),
+];
+const DOTS: &[&str] = &[
+    "dot is taken",
+    "dots are",
+    "dot denotes",
+    "dots denote",
+    "dot means",
+    "dot is the",
+];
+
+static TOPICS: LazyLock<Vec<Topic>> = LazyLock::new(|| {
+    let each = PHRASES.iter();
+    each.flat_map(|(topic, phrases)| phrases.iter().map(|_| *topic))
+        .collect()
 });
-static BODY_AXES: LazyLock<Book> =
-    LazyLock::new(|| Book::of(["body axes", "body-fixed", "body fixed", "body frame"]));
-static DOTS: LazyLock<Book> = LazyLock::new(|| {
-    Book::of([
-        "dot is taken",
-        "dots are",
-        "dot denotes",
-        "dots denote",
-        "dot means",
-        "dot is the",
-    ])
-});
-/// A body with an axis of symmetry has no products of inertia on axes along it.
-static AXIS: LazyLock<Book> = LazyLock::new(|| Book::of(AXIS_OF_SYMMETRY));
-static PRINCIPAL: LazyLock<Book> = LazyLock::new(|| {
-    Book::of([
-        "principal axes",
-        "the principal axis",
-        "principal axis system",
-        "principal axis frame",
-        "principal axis form",
-        "principal axis version",
-        "principal-axis",
-        "principal moments",
-        "principal body axes",
-        "principal coordinates",
-        "principal frame",
-        "are principal",
-        "be principal",
-    ])
-});
-/// What a piece of prose sets.
+static BOOK: LazyLock<Book> =
+    LazyLock::new(|| Book::of(PHRASES.iter().flat_map(|(_, phrases)| *phrases)));
+
+/// What a piece of prose in small letters sets.
 pub(crate) fn said(text: &str) -> Vec<Said> {
-    let text = lowered(text);
     let mut found = vec![];
-    let spoken_of = DOTS.is_in(&text).then_some(text.as_str());
-    let dots = spoken_of
-        .unwrap_or_default()
-        .split(['.', ';'])
-        .filter(|clause| DOTS.is_in(clause));
-    for clause in dots {
-        if has_any(clause, &["body", "moving", "rotating"]) {
-            found.push(Said::DotsOnBody);
-        } else if has_any(clause, &["inertial", "in space", "fixed frame"]) {
-            found.push(Said::DotsInSpace);
+    let met: Vec<_> = BOOK.places(text).collect();
+    let of = |topic| {
+        met.iter()
+            .filter(move |(which, ..)| TOPICS[*which] == topic)
+    };
+    let stands = |topic| of(topic).any(|&(_, at, end)| !is_denied(text, at, end));
+    if of(Topic::Dots).next().is_some() {
+        let clauses = text.split(['.', ';']);
+        for clause in clauses.filter(|clause| has_any(clause, DOTS)) {
+            if has_any(clause, &["body", "moving", "rotating"]) {
+                found.push(Said::DotsOnBody);
+            } else if has_any(clause, &["inertial", "in space", "fixed frame"]) {
+                found.push(Said::DotsInSpace);
+            }
         }
     }
-    if stands(&ATTACHED, &text) {
+    if stands(Topic::Attached) {
         found.push(Said::BodyAxes);
-    } else if stands(&BODY_AXES, &text) {
+    } else if stands(Topic::BodyAxes) {
         found.push(Said::SpeaksOfBodyAxes);
     }
-    let by_axis = || stands(&AXIS, &text) && !text.contains("plane");
-    if stands(&PRINCIPAL, &text) || by_axis() || principal(&text) {
+    let by_axis = || stands(Topic::AxisOfSymmetry) && !text.contains("plane");
+    if stands(Topic::Principal) || by_axis() || principal(text) {
         found.push(Said::Principal);
     }
-    if torque_free(&text) {
+    if torque_free(text) {
         found.push(Said::TorqueFree);
     }
     found
@@ -143,16 +170,14 @@ pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
     ];
     document.items.iter().any(|item| match item {
         Item::Prose { text, .. } | Item::Heading { text, .. } => {
-            let text = text.to_lowercase();
-            has_any(&text, &any)
+            has_any(&text.to_lowercase(), &any)
         }
         _ => false,
     })
 }
 
-/// A plane of symmetry named by words and a formula: "symmetric with respect to its ⟨xz⟩ plane".
-pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
-    let text = lowered(sentence);
+/// A plane of symmetry named by words in small letters and a formula: "symmetric with respect to its ⟨xz⟩ plane".
+pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
     if !text.contains("plane") {
         return None;
     }
@@ -165,9 +190,9 @@ pub(crate) fn symmetry_plane(sentence: &str) -> Option<Said> {
         "symmetrical about",
         "symmetric about",
     ];
-    let flat = has_any(&text, &["flat", "thin", "lamina", "plate"])
-        && has_any(&text, &["lies in the", "lying in the", "in the plane"]);
-    if !flat && !has_any(&text, &symmetric) {
+    let flat = has_any(text, &["flat", "thin", "lamina", "plate"])
+        && has_any(text, &["lies in the", "lying in the", "in the plane"]);
+    if !flat && !has_any(text, &symmetric) {
         return None;
     }
     let planes = [

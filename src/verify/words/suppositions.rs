@@ -82,18 +82,18 @@ const LEFT_OUT: &[&str] = &[
     "omit",
 ];
 
+const PRODUCTS_OF_INERTIA: &[&str] = &[
+    "products of inertia",
+    "product of inertia",
+    "cross-products of inertia",
+    "cross products of inertia",
+    "off-diagonal",
+    "off diagonal",
+    "deviation moments",
+    "deviational moments",
+    "centrifugal moments",
+];
 static PRODUCTS: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "products of inertia",
-        "product of inertia",
-        "cross-products of inertia",
-        "cross products of inertia",
-        "off-diagonal",
-        "off diagonal",
-        "deviation moments",
-        "deviational moments",
-        "centrifugal moments",
-    ];
     // One or two of them, or those that a formula names, are not all.
     let denied = [
         "⟨",
@@ -117,50 +117,57 @@ static PRODUCTS: LazyLock<Supposition> = LazyLock::new(|| {
         "without ignor",
         "left out",
     ];
-    Supposition::of(&things, &[NOTHING, LEFT_OUT].concat(), &denied)
+    let said = [NOTHING, LEFT_OUT].concat();
+    Supposition::of(PRODUCTS_OF_INERTIA, &said, &denied)
 });
 
+const DIAGONAL_FORM: &[&str] = &[
+    "principal direction",
+    "is diagonal",
+    "are diagonal",
+    "becomes diagonal",
+    "be diagonal",
+    "diagonal inertia",
+    "diagonal form",
+    "diagonal tensor",
+    "diagonal matrix",
+    "then diagonal",
+    "is a diagonal",
+    "diagonalis",
+    "diagonaliz",
+    "eigenbasis",
+    "eigenframe",
+    "principal basis",
+    "principal system",
+    "principal triad",
+];
 static DIAGONAL: LazyLock<Supposition> = LazyLock::new(|| {
     let things = ["inertia", "tensor", "matrix", "axes"];
-    let said = [
-        "principal direction",
-        "is diagonal",
-        "are diagonal",
-        "becomes diagonal",
-        "be diagonal",
-        "diagonal inertia",
-        "diagonal form",
-        "diagonal tensor",
-        "diagonal matrix",
-        "then diagonal",
-        "is a diagonal",
-        "diagonalis",
-        "diagonaliz",
-        "eigenbasis",
-        "eigenframe",
-        "principal basis",
-        "principal system",
-        "principal triad",
-    ];
-    Supposition::of(&things, &said, &["off-diagonal inertia"])
+    Supposition::of(&things, DIAGONAL_FORM, &["off-diagonal inertia"])
 });
 
+const PLANES_OF_SYMMETRY: &[&str] = &[
+    "planes of symmetry",
+    "symmetry planes",
+    "symmetric about",
+    "symmetrical about",
+    "symmetric with respect to",
+];
 static SYMMETRY_PLANES: LazyLock<Supposition> = LazyLock::new(|| {
     let said = ["three ", "all ", "each "];
-    let things = [
-        "planes of symmetry",
-        "symmetry planes",
-        "symmetric about",
-        "symmetrical about",
-        "symmetric with respect to",
-    ];
-    let denied = ["axis", "axes"];
-    Supposition::of(&things, &said, &denied)
+    Supposition::of(PLANES_OF_SYMMETRY, &said, &["axis", "axes"])
+});
+
+/// What no text is without that supposes so.
+static CUES: LazyLock<Book> = LazyLock::new(|| {
+    let cues = [PRODUCTS_OF_INERTIA, DIAGONAL_FORM, PLANES_OF_SYMMETRY];
+    Book::of(cues.concat())
 });
 
 /// Whether a text in small letters supposes that the axes are principal.
 pub(crate) fn principal(text: &str) -> bool {
-    PRODUCTS.is_in(text) || DIAGONAL.is_in(text) || SYMMETRY_PLANES.is_in(text)
+    let mut supposed = [&PRODUCTS, &DIAGONAL, &SYMMETRY_PLANES].into_iter();
+    CUES.is_in(text) && supposed.any(|supposed| supposed.is_in(text))
 }
 
 /// What denies a phrase.
@@ -169,11 +176,15 @@ static NOT_SO: LazyLock<Book> =
 
 /// Whether one of the phrases stands in a text and nothing in its clause denies it.
 pub(crate) fn stands(phrases: &Book, text: &str) -> bool {
-    phrases.places(text).any(|(_, at, end)| {
-        let stops = ['.', ';', '!', '?'];
-        let before = text[..at].rfind(stops).map_or(0, |i| i + 1);
-        let behind = text[at..].find(stops).map_or(text.len(), |i| at + i);
-        let clause = &text[before..behind];
-        !NOT_SO.is_in(&clause.replace(&text[at..end], ""))
-    })
+    let mut places = phrases.places(text);
+    places.any(|(_, at, end)| !is_denied(text, at, end))
+}
+
+/// Whether something in its clause denies a phrase that stands there.
+pub(crate) fn is_denied(text: &str, at: usize, end: usize) -> bool {
+    let stops = ['.', ';', '!', '?'];
+    let before = text[..at].rfind(stops).map_or(0, |i| i + 1);
+    let behind = text[at..].find(stops).map_or(text.len(), |i| at + i);
+    let clause = &text[before..behind];
+    NOT_SO.is_in(&clause.replace(&text[at..end], ""))
 }

@@ -81,39 +81,49 @@ static NO_TORQUE: LazyLock<Supposition> = LazyLock::new(|| {
     Supposition::of(&things, NOTHING, &denied)
 });
 
+const FREE_MOTION: &[&str] = &[
+    "freely",
+    "free rotation",
+    "free precession",
+    "free tumbling",
+];
 static FREELY: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "freely",
-        "free rotation",
-        "free precession",
-        "free tumbling",
-    ];
     let said = [
         "rotat", "tumbl", "spin", "moves", "moving", "flies", "precess", "body",
     ];
     let denied = [
         "about", "can ", "may ", "fall", "hinge", "pivot", "axle", "bearing", "point",
     ];
-    Supposition::of(&things, &said, &denied)
+    Supposition::of(FREE_MOTION, &said, &denied)
 });
 
+const FORCE_FREE: &[&str] = &[
+    "no forces act",
+    "no force acts",
+    "no external forces",
+    "without external forces",
+];
 static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
-    let things = [
-        "no forces act",
-        "no force acts",
-        "no external forces",
-        "without external forces",
-    ];
-    Supposition::of(&things, &[""], &["but ", "except", "other than", "along"])
+    Supposition::of(
+        FORCE_FREE,
+        &[""],
+        &["but ", "except", "other than", "along"],
+    )
 });
+
+/// What no text is without that says that no torque acts.
+static CUES: LazyLock<Book> =
+    LazyLock::new(|| Book::of([FREE, KINDS, NOTHING, FREE_MOTION, FORCE_FREE].concat()));
 
 /// Whether a text in small letters says that no torque acts.
 pub(crate) fn torque_free(text: &str) -> bool {
-    stands(&FREE_BOOK, text)
-        || denies_a_kind(text)
-        || [&NO_TORQUE, &FREELY, &NO_FORCE]
-            .iter()
-            .any(|supposed| supposed.is_in(text))
+    let says = || {
+        let mut supposed = [&NO_TORQUE, &FREELY, &NO_FORCE].into_iter();
+        stands(&FREE_BOOK, text)
+            || denies_a_kind(text)
+            || supposed.any(|supposed| supposed.is_in(text))
+    };
+    CUES.is_in(text) && says()
 }
 
 /// Whether a text speaks of a torque, other than that there is none.
