@@ -18,6 +18,7 @@ mod markdown;
 mod notebook;
 mod parse;
 mod plain;
+mod plain_words;
 pub mod print;
 mod token;
 mod unicode;

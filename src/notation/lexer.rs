@@ -1,5 +1,6 @@
 //! From the characters of a formula to tokens.
 
+mod argument;
 mod command;
 mod word;
 

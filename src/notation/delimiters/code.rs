@@ -1,6 +1,7 @@
 //! Code in Markdown: nothing in it is a formula, but for a fence of the language `math`.
 
-use super::{LONGEST_CODE, Region, Scan, blank_line, find};
+use super::search::{blank_line, find};
+use super::{LONGEST_CODE, Region, Scan};
 
 impl Scan<'_> {
     /// `%% … %%`, a comment in Obsidian's Markdown.

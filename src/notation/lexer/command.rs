@@ -1,7 +1,7 @@
 //! Commands: which of them are tokens, which say nothing, which take a text.
 
 use super::Lexer;
-use crate::notation::token::{Lexeme, beginning, matching_brace};
+use crate::notation::token::{Lexeme, beginning};
 
 /// Commands that only change the look.
 const SILENT: &[&str] = &[
@@ -198,12 +198,6 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    fn starred(&mut self) {
-        if self.rest().starts_with('*') {
-            self.at += 1;
-        }
-    }
-
     /// A definition states nothing; what it defines is known already.
     fn definition(&mut self, name: &str) {
         self.starred();
@@ -229,45 +223,6 @@ impl<'a> Lexer<'a> {
             self.at += brace;
         }
         let _ = self.braced();
-    }
-
-    fn hspace(&mut self, start: usize) {
-        self.starred();
-        let length = self.braced().trim();
-        let number = length.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-        let unit = match length[number.len()..].trim() {
-            "em" => 18.0,
-            "cm" => 51.0,
-            "mm" => 5.1,
-            "in" => 130.0,
-            "ex" => 7.7,
-            _ => 1.8,
-        };
-        let width = number.trim().parse::<f32>().unwrap_or(3.0) * unit;
-        // A cast from a float stops at the ends of the range.
-        self.push(Lexeme::Space(width.max(0.0) as u8), start);
-    }
-
-    /// A length without braces: `\mkern-3mu`, `\hskip 1em`.
-    fn dimension(&mut self) {
-        let rest = beginning(self.rest(), 24).trim_start();
-        let part = |c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.');
-        let unit = rest.trim_start_matches(part).trim_start();
-        let units = ["mu", "em", "ex", "pt", "cm", "mm", "in", "sp"];
-        if let Some(unit) = units.iter().find_map(|u| unit.strip_prefix(u)) {
-            self.at += beginning(self.rest(), 24).len() - unit.len();
-        }
-    }
-
-    /// `[b]`, which says how tall something is made.
-    fn option(&mut self) {
-        let rest = self.rest();
-        if let Some(end) = rest
-            .strip_prefix('[')
-            .and_then(|r| beginning(r, 40).find(']'))
-        {
-            self.at += end + 2;
-        }
     }
 
     /// TeX's own `\eqno(3)`.
@@ -337,17 +292,6 @@ impl<'a> Lexer<'a> {
         };
         self.at += skip;
         self.push(kind, start);
-    }
-
-    /// What stands in the braces that follow; the empty string where none do.
-    fn braced(&mut self) -> &'a str {
-        let rest = self.rest().trim_start();
-        let Some(inner) = rest.strip_prefix('{') else {
-            return "";
-        };
-        let length = matching_brace(inner).unwrap_or(inner.len());
-        self.at = (self.text.len() - inner.len() + length + 1).min(self.text.len());
-        &inner[..length]
     }
 
     fn environment(&mut self, begin: bool, start: usize) {

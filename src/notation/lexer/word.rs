@@ -2,8 +2,8 @@
 
 use super::Lexer;
 use crate::notation::parse::is_unit;
+use crate::notation::plain_words;
 use crate::notation::token::{Letters, Lexeme, beginning};
-use crate::notation::unicode;
 
 /// No word of a formula is longer, so no more of the text is looked at for each.
 const LONGEST_WORD: usize = 64;
@@ -32,7 +32,7 @@ impl<'a> Lexer<'a> {
     /// A word whose meaning is known; its tokens are those of the same thing in LaTeX.
     fn word(&mut self, word: &'a str, start: usize) -> bool {
         self.at = start + word.len();
-        if unicode::is_call(word) && self.rest().starts_with('(') {
+        if plain_words::is_call(word) && self.rest().starts_with('(') {
             let name = match word {
                 "cross" => "crossof",
                 "dot" => "dotof",
@@ -50,21 +50,21 @@ impl<'a> Lexer<'a> {
             self.push(Lexeme::Command("int"), start);
             return true;
         }
-        if let Some(spelling) = unicode::word(word) {
+        if let Some(spelling) = plain_words::word(word) {
             self.spelled(&spelling, start);
             return true;
         }
         // `sinx` and `Iomega` are two words each.
         let function = FUNCTIONS.iter().find(|f| {
             let rest = word.strip_prefix(**f).unwrap_or("");
-            rest.len() == 1 || unicode::is_greek(rest)
+            rest.len() == 1 || plain_words::is_greek(rest)
         });
         if let Some(function) = function {
             self.at = start + function.len();
             self.push(Lexeme::Command(function), start);
             return true;
         }
-        if word.get(1..).is_some_and(unicode::is_greek) {
+        if word.get(1..).is_some_and(plain_words::is_greek) {
             return false;
         }
         let vowel = word.contains(['a', 'e', 'i', 'o', 'u']);
@@ -75,7 +75,7 @@ impl<'a> Lexer<'a> {
         named
     }
 
-    fn spelled(&mut self, spelling: &unicode::Spelling<'a>, start: usize) {
+    fn spelled(&mut self, spelling: &plain_words::Spelling<'a>, start: usize) {
         if spelling.dots > 0 {
             let dot = if spelling.dots == 1 { "dot" } else { "ddot" };
             self.push(Lexeme::Command(dot), start);
@@ -142,7 +142,7 @@ impl<'a> Lexer<'a> {
         let ended = matches!(
             self.out.last().map(|t| t.kind),
             Some(Lexeme::Letter(_) | Lexeme::Close | Lexeme::Text(_) | Lexeme::Char(')' | ']'))
-        ) || matches!(self.out.last().map(|t| t.kind), Some(Lexeme::Command(name)) if unicode::is_greek(name));
+        ) || matches!(self.out.last().map(|t| t.kind), Some(Lexeme::Command(name)) if plain_words::is_greek(name));
         if !operand || coordinate || !ended || self.integral {
             return false;
         }

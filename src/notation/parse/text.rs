@@ -143,7 +143,7 @@ pub(super) fn is_symbol(text: &str) -> bool {
         .chars()
         .skip(1)
         .any(|c| c.is_uppercase() || c.is_numeric());
-    let known = crate::notation::unicode::word(text).is_some();
+    let known = crate::notation::plain_words::word(text).is_some();
     name && !joins(text) && (text.chars().count() <= 2 || capitals || known)
 }
 

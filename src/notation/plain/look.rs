@@ -1,6 +1,7 @@
 //! What in a plain text looks like mathematics.
 
 use crate::notation::parse::is_unit;
+use crate::notation::plain_words;
 use crate::notation::unicode;
 
 /// How much a word looks like mathematics.
@@ -38,7 +39,7 @@ fn look(word: &str) -> Look {
                 || unicode::script(c).is_some()
                 || !unicode::decomposed(c).1.is_empty())
     });
-    let known = |word: &str| unicode::word(word).is_some();
+    let known = |word: &str| plain_words::word(word).is_some();
     if strong || known(core) || is_rate(core) {
         return Look::Strong;
     }
@@ -52,7 +53,7 @@ fn look(word: &str) -> Look {
     let mut runs = core
         .split(|c: char| !c.is_alphanumeric())
         .filter(|run| !run.is_empty());
-    let called = |run: &str| unicode::is_call(run) && core.contains(&format!("{run}("));
+    let called = |run: &str| plain_words::is_call(run) && core.contains(&format!("{run}("));
     let english = |run: &str| is_english(run) && !known(run) && !called(run);
     if core.is_empty() || sentence_letter || runs.any(english) {
         return Look::Words;
@@ -65,7 +66,7 @@ fn is_english(run: &str) -> bool {
     // The dwz of `dwz/dt`, and the dm of an integral.
     let differential = run
         .strip_prefix('d')
-        .is_some_and(|rest| unicode::word(rest).is_some());
+        .is_some_and(|rest| plain_words::word(rest).is_some());
     if differential {
         return false;
     }
