@@ -3,7 +3,6 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Formula, Item, Row};
-use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
@@ -25,10 +24,8 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
-use crate::verify::words::book::lowered;
 use crate::verify::words::premise::inertia_changes;
-use crate::verify::words::prose::{said, speaks_of_any_vector, symmetry_plane};
-use crate::verify::words::role::{Words, ends_with_condition, role};
+use crate::verify::words::prose::speaks_of_any_vector;
 use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashMap};
 
@@ -36,16 +33,6 @@ use std::collections::{BTreeSet, HashMap};
 fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
     findings.sort_by_key(|finding| finding.span.start);
     findings
-}
-
-/// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
-const LONGEST_SENTENCE: usize = 1_000;
-
-/// Drops the beginning of a text that is longer than `most` bytes.
-pub(super) fn keep_end(text: &mut String, most: usize) {
-    let excess = text.len().saturating_sub(most);
-    let cut = (excess..text.len()).find(|&at| text.is_char_boundary(at));
-    text.drain(..cut.unwrap_or(0));
 }
 
 /// What is in force at a place of the document.
@@ -106,7 +93,8 @@ pub(super) struct Checker<'a> {
     /// Symbols that their first use defines.
     pub(super) implicit: BTreeSet<Entity>,
     /// Whether a paragraph ended since the last words or formula.
-    broken: bool,
+    pub(super) broken: bool,
+    /// The role that a comment sets for the next formula.
     pub(super) mark: Option<Role>,
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
@@ -252,13 +240,7 @@ impl<'a> Checker<'a> {
         match item {
             Item::Heading { level, text, span } => self.heading(*level, text, *span),
             Item::Prose { text, span } => self.prose(text, *span),
-            Item::Break => {
-                self.sentence.push(' ');
-                if !self.sentence.trim_end().ends_with([':', ',', '⟩']) {
-                    self.sentence.push_str(". ");
-                }
-                self.broken = true;
-            }
+            Item::Break => self.end_paragraph(),
             Item::Comment { text, .. } => self.comment(text),
             Item::Formula(formula) => self.formula(formula),
         }
@@ -272,69 +254,6 @@ impl<'a> Checker<'a> {
             "given" => Some(Role::Given),
             _ => self.mark,
         };
-    }
-
-    fn prose(&mut self, text: &str, span: Span) {
-        // After a display, a new paragraph that opens with a capital opens a sentence too.
-        let opens = text.trim_start().starts_with(char::is_uppercase);
-        self.note_case(text, span, self.broken);
-        if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
-            self.sentence.clear();
-        }
-        let speaks = text.contains(char::is_alphanumeric);
-        if speaks {
-            self.note_linear(text);
-            self.constants_in_words(text, span);
-        }
-        self.sentence.push_str(text);
-        if speaks {
-            let whole = lowered(&self.sentence);
-            for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
-                self.take(said, span);
-            }
-        }
-        let ends = |text: &str| {
-            text.rfind([". ", "? ", "! ", ".\n"].map(|s| s.chars().next().unwrap_or('.')))
-        };
-        if let Some(end) = ends(&self.sentence)
-            && self.sentence[end..]
-                .chars()
-                .nth(1)
-                .is_none_or(char::is_whitespace)
-        {
-            self.sentence.drain(..=end);
-            self.cases.hypothesis = false;
-        }
-        keep_end(&mut self.sentence, LONGEST_SENTENCE);
-    }
-
-    /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
-    fn role(&self, display: bool) -> Role {
-        // "If the body is at rest, ⟨v = 0⟩" hands over; "if the products vanish: […]" claims.
-        let role = match display {
-            true => role(&self.sentence.replace("if the ", "")),
-            false => role(&self.sentence),
-        };
-        let closed = self.sentence.trim_end().strip_suffix(',');
-        let clause = display && closed.is_some_and(ends_with_condition);
-        match role {
-            Role::Assume | Role::Given if clause => Role::Claim,
-            _ => role,
-        }
-    }
-
-    /// Notes what the words before a formula say of it, and gives its role.
-    fn listen(&mut self, display: bool) -> Role {
-        let words = Words::of(&self.sentence);
-        let speak = words.speak();
-        self.asserted = speak && words.derive();
-        self.constrained = speak && words.constrain();
-        self.firm = self.mark.is_some() || speak && words.assume();
-        self.picked = words.pick();
-        self.mark.unwrap_or_else(|| match speak {
-            true => self.role(display),
-            false => Role::Claim,
-        })
     }
 
     fn formula(&mut self, formula: &Formula) {
@@ -379,20 +298,7 @@ impl<'a> Checker<'a> {
             }
         }
         self.mark = None;
-        let text = self.document.source.slice(formula.span);
-        let plain: String = text
-            .chars()
-            .filter(|c| c.is_alphanumeric() || *c == ' ')
-            .collect();
-        self.sentence.push_str(&format!(" {plain} ⟨⟩"));
-        keep_end(&mut self.sentence, LONGEST_SENTENCE);
-        let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
-        let inside = inside
-            .rfind("\\end{")
-            .map_or(inside, |i| inside[..i].trim_end());
-        if formula.display && inside.ends_with('.') {
-            self.sentence.clear();
-        }
+        self.hear_formula(formula);
         self.broken = false;
     }
 

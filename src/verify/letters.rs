@@ -29,4 +29,5 @@ pub(super) mod space_axes;
 pub(super) mod triad;
 pub(super) mod two_points;
 pub(super) mod usage;
+pub(super) mod votes;
 pub(super) mod wholes;

@@ -32,6 +32,7 @@ pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod oscillation;
 pub(super) mod points;
+pub(super) mod role_by_content;
 pub(super) mod signs;
 pub(super) mod small;
 pub(super) mod space_line;

@@ -1,5 +1,6 @@
 //! The cheapest change that makes a false line provable: where it stands, what it is, and the line as it should be.
 
+pub(super) mod axis_slips;
 pub(super) mod carried;
 pub(super) mod convention_slips;
 pub(super) mod edit;
@@ -13,25 +14,20 @@ pub(super) mod places;
 pub(super) mod shown;
 pub(super) mod slips;
 pub(super) mod terms;
+pub(super) mod trial;
 pub(super) mod vocabulary;
 pub(super) mod wanted;
 
 use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
-use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::{Frame, labels};
-use crate::verify::lines::line::Read;
-use crate::verify::repair::convention_slips::sign_flips;
-use crate::verify::repair::edit::{Edit, edited};
+use crate::verify::repair::edit::Edit;
 use crate::verify::repair::slips::Slips;
-use crate::verify::theory::decide::{passes_filter, vanishes};
-use crate::verify::values::value::Value;
+use crate::verify::repair::trial::Search;
 use crate::verify::verdict::{Diagnosis, Finding};
 
-/// Texts that are tried for one line at most.
-const CANDIDATES: usize = 3000;
 /// Slips that put one symbol in the place of another.
 const SYMBOLS: &[&str] = &["index", "symbol"];
 /// Edits that are tried two at a time.
@@ -53,10 +49,7 @@ impl Checker<'_> {
         let mut edits: Vec<Edit> = slips.of(&line.sides).into_iter().filter(inside).collect();
         edits.extend(self.lost_transport(line));
         edits.sort_by_key(|edit| (edit.cost, edit.span));
-        let mut search = Search {
-            line,
-            left: CANDIDATES,
-        };
+        let mut search = Search::of(line);
         finding.diagnosis = self.convention_slip(line, &mut search);
         if finding.diagnosis.is_some() {
             return;
@@ -198,123 +191,6 @@ impl Checker<'_> {
         })
     }
 
-    /// The text with the edits, if it is read as one line, says something, and is proved.
-    fn proved_with(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<String> {
-        let text = self.edited_text(edits, search)?;
-        let reads = self.reads(&text, search)?;
-        for read in reads {
-            let holds = read
-                .equations
-                .iter()
-                .all(|e| passes_filter(&mut self.theory, &e.residual) == Some(true));
-            if holds
-                && !self.says_nothing(&read)
-                && !self.empties(&text, search.line)
-                && vanishes(&mut self.theory, &read.equations)
-            {
-                return Some(without_alignment(text.trim()));
-            }
-        }
-        None
-    }
-
-    /// Both sides vanish, and neither is written as zero.
-    fn says_nothing(&mut self, read: &Read) -> bool {
-        read.equations.iter().any(|e| {
-            let written = e.left.is_zero() || e.right.is_zero();
-            !written && passes_filter(&mut self.theory, &e.left) == Some(true)
-        })
-    }
-
-    /// Whether a part of the text vanishes that does not in the line as it stands.
-    fn empties(&mut self, text: &str, line: &Line) -> bool {
-        let rows = reread(self.document, text);
-        match rows.as_slice() {
-            [Row::Line(new)] => self.hollow(&new.sides) > self.hollow(&line.sides),
-            _ => true,
-        }
-    }
-
-    fn edited_text(&self, edits: &[&Edit], search: &mut Search<'_>) -> Option<String> {
-        search.left = search.left.checked_sub(1)?;
-        let text = self.document.source.slice(search.line.span);
-        edited(text, search.line.span.start, edits)
-    }
-
-    /// The equations of a text that stands in the place of the line.
-    pub(super) fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
-        let rows = reread(self.document, text);
-        let [Row::Line(line)] = rows.as_slice() else {
-            return None;
-        };
-        let mut sides: Vec<Node> = line.sides.clone();
-        if line.continues {
-            sides.insert(0, self.last_side.clone()?);
-        }
-        let relations = search.line.relations.len();
-        if line.relations.len() != relations || tautology(&sides, text) {
-            return None;
-        }
-        let summed = self.reading.summed.as_ref();
-        match summed.and_then(|summed| {
-            summed.lines(&Line {
-                sides: sides.clone(),
-                ..line.clone()
-            })
-        }) {
-            Some(lines) => self.together(&lines),
-            None => self.readings(&sides).ok(),
-        }
-    }
-
-    /// The equations of lines that are one with its indices written out.
-    fn together(&mut self, lines: &[Line]) -> Option<Vec<Read>> {
-        let mut all: Option<Read> = None;
-        for line in lines {
-            let read = self.readings(&line.sides).ok()?.into_iter().next()?;
-            match &mut all {
-                Some(all) => all.equations.extend(read.equations),
-                None => all = Some(read),
-            }
-        }
-        Some(vec![all?])
-    }
-
-    /// Which components of the equation differ, with some edits.
-    fn mask(&mut self, edits: &[&Edit], search: &mut Search<'_>) -> Option<Vec<bool>> {
-        let text = self.edited_text(edits, search)?;
-        let reads = self.reads(&text, search)?;
-        let [equation] = reads.first()?.equations.as_slice() else {
-            return None;
-        };
-        let entry = |i: usize| Value::scalar(equation.residual.entries[i].clone());
-        let count = equation.residual.entries.len();
-        (0..count)
-            .map(|i| Some(!passes_filter(&mut self.theory, &entry(i))?))
-            .collect()
-    }
-
-    /// Every product of inertia with the other sign, if that makes the line true.
-    fn convention_slip(&mut self, line: &Line, search: &mut Search<'_>) -> Option<Diagnosis> {
-        let edits = sign_flips(&line.sides, &self.reading);
-        let all: Vec<&Edit> = edits.iter().collect();
-        let before = |f: &Finding| f.diagnosis.as_ref().is_some_and(|d| d.kind == "convention");
-        // One flipped sign alone is a slip of sign, unless the document has shown the other convention before.
-        if all.is_empty() || (all.len() == 1 && !self.findings.iter().any(before)) {
-            return None;
-        }
-        let text = self.proved_with(&all, search)?;
-        Some(Diagnosis {
-            kind: "convention",
-            message: format!(
-                "the products of inertia have the sign of the other convention; this document uses {}",
-                self.convention.name
-            ),
-            suggestion: Some(text),
-            place: edits.first().map(|edit| edit.span),
-        })
-    }
-
     /// The labels that the document writes for the space frame and for the moving one.
     pub(super) fn frame_labels(&self) -> [String; 2] {
         let mut found: [Option<String>; 2] = [None, None];
@@ -343,36 +219,8 @@ impl Checker<'_> {
     }
 }
 
-/// The line that is repaired, and how many texts may still be tried.
-pub(super) struct Search<'a> {
-    line: &'a Line,
-    left: usize,
-}
-
-/// Marks of alignment mean nothing outside the environment that the line stands in.
-fn without_alignment(text: &str) -> String {
-    match text.contains("\\begin") {
-        true => text.to_owned(),
-        false => text.replace('&', ""),
-    }
-}
-
 fn apart(a: Span, b: Span) -> bool {
     a.end <= b.start || b.end <= a.start
-}
-
-/// Two sides that are written alike say nothing.
-fn tautology(sides: &[Node], text: &str) -> bool {
-    let written = |node: &Node| -> String {
-        text.get(node.span.range())
-            .unwrap_or("")
-            .chars()
-            .filter(|c| !c.is_whitespace())
-            .collect()
-    };
-    sides
-        .windows(2)
-        .any(|pair| pair[0].span != pair[1].span && written(&pair[0]) == written(&pair[1]))
 }
 
 pub(super) fn lines(document: &Document) -> impl Iterator<Item = &Line> {

@@ -10,6 +10,7 @@ pub(super) mod kernel;
 pub(super) mod lower;
 pub(super) mod matrix;
 pub(super) mod operators;
+pub(super) mod own_symbol;
 pub(super) mod quantity;
 pub(super) mod rate;
 pub(super) mod spatial;

@@ -4,11 +4,9 @@
 //! in this field, given how they are used.
 
 use crate::notation::ast::{Node, Symbol};
-use crate::notation::document::{Document, Format, Item, Row};
-use crate::verify::check::keep_end;
+use crate::notation::document::{Document, Format};
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
-use crate::verify::letters::naming::{jacobian_named, named_letters};
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
@@ -16,14 +14,7 @@ use crate::verify::letters::usage::{Letter, Usage, axis};
 use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::lines::summation::Indices;
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::words::legend::{in_a_legend, listed_apart, names_a_size, names_wheel_speeds};
 use crate::verify::words::moments_in_words::NamedMoment;
-use crate::verify::words::phrases::{
-    apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
-    speaks_of_wheels,
-};
-use crate::verify::words::prose::turns_to_numbered_axes;
-use crate::verify::words::torque_free::torque_free;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What letters stand for.
@@ -45,7 +36,7 @@ pub(crate) struct Reading {
     pub space_axes: Option<SpaceAxes>,
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
-    votes: BTreeMap<(Letter, Quantity), usize>,
+    pub(crate) votes: BTreeMap<(Letter, Quantity), usize>,
     /// Letters that words call the identity.
     pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
@@ -96,9 +87,6 @@ pub(crate) struct Reading {
     /// Letters of vectors and tensors that a label puts on the body's axes or on space axes, without any other mark.
     pub(crate) on_both_axes: BTreeSet<Letter>,
 }
-
-/// Bytes before a formula in which words may name it.
-const NEAR: usize = 400;
 
 impl Reading {
     /// Reads the letters of a document.
@@ -187,224 +175,6 @@ impl Reading {
         self.attitude = AttitudeReading::of(document, &taken);
         if let Some(letter) = self.attitude.matrix.clone() {
             self.quantities.insert(letter, Quantity::Attitude);
-        }
-    }
-
-    /// Votes of the words that stand before and after a letter.
-    fn listen(&mut self, document: &Document) {
-        let mut before = String::new();
-        let mut last: Vec<Letter> = vec![];
-        let mut listed: Vec<Letter> = vec![];
-        // Whether no paragraph ended since the last formula, and whether one did right behind it.
-        let (mut near, mut ended) = (false, false);
-        let mut opens_paragraph = false;
-        for item in &document.items {
-            match item {
-                Item::Prose { text, .. } => {
-                    for (letter, quantity) in letters_named(text) {
-                        self.vote(Letter::plain(&letter), quantity, 3);
-                    }
-                    // "For the torque …" behind a display opens a sentence of its own.
-                    let opens = text.trim_start().starts_with(char::is_uppercase);
-                    let text = text.to_lowercase();
-                    self.supposed_constant(&before, &text, &mut listed);
-                    self.speaks_of_energy |= text.contains("energy");
-                    self.speaks_of_force |= text.contains("force");
-                    self.speaks_of_wheels |= speaks_of_wheels(&text);
-                    self.speaks_of_no_torque |= torque_free(&text);
-                    self.speaks_of_products |=
-                        text.contains("products of inertia") || text.contains("product of inertia");
-                    self.turns_to_numbers |= turns_to_numbered_axes(&text);
-                    self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
-                    let after = said_after(&text).filter(|_| !opens);
-                    let after = after.or_else(|| apposition(&text, near));
-                    if calls_identity(&text) {
-                        self.identities.extend(last.iter().cloned());
-                    }
-                    if let Some(quantity) = after.or_else(|| in_a_legend(&text, near, ended)) {
-                        last.drain(..)
-                            .for_each(|letter| self.vote(letter, quantity, 5));
-                    }
-                    if listed_apart(&text, near) || (near || ended) && names_wheel_speeds(&text) {
-                        self.apart.extend(last.drain(..));
-                    }
-                    ended = false;
-                    opens_paragraph &= text.trim().is_empty();
-                    before.push_str(&text);
-                    if let Some(end) = before.rfind(['.', '!', '?']) {
-                        before.drain(..=end);
-                    }
-                }
-                Item::Formula(formula) => {
-                    keep_end(&mut before, NEAR);
-                    // What opens a paragraph, or an entry of a list, is not named by the one before.
-                    if std::mem::take(&mut opens_paragraph) && !formula.display {
-                        before.clear();
-                    }
-                    let named = formula
-                        .rows
-                        .iter()
-                        .flat_map(named_letters)
-                        .collect::<Vec<_>>();
-                    let called = before.contains("jacobian");
-                    let rows = formula.rows.iter();
-                    self.apart
-                        .extend(rows.filter_map(|row| jacobian_named(row, called)));
-                    if names_a_size(&before) {
-                        self.apart.extend(named.iter().cloned());
-                    }
-                    let display = formula.display;
-                    let said = said_before(&before, |after| reaches(after, display));
-                    if let Some(quantity) = said {
-                        for letter in &named {
-                            self.vote(
-                                letter.clone(),
-                                quantity,
-                                if formula.display { 2 } else { 3 },
-                            );
-                        }
-                    }
-                    if !display && lists_moments(&before) {
-                        let moment = |l: &&Letter| matches!(l.name.as_str(), "A" | "B" | "C");
-                        let moments = named.iter().filter(moment);
-                        moments.for_each(|l| self.vote(l.clone(), Quantity::Inertia, 1));
-                    }
-                    let lines = formula
-                        .rows
-                        .iter()
-                        .filter(|row| matches!(row, Row::Line(_)));
-                    self.left_sides.extend(lines.flat_map(named_letters));
-                    listed.extend(named.iter().cloned());
-                    last = named;
-                    // Behind a line, "the" opens the main clause: "With ⟨B = 2A⟩ the momentum is".
-                    let names = |row: &Row| matches!(row, Row::Expression(_));
-                    near = !formula.display && formula.rows.iter().all(names);
-                    ended = false;
-                    if formula.display {
-                        before.clear();
-                    } else {
-                        before.push('⟨');
-                    }
-                }
-                Item::Heading { .. } => before.clear(),
-                Item::Break => {
-                    opens_paragraph = true;
-                    ended |= std::mem::take(&mut near);
-                }
-                Item::Comment { .. } => {}
-            }
-        }
-    }
-
-    pub(crate) fn vote(&mut self, letter: Letter, quantity: Quantity, weight: usize) {
-        // "The force at the end x": a coordinate.
-        if matches!(letter.name.as_str(), "x" | "y" | "z" | "t") {
-            return;
-        }
-        *self.votes.entry((letter, quantity)).or_default() += weight;
-    }
-
-    pub(crate) fn votes_for(&self, letter: &Letter, quantity: Quantity) -> usize {
-        self.votes
-            .get(&(letter.clone(), quantity))
-            .copied()
-            .unwrap_or(0)
-    }
-
-    /// Letters that the words name.
-    fn by_words(&mut self) {
-        let mut best: BTreeMap<&Letter, (usize, Quantity)> = BTreeMap::new();
-        for ((letter, quantity), votes) in &self.votes {
-            if best.get(letter).is_none_or(|(most, _)| votes > most) && self.fits(letter, *quantity)
-            {
-                best.insert(letter, (*votes, *quantity));
-            }
-        }
-        let chosen: Vec<_> = best.into_iter().map(|(l, (_, q))| (l.clone(), q)).collect();
-        let masses = self.votes.keys().filter(|(_, q)| *q == Quantity::Mass);
-        let apart = masses.map(|(letter, _)| letter.clone()).filter(|letter| {
-            let used = self.usage.get(letter);
-            used.bare > 0 && used.vector > 0 && self.is_mass(letter)
-        });
-        self.bare = apart.map(|letter| (letter, Quantity::Mass)).collect();
-        for (letter, quantity) in chosen {
-            let wheels = quantity == Quantity::RelativeMomentum;
-            let whole = wheels && self.is_whole_beside_a_part(&letter);
-            self.wheels_apart |= whole;
-            let quantity = if whole { Quantity::Momentum } else { quantity };
-            self.quantities.entry(letter).or_insert(quantity);
-        }
-        self.part_turns();
-    }
-
-    /// Whether words call a vector the angular momentum, and its letter with a label that of the wheels: h beside h_w.
-    fn is_whole_beside_a_part(&self, letter: &Letter) -> bool {
-        let labels = self.usage.subscripts.get(letter);
-        let labelled = labels.is_some_and(|all| all.iter().any(|s| axis(s).is_none()));
-        let called = self.votes_for(letter, Quantity::Momentum) > 0;
-        labelled && called && self.usage.get(letter).vector > 0
-    }
-
-    /// Whether a letter may be the body's mass: an m, or an M without an m beside it.
-    fn is_mass(&self, letter: &Letter) -> bool {
-        // The m of dm stands in integrals alone.
-        let other = self.votes_for(&Letter::plain("m"), Quantity::Mass) > 0;
-        letter.name == "m" || letter.name == "M" && !other
-    }
-
-    /// Whether a letter is used as such a quantity is.
-    fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
-        let used = self.usage.get(letter);
-        match quantity {
-            // Beside a T, E is the sum of it and a potential energy.
-            Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
-            Quantity::Energy if self.totals.contains(letter) => false,
-            // "The kinetic energy of the plate (for any a and b)": sides are small letters, energies large ones.
-            Quantity::Power if matches!(letter.name.as_str(), "T" | "E" | "K") => false,
-            Quantity::Energy | Quantity::Power => {
-                let small = letter.name.len() == 1 && letter.name.chars().all(char::is_lowercase);
-                (!small || letter.name == "e") && used.bare > 0 && used.vector == 0
-            }
-            Quantity::Inertia => {
-                matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
-                    && !self.components.contains_key(letter)
-            }
-            // An ω without an Ω beside it is the body's own.
-            Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
-            Quantity::FrameRate | Quantity::AngularVelocity => {
-                (self.flat || used.vector + used.component > 0)
-                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
-            }
-            Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
-            Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
-            // "The moment of F": the force is meant, and its own letter stays its own.
-            Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
-                false
-            }
-            Quantity::AngularAcceleration if self.flat && used.vector + used.component == 0 => {
-                letter.name == "alpha"
-            }
-            Quantity::Force | Quantity::AngularAcceleration
-                if matches!(letter.name.as_str(), "M" | "tau" | "Gamma" | "T" | "L") =>
-            {
-                false
-            }
-            Quantity::Moment | Quantity::Momentum
-                if self.flat && used.vector + used.component == 0 =>
-            {
-                !matches!(
-                    letter.name.as_str(),
-                    "omega" | "Omega" | "I" | "J" | "Theta" | "m"
-                )
-            }
-            Quantity::Acceleration => letter.name == "a" && used.vector + used.component > 0,
-            Quantity::RelativeMomentum => {
-                self.speaks_of_wheels && used.vector + used.component + used.bare > 0
-            }
-            _ => {
-                used.vector + used.component > 0
-                    && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
-            }
         }
     }
 }

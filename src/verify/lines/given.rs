@@ -1,7 +1,7 @@
 //! Lines that hand a value over: the mass, the moments of inertia, how fast the body turns.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
@@ -9,8 +9,8 @@ use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::values::atoms::Owner;
-use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::values::symbol::{MAGNITUDE, Meaning};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
 use num_traits::Zero;
@@ -98,111 +98,6 @@ impl Checker<'_> {
                     && right.is_some()
                     && (left, right) != (Some(false), Some(false)))
                 || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
-        })
-    }
-
-    /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
-    /// stands in is a claim, whatever "with" or "where" is before it.
-    pub(crate) fn role_by_content(&mut self, role: Role, sides: &[Node]) -> Role {
-        let [left, rest @ ..] = sides else {
-            return role;
-        };
-        let still = |side: &Node| {
-            is_zero(side) || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
-        };
-        if !self.displayed && self.constrained && rest.last().is_some_and(still) {
-            return Role::Assume;
-        }
-        if !self.displayed && self.is_said_to_be_constant(left) && rest.iter().all(is_zero) {
-            return Role::Assume;
-        }
-        if role == Role::Claim || self.firm {
-            return role;
-        }
-        let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
-            return role;
-        }
-        // One triad by another: neither is determined.
-        let axis = matches!(&inner(left).kind, Kind::Symbol(symbol) if matches!(self.meaning_of(symbol), Meaning::UnitVector(_)));
-        if axis {
-            return role;
-        }
-        let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
-        let number = |side: &Node| symbols(side).is_empty();
-        // "We take ⟨|h|² = 2 J T⟩": no definition, and no law that it could be.
-        if self.picked && !self.displayed && role == Role::Assume && !alone_left {
-            return role;
-        }
-        let by_turning = self.gives_rate_of_angle(left, rest);
-        if alone_left && (rest.iter().any(number) || !by_turning && self.is_free_value(left))
-            || self.new_symbol(left).is_some()
-        {
-            return role;
-        }
-        let new = rest.iter().chain([left]).flat_map(symbols).any(|symbol| {
-            let Some(entity) = self.entity_named(symbol) else {
-                return false;
-            };
-            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-            own && self.is_free(entity) && !self.theory.mentions_entity(entity)
-        });
-        if new { role } else { Role::Claim }
-    }
-
-    /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines.
-    fn is_said_to_be_constant(&mut self, left: &Node) -> bool {
-        let words = self.sentence.rsplit('⟩').next().unwrap_or_default();
-        let said = words.to_lowercase().contains("constant");
-        let Kind::TimeDerivative { operand, .. } = &inner(left).kind else {
-            return false;
-        };
-        let entities = self.entities([&**operand]);
-        let own = |entity| matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-        said && !entities.is_empty() && entities.into_iter().all(own)
-    }
-
-    /// Whether a line only names a moment: "the axes coincide at ⟨t = 0⟩", "(⟨φ = 0⟩ at rest)".
-    pub(crate) fn names_a_moment(&mut self, sides: &[Node]) -> bool {
-        let [left, rest @ ..] = sides else {
-            return false;
-        };
-        let pi = |symbol: &&Symbol| symbol.name == "pi" && symbol.subscripts.is_empty();
-        let number = |side: &Node| symbols(side).iter().all(pi);
-        let Kind::Symbol(symbol) = &inner(left).kind else {
-            return false;
-        };
-        // In a list of data it is one of them: "⟨m = 2⟩, the final length ⟨s = 3⟩".
-        let data = self.findings.last().is_some_and(|before| {
-            let handed = matches!(before.role, Role::Given | Role::Define);
-            let (line, _, _) = self.place(left.span.start);
-            handed && before.source_line + 1 >= line && !rest.iter().all(is_zero)
-        });
-        if data || self.displayed || self.asserted || !rest.iter().all(number) {
-            return false;
-        }
-        let Meaning::Whole(entity) = self.meaning_of(symbol) else {
-            return false;
-        };
-        let info = self.theory.atoms.info(entity);
-        match info.owner {
-            Owner::Quantity(quantity, _) => quantity == Quantity::Time,
-            Owner::Symbol(_) => {
-                !info.constant && info.shape == Shape::Scalar && self.is_free(entity)
-            }
-        }
-    }
-
-    /// Whether a line speaks of the magnitude of a vector, or of a symbol that a relation has: it may set an angle by it,
-    /// or a value, which no law determines.
-    fn sets_a_magnitude(&mut self, sides: &[Node]) -> bool {
-        sides.iter().flat_map(symbols).any(|symbol| {
-            let Meaning::Whole(entity) = self.meaning_of(symbol) else {
-                return false;
-            };
-            let owner = &self.theory.atoms.info(entity).owner;
-            matches!(owner, Owner::Quantity(_, variant) if variant == MAGNITUDE)
-                || self.theory.is_in_relation(entity)
         })
     }
 

@@ -1,14 +1,44 @@
 //! The sign of every product of inertia in a line, turned round.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::source::Span;
+use crate::verify::check::Checker;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes};
 use crate::verify::repair::edit::Edit;
+use crate::verify::repair::trial::Search;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::{Diagnosis, Finding};
+
+impl Checker<'_> {
+    /// Every product of inertia with the other sign, if that makes the line true.
+    pub(crate) fn convention_slip(
+        &mut self,
+        line: &Line,
+        search: &mut Search<'_>,
+    ) -> Option<Diagnosis> {
+        let edits = sign_flips(&line.sides, &self.reading);
+        let all: Vec<&Edit> = edits.iter().collect();
+        let before = |f: &Finding| f.diagnosis.as_ref().is_some_and(|d| d.kind == "convention");
+        // One flipped sign alone is a slip of sign, unless the document has shown the other convention before.
+        if all.is_empty() || (all.len() == 1 && !self.findings.iter().any(before)) {
+            return None;
+        }
+        let text = self.proved_with(&all, search)?;
+        Some(Diagnosis {
+            kind: "convention",
+            message: format!(
+                "the products of inertia have the sign of the other convention; this document uses {}",
+                self.convention.name
+            ),
+            suggestion: Some(text),
+            place: edits.first().map(|edit| edit.span),
+        })
+    }
+}
 
 /// The edits that give each product of inertia the other sign, each at the sign of the smallest term around it.
-pub(crate) fn sign_flips(sides: &[Node], reading: &Reading) -> Vec<Edit> {
+fn sign_flips(sides: &[Node], reading: &Reading) -> Vec<Edit> {
     let mut edits = vec![];
     for side in sides {
         // A side that is a lone product names it; the definition is on the other side.

@@ -6,6 +6,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
 use crate::verify::values::about_point::about_a_point;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
+use crate::verify::values::own_symbol::of_symbol;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::{in_space, without_body_label, without_label};
 use crate::verify::values::subscript::{
@@ -310,87 +311,6 @@ fn of_quantity(
             Meaning::Component(entity, 3 * row + column)
         }
         (_, Some(index), _) => Meaning::Component(entity, index),
-        _ => Meaning::Whole(entity),
-    }
-}
-
-/// A symbol that the theory does not know.
-fn of_symbol(
-    symbol: &Symbol,
-    letter: &Letter,
-    sorted: &Subscripts,
-    reading: &Reading,
-    atoms: &mut Atoms,
-) -> Meaning {
-    let used = reading.usage.get(letter);
-    // An unmarked letter of a quantity with a word for an index (ω_m, T_s) is a number of its own.
-    let of_quantity =
-        reading.quantities.contains_key(letter) || reading.components.contains_key(letter);
-    let named = !sorted.variant.is_empty() && of_quantity;
-    let always_hatted =
-        symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
-    let marks = symbol.style.vector
-        || always_hatted
-        || (symbol.style.bar && sorted.single.is_some())
-        || reading.usage.wholes.is_vector(symbol)
-        || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
-        || (reading.usage.is_vector(letter) && !named && !reading.is_scalar(letter))
-        || used.component > 1 && sorted.single.is_some();
-    // A letter that some line sets against a square of numbers is a matrix before that line too.
-    let square = used.tensor > 0 && symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
-    let tensor = symbol.style.tensor
-        || sorted.double.is_some()
-        || square && !symbol.style.vector
-        || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
-    let shape = if tensor {
-        Shape::Matrix
-    } else if marks {
-        Shape::Vector
-    } else {
-        Shape::Scalar
-    };
-    let mut key = format!(
-        "{}{}",
-        letter.name,
-        if letter.calligraphic {
-            " calligraphic"
-        } else {
-            ""
-        }
-    );
-    // The components of a unit vector ĉ are written c₁, c₂, c₃.
-    let only_hatted = marks && used.bare == 0 && used.vector == used.hatted;
-    if (symbol.style.hat && !only_hatted) || symbol.style.tilde {
-        key.push_str(if symbol.style.hat { " hat" } else { " tilde" });
-    }
-    if !sorted.variant.is_empty() {
-        key = format!("{key} {}", sorted.variant);
-    }
-    let index = if shape == Shape::Scalar {
-        sorted.single
-    } else {
-        None
-    };
-    if let Some(index) = index {
-        key = format!("{key} _{index}");
-    }
-    let mut latex = latex_name(&letter.name);
-    if !symbol.subscripts.is_empty() && (shape == Shape::Scalar || !sorted.variant.is_empty()) {
-        latex = format!("{latex}_{{{}}}", symbol.subscripts.join(","));
-    }
-    let entity = atoms.entity(
-        &Owner::Symbol(format!("{key} {shape:?}")),
-        shape,
-        if named || reading.usage.is_labelled(letter) {
-            !reading.usage.moves(symbol)
-        } else {
-            !used.moving
-        },
-        &latex,
-    );
-    match (shape, sorted.single, sorted.double) {
-        (Shape::Vector, Some(index), _) => Meaning::Component(entity, index),
-        (Shape::Matrix, _, Some((row, column))) => Meaning::Component(entity, 3 * row + column),
         _ => Meaning::Whole(entity),
     }
 }

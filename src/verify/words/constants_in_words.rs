@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::source::Span;
-use crate::verify::check::{Checker, keep_end};
+use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
@@ -14,6 +14,7 @@ use crate::verify::values::value::Value;
 use crate::verify::verdict::FromProse;
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::role::Words;
+use crate::verify::words::running_sentence::keep_end;
 
 /// Words behind a list of symbols.
 const BEHIND: &[&str] = &[

@@ -1,0 +1,112 @@
+//! The sentence that is being read, as far as it goes: what it sets, and the role that it gives to the next formula.
+
+use crate::notation::document::Formula;
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::verdict::Role;
+use crate::verify::words::book::lowered;
+use crate::verify::words::prose::{said, symmetry_plane};
+use crate::verify::words::role::{Words, ends_with_condition, role};
+
+/// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
+const LONGEST_SENTENCE: usize = 1_000;
+
+/// Drops the beginning of a text that is longer than `most` bytes.
+pub(crate) fn keep_end(text: &mut String, most: usize) {
+    let excess = text.len().saturating_sub(most);
+    let cut = (excess..text.len()).find(|&at| text.is_char_boundary(at));
+    text.drain(..cut.unwrap_or(0));
+}
+
+impl Checker<'_> {
+    /// Hears words, and takes what they set.
+    pub(crate) fn prose(&mut self, text: &str, span: Span) {
+        // After a display, a new paragraph that opens with a capital opens a sentence too.
+        let opens = text.trim_start().starts_with(char::is_uppercase);
+        self.note_case(text, span, self.broken);
+        if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
+            self.sentence.clear();
+        }
+        let speaks = text.contains(char::is_alphanumeric);
+        if speaks {
+            self.note_linear(text);
+            self.constants_in_words(text, span);
+        }
+        self.sentence.push_str(text);
+        if speaks {
+            let whole = lowered(&self.sentence);
+            for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
+                self.take(said, span);
+            }
+        }
+        let ends = |text: &str| {
+            text.rfind([". ", "? ", "! ", ".\n"].map(|s| s.chars().next().unwrap_or('.')))
+        };
+        if let Some(end) = ends(&self.sentence)
+            && self.sentence[end..]
+                .chars()
+                .nth(1)
+                .is_none_or(char::is_whitespace)
+        {
+            self.sentence.drain(..=end);
+            self.cases.hypothesis = false;
+        }
+        keep_end(&mut self.sentence, LONGEST_SENTENCE);
+    }
+
+    /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
+    fn role(&self, display: bool) -> Role {
+        // "If the body is at rest, ⟨v = 0⟩" hands over; "if the products vanish: […]" claims.
+        let role = match display {
+            true => role(&self.sentence.replace("if the ", "")),
+            false => role(&self.sentence),
+        };
+        let closed = self.sentence.trim_end().strip_suffix(',');
+        let clause = display && closed.is_some_and(ends_with_condition);
+        match role {
+            Role::Assume | Role::Given if clause => Role::Claim,
+            _ => role,
+        }
+    }
+
+    /// Notes what the words before a formula say of it, and gives its role.
+    pub(crate) fn listen(&mut self, display: bool) -> Role {
+        let words = Words::of(&self.sentence);
+        let speak = words.speak();
+        self.asserted = speak && words.derive();
+        self.constrained = speak && words.constrain();
+        self.firm = self.mark.is_some() || speak && words.assume();
+        self.picked = words.pick();
+        self.mark.unwrap_or_else(|| match speak {
+            true => self.role(display),
+            false => Role::Claim,
+        })
+    }
+
+    /// A formula stands in the sentence as its letters and digits and a mark; a display with a stop in it ends it.
+    pub(crate) fn hear_formula(&mut self, formula: &Formula) {
+        let text = self.document.source.slice(formula.span);
+        let plain: String = text
+            .chars()
+            .filter(|c| c.is_alphanumeric() || *c == ' ')
+            .collect();
+        self.sentence.push_str(&format!(" {plain} ⟨⟩"));
+        keep_end(&mut self.sentence, LONGEST_SENTENCE);
+        let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
+        let inside = inside
+            .rfind("\\end{")
+            .map_or(inside, |i| inside[..i].trim_end());
+        if formula.display && inside.ends_with('.') {
+            self.sentence.clear();
+        }
+    }
+
+    /// A paragraph ends a sentence that nothing holds open.
+    pub(crate) fn end_paragraph(&mut self) {
+        self.sentence.push(' ');
+        if !self.sentence.trim_end().ends_with([':', ',', '⟩']) {
+            self.sentence.push_str(". ");
+        }
+        self.broken = true;
+    }
+}
