@@ -9,15 +9,18 @@
 //! | --- | --- | --- |
 //! | `f64`, `f32`, `num_dual::Dual`, `num_dual::DualVec` | `Real` | motion and Jacobians |
 //! | `BigRational`, [`Prime`] | `Field` | exact values; the filter before a proof |
+//! | [`Surd<T>`](Surd) over either | `Field` | the same where a formula has a root of a number |
 //! | `Polynomial` over ℚ | `Ring` | proofs |
 //! | `Fraction` of polynomials | `Field` | proofs with divisions |
 //! | [`Jet<T, N>`](Jet) over any of them | as `T` | exact first derivatives |
 
 mod jet;
 mod prime;
+mod surd;
 
 pub use jet::Jet;
 pub use prime::Prime;
+pub use surd::Surd;
 
 use nalgebra::{
     ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, DefaultAllocator, Dim,

@@ -84,3 +84,49 @@ $$ h = J\omega = {list} $$
         assert_eq!(verdicts(&text), expected, "{list}");
     }
 }
+
+#[test]
+fn roots_of_numbers_can_be_given_and_refuted() {
+    let text = r"A cube of mass $M$ and side $a$ has
+
+$$ I_{xx} = I_{yy} = I_{zz} = \frac23 Ma^2,\qquad I_{xy} = I_{yz} = I_{zx} = \frac14 Ma^2 $$
+
+It turns about the diagonal, so
+
+$$ \boldsymbol\omega = \frac{\omega}{\sqrt3}(1,1,1) $$
+
+Then
+
+$$ \mathbf L = \mathbf I\boldsymbol\omega = \frac{Ma^2}{6}\boldsymbol\omega $$
+
+$$ \mathbf L = \frac{Ma^2}{3}\boldsymbol\omega $$
+
+$$ \omega_x + \omega_y = \frac{2\omega}{\sqrt3} $$
+
+$$ \omega_x + \omega_y = \frac{\omega}{\sqrt3} $$
+";
+    assert_eq!(verdicts(text), "aaaprpr");
+    // Such a body is only possible where the products are entries of the matrix.
+    assert_eq!(verdicts(&text.replace(r"\frac14", r"-\frac14")), "aaaprpr");
+}
+
+#[test]
+fn most_lines_tell_the_sign_of_products() {
+    let text = r"The components of the angular momentum are
+
+$$ L_x = I_{xx}\omega_x + I_{xy}\omega_y + I_{xz}\omega_z $$
+
+$$ L_y = I_{yx}\omega_x + I_{yy}\omega_y + I_{yz}\omega_z $$
+
+$$ L_z = I_{zx}\omega_x + I_{zy}\omega_y + I_{zz}\omega_z $$
+";
+    assert_eq!(verdicts(text), "ppp");
+    assert_eq!(verdicts(&text.replace("+ I_{xz}", "- I_{xz}")), "rpp");
+    let text = r"The components of the angular momentum are
+
+$$ L_x = I_{xx}\omega_x - I_{xy}\omega_y + I_{xz}\omega_z $$
+
+$$ L_y = -I_{yx}\omega_x + I_{yy}\omega_y - I_{yz}\omega_z $$
+";
+    assert_eq!(verdicts(text), "rp");
+}

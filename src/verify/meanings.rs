@@ -2,6 +2,7 @@
 
 use crate::notation::document::Document;
 use crate::verify::check::Checker;
+use crate::verify::letters::convention::UNDECIDED;
 use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::raised_labels::lower_labels;
 use crate::verify::letters::raised_steps::lower_steps;
@@ -41,12 +42,19 @@ pub fn check(document: &Document) -> Report {
         .iter()
         .map(|way| with(&|reading| reading.attitude = way.clone()));
     let by_use = by_use.then(|| with(&|reading| reading.by_use = true));
+    // Nor may any word or matrix say which sign products of inertia have.
+    let summary = first.summary();
+    let unsigned = first.products.decided_by == UNDECIDED
+        && reading.writes_products()
+        && summary.refuted + summary.undecided > 0;
+    let signs = unsigned.then(|| with(&|reading| reading.products_as_entries = true));
     let others = attitudes
         .chain(by_use)
+        .chain(signs)
         .map(|reading| checked(document, reading).0);
     let mut best = others.fold(first, |best, other| {
-        let (now, then) = (best.summary(), other.summary());
-        let better = then.refuted < now.refuted && then.proved > now.proved;
+        let better =
+            failing(&other) < failing(&best) && other.summary().proved > best.summary().proved;
         if better { other } else { best }
     });
     if grows(&best) && any_axes && !reading.on_chosen_axes {
@@ -58,6 +66,12 @@ pub fn check(document: &Document) -> Report {
     }
     withhold(&mut best);
     best
+}
+
+/// Lines that fail, those included for which no possible body shows it.
+fn failing(report: &Report) -> usize {
+    let reasons = report.findings.iter().filter_map(|f| f.reason.as_deref());
+    report.summary().refuted + reasons.filter(|r| *r == reason::NO_WITNESS).count()
 }
 
 /// Whether lines stay open because a general inertia matrix makes them long.

@@ -13,6 +13,8 @@ pub(super) const MANY_FALSE: &str =
     "its mistake is not searched for, as many lines before it are false";
 pub(super) const DRIVES_A_PART: &str = "how what drives a part of the body turns it is not decided";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
+pub(super) const NO_WITNESS: &str =
+    "it differs in the prime field, and no small counterexample was found";
 pub(super) const NO_VALUES: &str = "no values could be put in";
 pub(super) const NO_PROOF_IN_NUMBERS: &str = "equal to the digits shown, and no proof was found";
 pub(super) const GROWN: &str = "the numbers grew beyond what is computed";

@@ -19,6 +19,7 @@ pub(super) mod point;
 pub(super) mod roots;
 pub(super) mod solution;
 pub(super) mod solve;
+mod substances;
 pub(super) mod variety;
 pub(super) mod wheels;
 pub(super) mod world;

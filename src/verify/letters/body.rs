@@ -5,6 +5,15 @@ use crate::verify::letters::usage::{Letter, axes};
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
+    /// Whether products of inertia are written, I_xy or I_12.
+    pub(crate) fn writes_products(&self) -> bool {
+        let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;
+        let letters = self.quantities.iter().filter(inertia);
+        let indices = letters.filter_map(|(letter, _)| self.usage.subscripts.get(letter));
+        let mut pairs = indices.flatten().filter_map(|s| axes(s));
+        pairs.any(|(r, c)| r != c)
+    }
+
     /// Whether the moments I_11, I_22, I_33 or A, B, C are written, and nowhere a product or the word for one.
     pub(crate) fn writes_only_diagonal(&self) -> bool {
         let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;

@@ -8,6 +8,9 @@ use crate::verify::letters::usage::{Letter, axes, inner, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::Convention;
 
+/// What decides where nothing in the document does.
+pub(crate) const UNDECIDED: &str = "default";
+
 /// The sign convention: front matter, an integral or a written matrix of the document, or the default.
 pub(crate) fn convention(document: &Document, reading: &Reading) -> (Products, Convention) {
     let named = |entries: bool, decided_by| {
@@ -50,7 +53,8 @@ pub(crate) fn convention(document: &Document, reading: &Reading) -> (Products, C
         .find_map(|side| matrix_convention(side, reading))
     {
         Some(entries) => named(entries, "a matrix of the document"),
-        None => named(false, "default"),
+        None if reading.products_as_entries => named(true, "the signs in most lines"),
+        None => named(false, UNDECIDED),
     }
 }
 

@@ -63,6 +63,8 @@ pub(crate) struct Reading {
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.
     pub by_use: bool,
+    /// Whether products of inertia are entries of the matrix, where nothing else says their sign.
+    pub products_as_entries: bool,
     /// Indices that are summed over where they are repeated, so that a letter with two of them is an entry of its tensor.
     pub summed: Option<Indices>,
     /// The angles that the body is turned by, where words name them.

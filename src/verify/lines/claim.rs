@@ -7,9 +7,11 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{axes, axis, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
+use crate::verify::reason;
 use crate::verify::theory::decide::{Decision, decide, needed};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::atoms::Owner;
+use crate::verify::values::figures::is_number;
 use crate::verify::values::lower::{Trouble, TroubleKind};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
@@ -104,12 +106,8 @@ impl Checker<'_> {
         let mut conditions = vec![];
         for below in proof.arguments().iter().flat_map(|a| &a.conditions) {
             // The length of a unit quaternion needs no mention.
-            if self
-                .theory
-                .normal(&Fraction::from(below.clone()))
-                .to_rational()
-                .is_some()
-            {
+            let value = self.theory.normal(&Fraction::from(below.clone()));
+            if is_number(&self.theory.atoms, &value) {
                 continue;
             }
             let text = format!("{} \\ne 0", names::polynomial(&self.theory.atoms, below));
@@ -143,10 +141,7 @@ impl Checker<'_> {
                 finding.reason = unknown.map(|name| format!("nothing before says what {name} is"));
             }
             Decision::FalseWithoutWitness => {
-                finding.reason = Some(
-                    "it differs in the prime field, and no small counterexample was found"
-                        .to_owned(),
-                );
+                finding.reason = Some(reason::NO_WITNESS.to_owned());
             }
             Decision::False(_) if loose.is_some() => {
                 finding.reason = loose;

@@ -2,20 +2,22 @@
 
 use crate::algebra::{Fraction, Proof, Rational};
 use crate::mechanics::possible_body;
-use crate::scalar::Prime;
+use crate::notation::ast::Function;
+use crate::scalar::{Prime, Surd};
 use crate::verify::names::latex;
 use crate::verify::reason;
 use crate::verify::theory::attitude_law::{UNIT, number_of_quaternion};
 use crate::verify::theory::certify::certify;
 use crate::verify::theory::kept::Kept;
 use crate::verify::theory::law::inertia;
-use crate::verify::theory::world::World;
+use crate::verify::theory::substances::Witness;
+use crate::verify::theory::world::{Substance, World};
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::atoms::Atom;
 use crate::verify::values::figures::is_pi;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::Counterexample;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// Worlds that are tried for one in which everything has a value.
@@ -49,21 +51,51 @@ pub(crate) enum Decision {
 /// over 2⁶¹; `None` where no world gives it a value.
 pub(crate) fn passes_filter(theory: &mut Theory, residual: &Value) -> Option<bool> {
     theory.follow_rates(&residual.entries);
+    let found = match vanishes_in_a_world::<Prime>(theory, residual) {
+        // Not every number has a root in the prime field; with one more root in it, it has.
+        Ok(None) if has_root(theory, residual) => {
+            vanishes_in_a_world::<Surd<Prime>>(theory, residual)
+        }
+        found => found,
+    };
+    found.unwrap_or_default()
+}
+
+/// Whether all entries vanish in the first world that gives them values, if there is one within the budget.
+fn vanishes_in_a_world<T: Substance>(
+    theory: &mut Theory,
+    residual: &Value,
+) -> Result<Option<bool>, Exhausted> {
     for seed in 1..=TRIES {
-        let mut world: World<Prime> = World::resumed(theory, seed);
-        let values: Option<Vec<Prime>> =
-            residual.entries.iter().map(|e| world.fraction(e)).collect();
+        let mut world: World<T> = World::resumed(theory, seed);
+        let values: Option<Vec<T>> = residual.entries.iter().map(|e| world.fraction(e)).collect();
         world.leave();
         if std::mem::take(&mut theory.exhausted) {
-            return None;
+            return Err(Exhausted);
         }
-        let Some(values) = values else { continue };
-        if values.iter().any(|v| !v.is_zero()) {
-            return Some(false);
+        if let Some(values) = values {
+            return Ok(Some(values.iter().all(Zero::is_zero)));
         }
-        return Some(true);
     }
-    None
+    Ok(None)
+}
+
+/// The budget ended before a world was made.
+struct Exhausted;
+
+/// Whether a root stands in what some entries lead to.
+fn has_root(theory: &mut Theory, value: &Value) -> bool {
+    let reached = theory.reached_variables(value.entries.iter());
+    let root = |v| {
+        matches!(
+            theory.atoms.atom(v),
+            Atom::Kernel {
+                function: Function::Sqrt,
+                ..
+            }
+        )
+    };
+    reached.into_iter().any(root)
 }
 
 /// Decides equations that must hold together.
@@ -75,7 +107,7 @@ pub(crate) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
         }
         match passes_filter(theory, &equation.residual) {
             Some(false) => return refuted(theory, equation, equations),
-            // Not every number has a root in the prime field; the normal form may still vanish.
+            // The normal form may still vanish.
             None => seen &= vanishes(theory, std::slice::from_ref(equation)),
             Some(true) => {}
         }
@@ -150,20 +182,32 @@ fn related(theory: &mut Theory, equation: &Equation) -> Option<Name> {
 fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexample> {
     theory.follow_rates(&equation.left.entries);
     theory.follow_rates(&equation.right.entries);
-    for seed in 1..=TRIES * 8 {
+    let found = counterexample_in::<Rational>(theory, equation, TRIES * 8);
+    if found.is_some() || !has_root(theory, &equation.residual) {
+        return found;
+    }
+    counterexample_in::<Surd<Rational>>(theory, equation, TRIES)
+}
+
+fn counterexample_in<T: Witness>(
+    theory: &mut Theory,
+    equation: &Equation,
+    tries: u64,
+) -> Option<Counterexample> {
+    for seed in 1..=tries {
         // Beyond the budget every further world would only cost time.
         if theory.exhausted {
             return None;
         }
         let tensor = inertia(&mut theory.atoms, theory.setting.products);
-        let mut world: World<Rational> = World::new(theory, seed);
+        let mut world: World<T> = World::new(theory, seed);
         world.draw_roots(equation.residual.entries.iter());
-        let entries: Option<Vec<Rational>> = tensor.iter().map(|e| world.fraction(e)).collect();
+        let entries: Option<Vec<T>> = tensor.iter().map(|e| world.fraction(e)).collect();
         let Some(entries) = entries else { continue };
         if !can_exist(&entries) {
             continue;
         }
-        let sides = |world: &mut World<Rational>, value: &Value| -> Option<Vec<Rational>> {
+        let sides = |world: &mut World<T>, value: &Value| -> Option<Vec<T>> {
             value.entries.iter().map(|e| world.fraction(e)).collect()
         };
         let (Some(left), Some(right), Some(gap)) = (
@@ -176,11 +220,13 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
         let Some(place) = gap.iter().position(|g| !g.is_zero()) else {
             continue;
         };
-        let side = |values: &[Rational]| {
-            values
-                .get(place)
-                .or(values.first())
-                .map_or("0".to_owned(), Rational::to_string)
+        let exact = |values: &[T]| values.iter().all(T::is_exact);
+        if !exact(&left) || !exact(&right) || !exact(&gap) {
+            continue;
+        }
+        let side = |values: &[T]| {
+            let shown = values.get(place).or(values.first());
+            shown.map_or("0".to_owned(), T::to_string)
         };
         let mut variables: Vec<u32> = vec![];
         for value in [&equation.left, &equation.right] {
@@ -217,9 +263,8 @@ fn counterexample(theory: &mut Theory, equation: &Equation) -> Option<Counterexa
 }
 
 /// Whether a body can have a tensor, a thin rod included: its moment about itself is the limit zero.
-fn can_exist(tensor: &[Rational]) -> bool {
-    let number = |r: &Rational| r.to_big().to_f64().unwrap_or(f64::NAN);
-    let body = nalgebra::Matrix3::from_iterator(tensor.iter().map(number));
+fn can_exist<T: Witness>(tensor: &[T]) -> bool {
+    let body = nalgebra::Matrix3::from_iterator(tensor.iter().map(T::approximate));
     let thickness = 1e-9 * body.trace();
     possible_body(&(body + nalgebra::Matrix3::from_diagonal_element(thickness))).is_ok()
 }

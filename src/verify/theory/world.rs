@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Rational, Variable};
 use crate::notation::ast::Function;
-use crate::scalar::{Field, Prime};
+use crate::scalar::Field;
 use crate::verify::theory::Theory;
 use crate::verify::theory::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
 use crate::verify::theory::kept::{Point, Relations};
@@ -27,6 +27,12 @@ pub(crate) trait Substance: Field {
     }
     /// Remembers a point of a variety, if points of this kind are.
     fn remember(_: &mut Relations, _: (usize, u64), _: &Point<Self>) {}
+    /// The world of a seed, if worlds of this kind are kept.
+    fn recall_world(_: &mut Relations, _: u64) -> Option<Drawn<Self>> {
+        None
+    }
+    /// Keeps a world, if worlds of this kind are.
+    fn remember_world(_: &mut Relations, _: u64, _: Drawn<Self>) {}
 }
 
 /// What a free variable is, as far as a sensible value for it goes.
@@ -40,55 +46,6 @@ pub(crate) enum Kind {
     Any,
     /// A small multiple of one over this.
     Over(i64),
-}
-
-impl Substance for Prime {
-    fn lift(value: &Rational) -> Option<Self> {
-        value.to_prime()
-    }
-    fn root(&self) -> Option<Self> {
-        // p ≡ 3 mod 4, so a root, if there is one, is the power (p + 1)/4.
-        let root = self.pow((Self::MODULUS + 1) / 4);
-        (root * root == *self).then_some(root)
-    }
-    fn draw(_: Kind, chance: u64) -> Self {
-        Self::new(chance)
-    }
-    fn is_negative(&self) -> bool {
-        false
-    }
-    fn recall(relations: &Relations, key: (usize, u64)) -> Option<Point<Self>> {
-        relations.points.get(&key).cloned()
-    }
-    fn remember(relations: &mut Relations, key: (usize, u64), point: &Point<Self>) {
-        relations.points.insert(key, point.clone());
-    }
-}
-
-impl Substance for Rational {
-    fn lift(value: &Rational) -> Option<Self> {
-        Some(value.clone())
-    }
-    fn root(&self) -> Option<Self> {
-        self.exact_sqrt()
-    }
-    fn draw(kind: Kind, chance: u64) -> Self {
-        let below = |n: u64| (chance >> 8).rem_euclid(n) as i64;
-        Self::from(match kind {
-            Kind::Positive => 4 + below(4),
-            Kind::Small => [-1, 1][below(2) as usize],
-            Kind::Any => [1, 2, -1, 3, -2, 5][below(6) as usize],
-            // A zero lets many a root be rational.
-            Kind::Over(_) if chance & 1 == 0 => 0,
-            Kind::Over(whole) => {
-                let part = below(2 * whole.unsigned_abs() + 1) - whole;
-                return Self::from((part, whole));
-            }
-        })
-    }
-    fn is_negative(&self) -> bool {
-        *self < Self::from(0)
-    }
 }
 
 /// What is known of a world.
@@ -327,10 +284,10 @@ impl<'a, T: Substance> World<'a, T> {
     }
 }
 
-impl<'a> World<'a, Prime> {
+impl<'a, T: Substance> World<'a, T> {
     /// The world that a seed makes, with what was drawn in it for other equations since the rules are as they are.
     pub(crate) fn resumed(theory: &'a mut Theory, seed: u64) -> Self {
-        let known = theory.relations.worlds.remove(&seed);
+        let known = T::recall_world(&mut theory.relations, seed);
         match known.filter(|drawn| drawn.changes == theory.atoms.changes()) {
             Some(drawn) => Self::with(theory, seed, drawn),
             None => Self::new(theory, seed),
@@ -340,7 +297,7 @@ impl<'a> World<'a, Prime> {
     /// Keeps what was drawn, unless the world was given up.
     pub(crate) fn leave(self) {
         if !self.lost && !self.theory.exhausted {
-            self.theory.relations.worlds.insert(self.seed, self.drawn);
+            T::remember_world(&mut self.theory.relations, self.seed, self.drawn);
         }
     }
 }
