@@ -27,6 +27,7 @@ fn names_of_programs_are_symbols_with_indices_and_dots() {
             "M_x = I_xx*wdot_x - (I_yy - I_zz)*w_y*w_z",
             "M_x = (+ (* I_xx (dot w_x)) (- (* (group (+ I_yy (- I_zz))) w_y w_z)))",
         ),
+        ("2T = Ix ωx²", "(* 2 T) = (* I_x (^ omega_x 2))"),
         (
             "Mz = Izz wzdot - (Ixx - Iyy) wx wy",
             "M_z = (+ (* I_zz (dot w_z)) (- (* (group (+ I_xx (- I_yy))) w_x w_y)))",

@@ -92,3 +92,18 @@ $$ |J\omega^{k+1}|^2 = |J\omega^k|^2 $$
 ";
     assert_eq!(verdicts(text), "apaap");
 }
+
+#[test]
+fn a_bar_is_the_mean_of_two_steps() {
+    let text = r"The midpoint rule for $J\dot\omega = -\omega\times J\omega$ is
+
+$$ J\frac{\omega_{n+1} - \omega_n}{h} = -\bar\omega\times J\bar\omega,\qquad \bar\omega = \frac{\omega_n + \omega_{n+1}}{2} $$
+
+$$ \bar\omega\cdot J(\omega_{n+1} - \omega_n) = 0 $$
+
+hence
+
+$$ \omega_{n+1}\cdot J\omega_{n+1} = \omega_n\cdot J\omega_n $$
+";
+    assert_eq!(verdicts(text), "paapp");
+}

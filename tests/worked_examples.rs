@@ -130,3 +130,38 @@ $$ L_y = -I_{yx}\omega_x + I_{yy}\omega_y - I_{yz}\omega_z $$
 ";
     assert_eq!(verdicts(text), "rp");
 }
+
+#[test]
+fn a_moment_without_a_label_is_about_the_point_of_the_tensor() {
+    let text = r"Parallel axes:
+
+$$ I_{xx} = I_{xx}^C + m(y_C^2 + z_C^2), \qquad I_{xy} = I_{xy}^C - m\,x_C y_C $$
+
+$$ \mathbf I_O = \mathbf I_C + m\left(r^2\mathbf 1 - \mathbf r\mathbf r^T\right) $$
+";
+    assert_eq!(verdicts(text), "prp");
+}
+
+#[test]
+fn what_is_transposed_is_no_number() {
+    let text = r"If the axes are rotated by the matrix $R$,
+
+$$ I' = R I R^T, \qquad \omega' = R\omega $$
+
+$$ L' = I'\omega' = RI\omega = RL $$
+
+$$ L' = R^TL $$
+";
+    assert_eq!(verdicts(text), "aapr");
+}
+
+#[test]
+fn a_solution_names_its_value_at_the_beginning() {
+    let text = r"A body with principal moments $I_1 = I_2 = I_t$ and $I_3 = I_a$ is spun up by a constant torque $\tau_3$ about the symmetry axis, $\tau_1 = \tau_2 = 0$. Integrating,
+
+$$ \omega_3(t) = \omega_{3,0} + \frac{\tau_3}{I_a}t $$
+";
+    assert_eq!(verdicts(text), "aaaa");
+    assert_eq!(verdicts(&text.replace("{3,0}", "0")), "aaaa");
+    assert_eq!(verdicts(&text.replace("{I_a}t", "{2I_a}t")), "aaar");
+}

@@ -290,7 +290,9 @@ impl<'a> Lexer<'a> {
         let own = written.find(|&c| unicode::mark(c).is_none());
         let behind = &self.text[self.at..];
         let axis = behind.starts_with(['x', 'y', 'z']);
-        let ended = !behind[usize::from(axis)..].starts_with(|c: char| c.is_alphanumeric());
+        // A raised digit is a power of it: `ωx²`.
+        let name = |c: char| c.is_alphabetic() || c.is_ascii_digit();
+        let ended = !behind[usize::from(axis)..].starts_with(name);
         let marked = !self.text[..self.at].ends_with(|c: char| c.is_ascii());
         let vector = own.is_some_and(|c| "ωΩτhHLMNwTvaFr".contains(unicode::decomposed(c).0));
         if self.letters == Letters::Single || !axis || !ended || !marked || !vector {

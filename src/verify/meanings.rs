@@ -42,21 +42,29 @@ pub fn check(document: &Document) -> Report {
         .iter()
         .map(|way| with(&|reading| reading.attitude = way.clone()));
     let by_use = by_use.then(|| with(&|reading| reading.by_use = true));
-    // Nor may any word or matrix say which sign products of inertia have.
-    let summary = first.summary();
-    let unsigned = first.products.decided_by == UNDECIDED
-        && reading.writes_products()
-        && summary.refuted + summary.undecided > 0;
-    let signs = unsigned.then(|| with(&|reading| reading.products_as_entries = true));
     let others = attitudes
         .chain(by_use)
-        .chain(signs)
         .map(|reading| checked(document, reading).0);
     let mut best = others.fold(first, |best, other| {
-        let better =
-            failing(&other) < failing(&best) && other.summary().proved > best.summary().proved;
+        let (now, then) = (best.summary(), other.summary());
+        let better = then.refuted < now.refuted && then.proved > now.proved;
         if better { other } else { best }
     });
+    // Nor may any word or matrix say which sign products of inertia have. One line may be a slip.
+    if best.products.decided_by == UNDECIDED && reading.writes_products() && failing(&best) > 0 {
+        let entries = checked(
+            document,
+            with(&|reading| reading.products_as_entries = true),
+        )
+        .0;
+        let gain = entries
+            .summary()
+            .proved
+            .saturating_sub(best.summary().proved);
+        if failing(&entries) < failing(&best) && (gain > 1 || gain > 0 && is_impossible(&best)) {
+            best = entries;
+        }
+    }
     if grows(&best) && any_axes && !reading.on_chosen_axes {
         let chosen = checked(document, with(&|reading| reading.on_chosen_axes = true)).0;
         let decided = |report: &Report| report.summary().proved + report.summary().refuted;
@@ -70,8 +78,17 @@ pub fn check(document: &Document) -> Report {
 
 /// Lines that fail, those included for which no possible body shows it.
 fn failing(report: &Report) -> usize {
+    report.summary().refuted + without_witness(report)
+}
+
+fn without_witness(report: &Report) -> usize {
     let reasons = report.findings.iter().filter_map(|f| f.reason.as_deref());
-    report.summary().refuted + reasons.filter(|r| *r == reason::NO_WITNESS).count()
+    reasons.filter(|r| *r == reason::NO_WITNESS).count()
+}
+
+/// Whether no body can be as the document has it, as far as its lines are refuted.
+fn is_impossible(report: &Report) -> bool {
+    without_witness(report) > 0 && report.summary().refuted == 0
 }
 
 /// Whether lines stay open because a general inertia matrix makes them long.

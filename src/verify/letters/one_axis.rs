@@ -97,7 +97,8 @@ impl Reading {
         let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);
         let weighs = letters.iter().any(|(_, q)| *q == Quantity::Inertia);
         let parts = self.components.values().any(|(q, _)| turning(q));
-        if turns && weighs && !parts && letters.iter().all(|(l, _)| number(l)) {
+        let turned = self.attitude.matrix.is_some();
+        if turns && weighs && !parts && !turned && letters.iter().all(|(l, _)| number(l)) {
             for (letter, quantity) in letters {
                 self.quantities.remove(&letter);
                 self.components.insert(letter, (quantity, 2));

@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::{axes, axis, inner};
+use std::collections::BTreeSet;
 
 /// The mark of a tensor about the mass centre under a bar: `\bar I`.
 pub(crate) const BAR: &str = "¯";
@@ -23,16 +24,25 @@ pub(crate) enum Place {
 }
 
 /// Puts marks where they tell what they mean here: the label behind brackets on the symbol in them, `(I_{xx})_O` being
-/// I_xx about O; and the bars of `\bar x, \bar y, \bar z`, which make no vectors.
+/// I_xx about O; the bars of `\bar x, \bar y, \bar z`, which make no vectors; and the bar of a mean `\bar\omega` beside
+/// the `\omega_{n+1}` behind a step.
 pub(crate) fn note_marks(document: &mut Document) {
     let all = every_symbol(document);
     let barred = |name: &&str| all.iter().any(|s| s.name == *name && s.style.bar);
     let barred = COORDINATES.iter().all(barred);
+    let steps = |s: &&Symbol| s.subscripts.iter().any(|label| label.contains('+'));
+    let stepped: BTreeSet<String> = all
+        .iter()
+        .copied()
+        .filter(steps)
+        .map(|s| s.name.clone())
+        .collect();
     for node in formulas_mut(document) {
         unbracketed(node);
         node.change_symbols(&mut |symbol| {
             let coordinate = COORDINATES.contains(&symbol.name.as_str()) && symbol.style.bar;
-            if barred && coordinate {
+            let mean = symbol.style.bar && stepped.contains(&symbol.name);
+            if barred && coordinate || mean {
                 symbol.style.bar = false;
                 symbol.subscripts.push("bar".to_owned());
             }

@@ -132,6 +132,10 @@ impl Usage {
                 self.vector_operand(operand);
                 self.node(operand);
             }
+            Kind::Transpose(operand) => {
+                self.transposed(operand);
+                self.node(operand);
+            }
             Kind::Power(base, exponent) => {
                 self.cubed(base, exponent);
                 self.node(base);
@@ -145,6 +149,18 @@ impl Usage {
                 .children()
                 .into_iter()
                 .for_each(|child| self.node(child)),
+        }
+    }
+
+    /// Nobody transposes a number: the ω of `\omega^T I\,\omega` is a vector.
+    fn transposed(&mut self, operand: &Node) {
+        if let Kind::Symbol(symbol) = &inner(operand).kind {
+            let used = self.letters.entry(Letter::of(symbol)).or_default();
+            match symbol.name.as_str() {
+                "omega" | "Omega" | "w" | "L" | "H" | "h" | "M" | "tau" => used.vector += 1,
+                "I" | "J" | "Theta" => used.tensor += 1,
+                _ => {}
+            }
         }
     }
 

@@ -55,8 +55,13 @@ impl TwoPoints {
         lines.retain(|line| line.iter().any(of_centre));
         let mass = lines.iter().find_map(|line| mass(line))?;
         let labels = labels(&lines);
-        let mut others = labels.into_iter().filter(|label| *label != centre);
-        let other = others.next().filter(|_| others.next().is_none())?;
+        let others: Vec<String> = labels.into_iter().filter(|l| *l != centre).collect();
+        // Beside `\mathbf I_O`, an `I_xx` without a label is about O too.
+        let other = match others.as_slice() {
+            [one] => one.clone(),
+            [bare, one] | [one, bare] if bare.is_empty() => one.clone(),
+            _ => return None,
+        };
         let used = beside_tensors(document, &lines, &mass);
         let tensors = lines.iter().flatten().filter(|s| about(s).is_some());
         let mut found = Self {
@@ -104,9 +109,11 @@ impl TwoPoints {
         if !self.letters.contains(&letter) {
             return None;
         }
-        let point = [&self.centre, &self.other]
-            .into_iter()
-            .find(|p| **p == label)?;
+        let point = match label {
+            label if label == self.centre => &self.centre,
+            label if label == self.other || label.is_empty() => &self.other,
+            _ => return None,
+        };
         let place = match place {
             Place::Whole(false) if self.unmarked.contains(&letter) => Place::Whole(true),
             place => place,

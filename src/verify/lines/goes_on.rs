@@ -5,7 +5,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::Theory;
@@ -38,6 +38,7 @@ impl Checker<'_> {
             return false;
         };
         let entries = equation.residual.entries.clone();
+        entries.iter().for_each(|entry| self.keep_beginnings(entry));
         let same = self.theory.within(MOST_TERMS, |theory| {
             let mut entries = entries.iter();
             entries.all(|entry| keeps(theory, entry)) && !theory.exhausted
@@ -47,10 +48,13 @@ impl Checker<'_> {
         }
         let starts = match self.value_at_the_beginning(sides) {
             Some(starts) => starts,
-            None => entries.iter().all(|entry| {
-                let start = self.at_zero(entry);
-                start.is_some_and(|start| self.theory.normal(&start).is_zero())
-            }),
+            None => {
+                let vanishes = |checker: &mut Self, entry| {
+                    let start = checker.at_zero(entry);
+                    start.is_some_and(|start| checker.theory.normal(&start).is_zero())
+                };
+                entries.iter().all(|entry| vanishes(self, entry)) || self.names_beginning(sides)
+            }
         };
         if starts {
             self.accept(sides, Role::Given, finding);
@@ -79,6 +83,41 @@ impl Checker<'_> {
                 .iter()
                 .all(|entry| self.theory.normal(entry).is_zero()),
         )
+    }
+
+    /// An `\omega_{3,0}` or an `\omega_0` is a value at the beginning, which does not change.
+    fn keep_beginnings(&mut self, value: &Fraction) {
+        for variable in value.variables() {
+            if let Some(Owner::Quantity(_, label)) = self.theory.atoms.owner(variable)
+                && label == "0"
+                && let Some(entity) = self.theory.atoms.entity_of(variable)
+            {
+                self.theory.atoms.info_mut(entity).constant = true;
+            }
+        }
+    }
+
+    /// Whether the right side of `\omega_3 = \omega_0 + a t` is at t = 0 a symbol that nothing has spoken of: the value of
+    /// the left side there.
+    fn names_beginning(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let lone = matches!(undotted(left).kind, Kind::Symbol(_) | Kind::Call(..));
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let timed = value.entries.iter().flat_map(Fraction::variables);
+        let timed = timed.into_iter().any(|v| self.is_time(v));
+        let [entry] = value.entries.as_slice() else {
+            return false;
+        };
+        let start = self.without_time(entry);
+        let start = self.theory.normal(&start).as_variable();
+        let Some(entity) = start.and_then(|v| self.theory.atoms.entity_of(v)) else {
+            return false;
+        };
+        lone && timed
+            && !self.theory.mentions_entity(entity)
+            && !self.entities([left]).contains(&entity)
     }
 
     fn is_time(&self, variable: Variable) -> bool {

@@ -1,6 +1,7 @@
 //! Steps in time: relations between the angular velocities before and behind a step. A section on another method has
 //! another step, and what the one before it said of the velocity behind the step is over.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -48,13 +49,28 @@ impl Checker<'_> {
         let steps = self.steps.iter();
         let (before, now): (Vec<_>, Vec<_>) = steps.partition(|(_, s)| *s < self.cases.section());
         let ended: BTreeSet<Name> = before.into_iter().map(|(name, _)| name.clone()).collect();
-        if !now.is_empty() || ended.is_empty() && role == Role::Claim || holds(self) {
+        let first = ended.is_empty() && role == Role::Claim;
+        if !now.is_empty() || first && !self.steps_to_new(sides) || holds(self) {
             return false;
         }
         self.steps.clear();
         self.scopes.retain(|(name, _)| !ended.contains(name));
         self.theory.retain(|premise| !ended.contains(&premise.name));
         self.accept_definition(sides, finding)
+    }
+
+    /// Whether a line leads to an angular velocity that only names have been given with: a mean.
+    fn steps_to_new(&mut self, sides: &[Node]) -> bool {
+        let said = self.theory.premises().iter().filter(|p| !p.definition);
+        let said = said
+            .flat_map(|p| &p.residuals)
+            .flat_map(Fraction::variables);
+        let said: BTreeSet<Option<Entity>> = said.map(|v| self.theory.atoms.entity_of(v)).collect();
+        self.entities(sides).into_iter().any(|entity| {
+            let owner = &self.theory.atoms.info(entity).owner;
+            let velocity = matches!(owner, Owner::Quantity(Quantity::AngularVelocity, step) if step.contains('+'));
+            velocity && !said.contains(&Some(entity))
+        })
     }
 
     /// Notes a line that was taken in as a step.

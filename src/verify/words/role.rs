@@ -73,8 +73,19 @@ pub(crate) fn role(sentence: &str) -> Role {
     }
 }
 
-/// "With ⟨ω = Ω⟩ the spin is": the condition has ended.
+/// "With ⟨ω = Ω⟩ the spin is": the condition has ended, for what stands there and for further formulas behind it.
 fn has_left_its_condition(text: &str) -> bool {
+    let ends = [" is ", " are "].map(|verb| text.rfind(verb).map(|at| at + verb.len()));
+    let Some(end) = ends.into_iter().flatten().max() else {
+        return false;
+    };
+    let behind = format!(" {}", &text[end..]);
+    let formulas = behind.trim().is_empty()
+        || behind.contains('⟩') && !ASSUMING.is_in(&behind) && !DEFINING.is_in(&behind);
+    formulas && leaves_its_condition(&text[..end])
+}
+
+fn leaves_its_condition(text: &str) -> bool {
     let Some((_, trailing)) = text.rsplit_once('⟩') else {
         return false;
     };
@@ -268,6 +279,8 @@ mod tests {
             ("Solved for the acceleration,", Role::Claim),
             ("If the spin is kept at constant ⟨s⟩, that is", Role::Assume),
             ("With ⟨s = 0⟩ the rate of the spin is", Role::Claim),
+            ("The rule for ⟨s⟩ is s ⟨⟩ t ⟨⟩. u ⟨⟩", Role::Claim),
+            ("For ⟨s⟩ the rate is ⟨⟩. Now assume", Role::Assume),
         ];
         for (sentence, expected) in cases {
             assert_eq!(role(sentence), expected, "{sentence}");
