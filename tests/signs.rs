@@ -121,3 +121,23 @@ where $E$ is the identity matrix.
 ";
     assert_eq!(verdicts(text), "ap");
 }
+
+#[test]
+fn squares_and_possible_bodies_have_signs() {
+    let text = r"A body with inertia $J$, principal axes, is subject to a drag torque $\tau = -c\,\omega$ with $c > 0$. The energy is $E = \frac12\omega^TJ\omega$.
+
+$$ \dot E = -c\,\omega^T\omega \le 0 $$
+
+$$ \dot E = -c\,\omega^T\omega \ge 0 $$
+
+The moments satisfy
+
+$$ J_1 + J_2 \ge J_3 $$
+
+$$ J_1 + J_2 > J_3 $$
+
+$$ J_1 + J_2 \le J_3 $$
+";
+    let verdicts = verdicts(text);
+    assert!(verdicts.ends_with("prpur"), "{verdicts}");
+}

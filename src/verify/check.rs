@@ -1,6 +1,6 @@
 //! Goes through a document from top to bottom and keeps what is in force.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::verify::letters::convention::convention;
@@ -114,6 +114,8 @@ pub(super) struct Checker<'a> {
     pub(super) oscillation: Option<(usize, Fraction)>,
     /// Which quantities are greater than others.
     pub(super) orders: Vec<Order>,
+    /// What lines or words call positive.
+    pub(super) positive: BTreeSet<Variable>,
     pub(super) from_prose: Vec<FromProse>,
     passed: Vec<Passed>,
 }
@@ -191,6 +193,7 @@ impl<'a> Checker<'a> {
             potential: None,
             oscillation: None,
             orders: vec![],
+            positive: BTreeSet::new(),
             from_prose: vec![],
             passed: vec![],
             reading,

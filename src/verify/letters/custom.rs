@@ -232,6 +232,14 @@ impl Reading {
         }
     }
 
+    /// Whether one component of a letter is all that is written of it, and a line says what it is.
+    fn is_lone_component(&self, letter: &Letter) -> bool {
+        let used = self.usage.get(letter);
+        let met = self.usage.subscripts.get(letter);
+        let one = met.is_some_and(|all| all.len() == 1);
+        one && used.vector + used.bare == 0 && self.left_sides.contains(letter)
+    }
+
     fn custom(&self, letter: &Letter) -> Option<Quantity> {
         let used = self.usage.get(letter);
         let directed = used.vector + used.component > 0;
@@ -242,6 +250,8 @@ impl Reading {
             "Omega" if directed && (!self.has("omega") || self.is_frequency_beside_rates()) => {
                 Some(Quantity::AngularVelocity)
             }
+            // The frequency Ω_1 of a wobble about axis 1, beside ω_1.
+            "Omega" if self.is_lone_component(letter) => None,
             "Omega" if directed && !self.has_wheel_speeds(letter) => Some(Quantity::FrameRate),
             "Omega" if self.flat && !self.has("omega") => Some(Quantity::AngularVelocity),
             "alpha" if directed => Some(Quantity::AngularAcceleration),

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
+use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::{Entity, Owner};
@@ -121,7 +122,8 @@ impl Checker<'_> {
         }
         // What is written with ≈ can be proved.
         let exact = |(relation, _): &(Relation, _)| *relation != Relation::Approximate;
-        if line.relations.iter().all(exact) && self.is_first_order(&sides) {
+        let nothing = sides.last().is_some_and(is_zero);
+        if (nothing || line.relations.iter().all(exact)) && self.is_first_order(&sides) {
             finding.verdict = Verdict::Accepted;
             finding.role = Role::Assume;
             finding

@@ -2,11 +2,13 @@
 //!
 //! A moment that is greater than another is that one and something positive. With this put in, a polynomial of which all
 //! terms have one sign has that sign. What is proved with a certificate is that the difference is the sum of those terms.
+//! Of any body two moments are together no less than the third: I_x = b + c, I_y = c + a, I_z = a + b with a = ∫x² dm ≥ 0.
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::{Line, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::lines::given::is_zero;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
@@ -14,12 +16,18 @@ use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
-use std::cmp::Ordering;
 
 /// Orders that a document may keep.
 const MOST_ORDERS: usize = 16;
 /// Terms of a difference whose sign is looked for.
 const MOST_TERMS: usize = 200;
+
+/// A sign that all terms have, and whether one of them is not zero for sure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Sign {
+    negative: bool,
+    strict: bool,
+}
 
 /// One quantity that is greater than another.
 #[derive(Clone, Debug)]
@@ -40,6 +48,9 @@ impl Checker<'_> {
                 Relation::Less => (&pair[1], &pair[0]),
                 _ => continue,
             };
+            if let (true, Some(variable)) = (is_zero(smaller), self.lone(greater)) {
+                self.positive.insert(variable);
+            }
             let (Some(greater), Some(smaller)) = (self.lone(greater), self.lone(smaller)) else {
                 continue;
             };
@@ -57,6 +68,12 @@ impl Checker<'_> {
                 });
             }
         }
+    }
+
+    /// Keeps that words call a symbol positive: "the positive constant ⟨c⟩".
+    pub(crate) fn call_positive(&mut self, node: &Node) {
+        let variable = self.lone(node);
+        self.positive.extend(variable);
     }
 
     /// Forgets the orders of sections that a heading ends.
@@ -83,13 +100,19 @@ impl Checker<'_> {
             let Some((sign, form)) = self.sign(entry) else {
                 return;
             };
-            let holds = match relation {
-                Relation::Less | Relation::LessOrEqual => sign == Ordering::Less,
-                _ => sign == Ordering::Greater,
+            let (below, or_equal) = match relation {
+                Relation::Less => (true, false),
+                Relation::LessOrEqual => (true, true),
+                Relation::GreaterOrEqual => (false, true),
+                _ => (false, false),
             };
-            if !holds {
+            // Where terms can vanish, they need not.
+            if sign.negative != below {
                 finding.verdict = Verdict::Refuted;
                 finding.reason = Some("the difference has the other sign".to_owned());
+                return;
+            }
+            if !sign.strict && !or_equal {
                 return;
             }
             let scalar = |entry: Fraction| Value::scalar(entry);
@@ -113,24 +136,53 @@ impl Checker<'_> {
         }
     }
 
-    /// The strict sign of a difference, and the sum of terms of that sign that it is.
-    fn sign(&mut self, entry: &Fraction) -> Option<(Ordering, Fraction)> {
+    /// The sign of a difference, and the sum of terms of that sign that it is.
+    fn sign(&mut self, entry: &Fraction) -> Option<(Sign, Fraction)> {
         let normal = self.theory.normal(entry);
-        [entry.clone(), normal]
-            .iter()
-            .find_map(|whole| self.sign_as_written(whole))
+        let squares = self.squares_of_position();
+        let forms = [entry.clone(), normal];
+        let written = forms.iter().find_map(|whole| self.sign_of(whole, None));
+        written.or_else(|| forms.iter().find_map(|whole| self.sign_of(whole, Some(&squares))))
     }
 
-    fn sign_as_written(&self, whole: &Fraction) -> Option<(Ordering, Fraction)> {
-        let (above, below) = (whole.numerator(), whole.denominator());
-        let (above, below) = (self.parted(above)?, self.parted(below)?);
-        let sign = match self.of_terms(&above)? == self.of_terms(&below)? {
-            true => Ordering::Greater,
-            false => Ordering::Less,
+    /// The moments of inertia, each with a variable for what the other two exceed it by: twice ∫x² dm.
+    fn squares_of_position(&mut self) -> [(Variable, Variable); 3] {
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        ["x", "y", "z"].map(|axis| {
+            let latex = format!("\\text{{2∫}}{axis}^2\\text{{dm}}");
+            let moment = match axis {
+                "x" => 0,
+                "y" => 1,
+                _ => 2,
+            };
+            let moment = self.theory.atoms.part(inertia, moment, 0);
+            (moment, self.theory.atoms.special(Atom::Opaque { latex }))
+        })
+    }
+
+    fn sign_of(
+        &self,
+        whole: &Fraction,
+        squares: Option<&[(Variable, Variable); 3]>,
+    ) -> Option<(Sign, Fraction)> {
+        let parted = |polynomial| match squares {
+            Some(squares) => by_squares(polynomial, squares),
+            None => self.parted(polynomial),
         };
-        let back = |v: Variable| match self.orders.iter().find(|o| o.difference == v) {
-            Some(order) => variable_fraction(order.greater) - variable_fraction(order.smaller),
-            None => variable_fraction(v),
+        let (above, below) = (parted(whole.numerator())?, parted(whole.denominator())?);
+        let below_sign = self.of_terms(&below, &[]).filter(|sign| sign.strict)?;
+        let squares = squares.map_or(&[][..], |squares| squares);
+        let mut sign = self.of_terms(&above, squares)?;
+        sign.negative ^= below_sign.negative;
+        let back = |v: Variable| {
+            if let Some(at) = squares.iter().position(|(_, square)| *square == v) {
+                let of = |i: usize| variable_fraction(squares[i % 3].0);
+                return of(at + 1) + of(at + 2) - of(at);
+            }
+            match self.orders.iter().find(|o| o.difference == v) {
+                Some(order) => variable_fraction(order.greater) - variable_fraction(order.smaller),
+                None => variable_fraction(v),
+            }
         };
         let lift = |c: &Rational| constant(c.clone());
         let form = above.evaluate(back, lift) / below.evaluate(back, lift);
@@ -153,23 +205,33 @@ impl Checker<'_> {
         Some(parted)
     }
 
-    /// The sign that all terms have.
-    fn of_terms(&self, polynomial: &Polynomial) -> Option<Ordering> {
-        let mut signs = polynomial.terms().iter().map(|(monomial, coefficient)| {
-            let positive = monomial.factors().all(|(v, _)| self.is_positive(v));
-            positive.then(|| !coefficient.is_negative())
-        });
-        let first = signs.next()??;
-        let all = signs.all(|sign| sign == Some(first));
-        all.then_some(match first {
-            true => Ordering::Greater,
-            false => Ordering::Less,
-        })
+    /// The sign that all terms have; even powers, and the squares of a position, are never below zero.
+    fn of_terms(
+        &self,
+        polynomial: &Polynomial,
+        squares: &[(Variable, Variable)],
+    ) -> Option<Sign> {
+        let mut whole: Option<Sign> = None;
+        for (monomial, coefficient) in polynomial.terms() {
+            let strict = monomial.factors().all(|(v, _)| self.is_positive(v));
+            let square = |v| squares.iter().any(|(_, square)| *square == v);
+            let mut factors = monomial.factors();
+            let known = factors.all(|(v, p)| p % 2 == 0 || self.is_positive(v) || square(v));
+            let negative = coefficient.is_negative();
+            let before = whole.filter(|before| before.negative != negative);
+            if !known || before.is_some() {
+                return None;
+            }
+            let strict = strict || whole.is_some_and(|before| before.strict);
+            whole = Some(Sign { negative, strict });
+        }
+        whole
     }
 
     /// Whether a variable is a moment of inertia, a mass, or a difference that is positive.
     fn is_positive(&self, variable: Variable) -> bool {
-        if self.orders.iter().any(|o| o.difference == variable) {
+        let ordered = self.orders.iter().any(|o| o.difference == variable);
+        if ordered || self.positive.contains(&variable) {
             return true;
         }
         let atoms = &self.theory.atoms;
@@ -187,4 +249,19 @@ impl Checker<'_> {
             _ => false,
         }
     }
+}
+
+/// A polynomial with each moment as half of what it exceeds the difference of the other two by.
+fn by_squares(polynomial: &Polynomial, squares: &[(Variable, Variable); 3]) -> Option<Polynomial> {
+    if polynomial.len() > MOST_TERMS {
+        return None;
+    }
+    let half = Polynomial::constant(Rational::from((1, 2)));
+    let mut parted = polynomial.clone();
+    for (at, (moment, _)) in squares.iter().enumerate() {
+        let of = |i: usize| Polynomial::variable(squares[i % 3].1);
+        let sum = (of(at + 1) + of(at + 2)) * half.clone();
+        parted = parted.substitute(*moment, &sum);
+    }
+    Some(parted)
 }

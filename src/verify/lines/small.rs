@@ -3,10 +3,12 @@
 //! Of `A ≈ B` with small symbols in it, what A − B has beyond the order of B is taken over to the right side, term by
 //! term of Taylor's series; what is left must vanish exactly, and is proved and refuted like any other line.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
 use crate::notation::ast::{Function, Kind, Node, Relation};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::lines::given::is_zero;
 use crate::verify::theory::decide::Equation;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, Owner};
@@ -33,6 +35,16 @@ const BEHIND: &[&str] = &[
     "is very nearly zero",
     "is nearly zero",
     "is of second order",
+    "small.",
+    "small,",
+    "small;",
+    "small:",
+    "small and",
+    "small compared",
+    "both small",
+    "being small",
+    "are much smaller",
+    "is much smaller",
 ];
 /// Words behind a component of ω whose rate is of second order in the others.
 const KEPT: &[&str] = &[
@@ -80,20 +92,36 @@ impl Checker<'_> {
         if clause.iter().any(|word| BEFORE.contains(&word.as_str())) {
             self.call_small(node);
         }
+        if clause.iter().any(|word| word == "positive") {
+            self.call_positive(node);
+        }
     }
 
     /// Notes the expressions of a list that the words behind it call small.
     pub(crate) fn small_behind(&mut self, text: &str, named: &[Node]) {
-        if BEHIND.iter().any(|words| text.starts_with(words)) {
+        let positive = ["is positive", "are positive", "is a positive"];
+        if positive.iter().any(|words| text.starts_with(words)) {
+            named.iter().for_each(|node| self.call_positive(node));
+        } else if BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_small(node));
         } else if let ([node], true) = (named, KEPT.iter().any(|words| text.starts_with(words))) {
             self.hardly_changes(node);
         }
     }
 
-    /// Whether sides say of a small angle what its functions are to first order: "we put ⟨sin α = α⟩ and ⟨cos α = 1⟩".
+    /// Whether sides say of a small angle what its functions are to first order: "we put ⟨sin α = α⟩ and ⟨cos α = 1⟩"; or
+    /// that a product of what is small is nothing: "since ⟨λμ ≈ 0⟩".
     pub(crate) fn is_first_order(&mut self, sides: &[Node]) -> bool {
         let [left, right] = sides else { return false };
+        if is_zero(right) {
+            let value = self.lowering(Frame::Moving).value(left);
+            return value.is_ok_and(|value| {
+                value.entries.iter().all(|entry| {
+                    let mut orders = self.orders(entry).into_iter();
+                    entry.is_polynomial() && orders.len() > 0 && orders.all(|order| order > 1)
+                })
+            });
+        }
         let Kind::Function(function, argument) = &inner(left).kind else {
             return false;
         };
@@ -118,6 +146,9 @@ impl Checker<'_> {
     }
 
     fn call_small(&mut self, node: &Node) {
+        if let Kind::Tuple(entries) = &inner(node).kind {
+            return entries.iter().for_each(|entry| self.call_small(entry));
+        }
         // "The ⟨ε_i⟩ are small": each of them.
         if let Kind::Symbol(symbol) = &node.kind
             && let [index] = symbol.subscripts.as_slice()
@@ -259,14 +290,18 @@ impl Checker<'_> {
     }
 
     /// The highest order of a term as it is written.
-    fn order(&mut self, entry: &Fraction) -> u32 {
-        let terms = entry.numerator().terms().to_vec();
-        let order = |(monomial, _): &(_, _)| {
-            let monomial: &crate::algebra::Monomial = monomial;
+    fn order(&self, entry: &Fraction) -> u32 {
+        self.orders(entry).into_iter().max().unwrap_or(0)
+    }
+
+    /// The order of each term.
+    fn orders(&self, entry: &Fraction) -> Vec<u32> {
+        let terms = entry.numerator().terms().iter();
+        let order = |(monomial, _): &(Monomial, _)| {
             let factors = monomial.factors();
             factors.map(|(v, power)| power * self.order_of(v)).sum()
         };
-        terms.iter().map(order).max().unwrap_or(0)
+        terms.map(order).collect()
     }
 
     fn order_of(&self, variable: Variable) -> u32 {

@@ -4,8 +4,10 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::axis;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::subscript::{LOADS, POINTS};
 use num_traits::{One, Zero};
 
 /// Moments that may act beside the one that the law names.
@@ -85,12 +87,22 @@ impl Checker<'_> {
         self.theory.set(|setting| setting.other_moments = all);
     }
 
-    /// Whether some letter of the document is the moment of the law.
+    /// Whether some symbol of the document is the moment of the law: not where its letter always has the label of one
+    /// among others, as in `\mathbf T_d`.
     fn writes_moments(&self) -> bool {
-        let mut parts = self.reading.components.values().map(|(q, _)| q);
-        let mut wholes = self.reading.quantities.values();
         let moment = |q: &Quantity| *q == Quantity::Moment;
-        wholes.any(moment) || parts.any(moment)
+        let mut parts = self.reading.components.values().map(|(q, _)| q);
+        let mut wholes = self.reading.quantities.iter().filter(|(_, q)| moment(q));
+        let of_all = |label: &String| {
+            let whole = [LOADS, POINTS].iter().any(|all| all.contains(&label.as_str()));
+            whole || axis(label).is_some()
+        };
+        parts.any(moment)
+            || wholes.any(|(letter, _)| {
+                let labels = self.reading.usage.subscripts.get(letter);
+                self.reading.usage.get(letter).naked > 0
+                    || labels.is_none_or(|labels| labels.iter().any(of_all))
+            })
     }
 
     /// The vectors that stand beside the moment in every component, the moment being added with a sign.
