@@ -17,9 +17,11 @@ $$ \frac{(I_1 - I_2)(I_2 - I_3)}{I_1 I_3} > 0 $$
 $$ (I_1 - I_2)(I_3 - I_1) > 0 $$
 
 $$ I_1 - I_2 - I_3 > 0 $$
+
+$$ I_1 + I_3 - 2 I_2 > 0 $$
 ";
-    // Of the last nothing is known.
-    assert_eq!(verdicts(text), "appru");
+    // No moment exceeds the sum of the others; of the last nothing is known.
+    assert_eq!(verdicts(text), "apprru");
 }
 
 #[test]

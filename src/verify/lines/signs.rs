@@ -142,7 +142,11 @@ impl Checker<'_> {
         let squares = self.squares_of_position();
         let forms = [entry.clone(), normal];
         let written = forms.iter().find_map(|whole| self.sign_of(whole, None));
-        written.or_else(|| forms.iter().find_map(|whole| self.sign_of(whole, Some(&squares))))
+        written.or_else(|| {
+            forms
+                .iter()
+                .find_map(|whole| self.sign_of(whole, Some(&squares)))
+        })
     }
 
     /// The moments of inertia, each with a variable for what the other two exceed it by: twice ∫x² dm.
@@ -206,11 +210,7 @@ impl Checker<'_> {
     }
 
     /// The sign that all terms have; even powers, and the squares of a position, are never below zero.
-    fn of_terms(
-        &self,
-        polynomial: &Polynomial,
-        squares: &[(Variable, Variable)],
-    ) -> Option<Sign> {
+    fn of_terms(&self, polynomial: &Polynomial, squares: &[(Variable, Variable)]) -> Option<Sign> {
         let mut whole: Option<Sign> = None;
         for (monomial, coefficient) in polynomial.terms() {
             let strict = monomial.factors().all(|(v, _)| self.is_positive(v));

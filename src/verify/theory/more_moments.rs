@@ -94,7 +94,9 @@ impl Checker<'_> {
         let mut parts = self.reading.components.values().map(|(q, _)| q);
         let mut wholes = self.reading.quantities.iter().filter(|(_, q)| moment(q));
         let of_all = |label: &String| {
-            let whole = [LOADS, POINTS].iter().any(|all| all.contains(&label.as_str()));
+            let whole = [LOADS, POINTS]
+                .iter()
+                .any(|all| all.contains(&label.as_str()));
             whole || axis(label).is_some()
         };
         parts.any(moment)
