@@ -78,3 +78,41 @@ $$ I_x = 10 $$
 ";
     assert!(verdicts(text).ends_with('u'), "{}", verdicts(text));
 }
+
+#[test]
+fn the_energy_of_a_part_is_that_of_its_moment_and_its_rate() {
+    let with = |factor: &str| {
+        let text = r"The motor behind a gear of the ratio $n$ has the moment of inertia $J_r$, and its speed is $\dot\varphi_r = n\dot\theta$. Its kinetic energy is
+
+$$ T_r = \frac12 FACTOR J_r\,\dot\theta^2 $$
+
+so the shaft feels the moment of inertia
+
+$$ J_{\text{tot}} = FACTOR J_r $$
+";
+        verdicts(&text.replace("FACTOR", factor))
+    };
+    assert_eq!(with("n^2"), "aaa");
+    assert_eq!(with("n"), "aru");
+}
+
+#[test]
+fn a_deviation_grows_by_the_root_of_the_coefficient() {
+    let with = |below: &str| {
+        let text = r"A free body on principal axes turns with $\omega_1 = x$, $\omega_2 = n$ and $\omega_3 = z$, where $x$ and $z$ are small and $n$ is constant. To first order
+
+$$ I_1\dot x = (I_2 - I_3)\,n\,z $$
+
+$$ I_3\dot z = (I_1 - I_2)\,n\,x $$
+
+$$ \ddot x = \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 I_3}\,n^2\,x $$
+
+so that $x$ grows like $e^{\lambda t}$ with
+
+$$ \lambda^2 = \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 BELOW}\,n^2 $$
+";
+        verdicts(&text.replace("BELOW", below)).pop()
+    };
+    assert_eq!(with("I_3"), Some('a'));
+    assert_eq!(with("I_2"), Some('r'));
+}

@@ -168,3 +168,30 @@ fn numbers_that_nothing_gives_decide_nothing() {
     let text = "We find\n\n$$\nI_{xz}\\,\\omega_x^2 = 189.6\n$$\n";
     assert_eq!(verdicts(text), ["undecided"]);
 }
+
+#[test]
+fn terms_in_different_units_are_not_added() {
+    let with = |mass: &str| {
+        let text = r"A ball has the mass $m = 6\ \mathrm{kg}$ and the moment $I_c = 2.0\ \mathrm{kg\,m^2}$ about its centre, at the distance $d = 1.6\ \mathrm{m}$ from the axle. About the axle it is
+
+$$ I_a = I_c + MASS d^2 = VALUE\ \mathrm{kg\,m^2} $$
+
+and two of them have
+
+$$ 2\cdot VALUE = TWICE\ \mathrm{kg\,m^2} $$
+";
+        let (value, twice) = if mass.is_empty() {
+            ("4.56", "9.12")
+        } else {
+            ("17.36", "34.72")
+        };
+        let text = text.replace("MASS", mass).replace("VALUE", value);
+        verdicts(&text.replace("TWICE", twice))
+    };
+    assert!(!with("m").contains(&"refuted"));
+    assert!(
+        with("").ends_with(&["refuted", "undecided"]),
+        "{:?}",
+        with("")
+    );
+}

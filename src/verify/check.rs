@@ -8,6 +8,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::triad::Triad;
 use crate::verify::lines::cases::Cases;
+use crate::verify::lines::dimensions::Dimensions;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
@@ -108,6 +109,8 @@ pub(super) struct Checker<'a> {
     pub(super) triad: Option<Triad>,
     pub(super) convention: Convention,
     pub(super) figures: Figures,
+    /// What symbols are measured in.
+    pub(super) dimensions: Dimensions,
     /// The potential energy.
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
@@ -190,6 +193,7 @@ impl<'a> Checker<'a> {
             triad: None,
             convention,
             figures: Figures::default(),
+            dimensions: Dimensions::default(),
             potential: None,
             oscillation: None,
             orders: vec![],

@@ -11,6 +11,7 @@ pub(super) const INTEGRAL: &str = "an integral is not evaluated";
 pub(super) const OTHER_CASE: &str = "it speaks of another case than that of the numbers given";
 pub(super) const MANY_FALSE: &str =
     "its mistake is not searched for, as many lines before it are false";
+pub(super) const FALSE_VALUE: &str = "a value in it is that of an earlier line, which is false";
 pub(super) const DRIVES_A_PART: &str = "how what drives a part of the body turns it is not decided";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const NO_WITNESS: &str =
@@ -29,6 +30,7 @@ pub(super) fn leaves_no_doubt(reason: &str) -> bool {
         RELATION,
         INTEGRAL,
         OTHER_CASE,
+        FALSE_VALUE,
         DRIVES_A_PART,
         NO_PROOF,
         BUDGET,

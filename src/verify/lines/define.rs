@@ -69,6 +69,8 @@ impl Checker<'_> {
         let claimed = role == Role::Claim;
         if !self.firm && self.is_more_than_a_name(left, right, claimed, finding)
             || claimed && rest.is_empty() && self.is_frequency(left, right, finding)
+            || claimed && rest.is_empty() && self.energy_of_part(left, right, finding)
+            || claimed && self.goes_on_from_a_false_line(right, finding)
         {
             return true;
         }
@@ -118,6 +120,30 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    /// Leaves a line open that its sentence derives from a false one: "⟨K = …⟩, so the effective moment is ⟨J = …⟩".
+    fn goes_on_from_a_false_line(&mut self, right: &Node, finding: &mut Finding) -> bool {
+        let before = self.findings.last();
+        let slipped = before.is_some_and(|f| f.verdict == Verdict::Refuted);
+        if !self.asserted || !slipped || !self.sentence.contains('⟩') {
+            return false;
+        }
+        let Some(last) = self.last_side.clone() else {
+            return false;
+        };
+        let (false_ones, own) = (self.entities([&last]), self.entities([right]));
+        let goes_on = own.iter().any(|entity| {
+            let theory = match &self.theory.atoms.info(*entity).owner {
+                Owner::Quantity(_, variant) => variant.is_empty(),
+                Owner::Symbol(_) => false,
+            };
+            !theory && false_ones.contains(entity)
+        });
+        if goes_on {
+            finding.reason = Some("it is derived from a line that is false".to_owned());
+        }
+        goes_on
     }
 
     /// Whether a side is a function of an angle that nothing has spoken of: the β of `tan β = a/b = 0.05`.
@@ -173,6 +199,11 @@ impl Checker<'_> {
         let mut others = sides[1..].iter().flat_map(symbols);
         if others.any(|symbol| self.meaning_of(symbol) == Meaning::Whole(entity)) {
             return false;
+        }
+        if let [left, right] = sides
+            && self.is_frequency(left, right, finding)
+        {
+            return true;
         }
         // What words have named and no line speaks of may be so, or not.
         if finding.role == Role::Claim && self.known.contains(&entity) {

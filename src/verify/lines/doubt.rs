@@ -6,10 +6,11 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
-use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
+use crate::verify::reason::{AT_A_MOMENT, FALSE_VALUE, NAMES_A_MOMENT, leaves_no_doubt};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
+use num_rational::BigRational;
 use std::collections::BTreeSet;
 
 /// What earlier lines leave in doubt.
@@ -19,7 +20,12 @@ pub(crate) struct Doubts {
     symbols: BTreeSet<Entity>,
     /// The line that sets the body or its motion up, and was left open.
     setting: Option<String>,
+    /// Values in numbers that false lines show.
+    values: Vec<BigRational>,
 }
+
+/// The digits that a value must have to be known again.
+const TELLING: usize = 3;
 
 /// Quantities that set a body and its motion up.
 const SETTING: &[Quantity] = &[
@@ -31,8 +37,30 @@ const SETTING: &[Quantity] = &[
 ];
 
 impl Checker<'_> {
+    /// Leaves a value open that is worked out, though rightly, from one that a false line shows.
+    pub(crate) fn withhold_false_value(&self, line: &Line, finding: &mut Finding) {
+        let inside = &line.sides[..line.sides.len().saturating_sub(1)];
+        let digits = inside.iter().filter(|side| symbols(side).is_empty());
+        let numbers: Vec<&BigRational> = digits.flat_map(numbers).collect();
+        let mut false_values = self.doubts.values.iter();
+        if matches!(finding.verdict, Verdict::Proved(_))
+            && false_values.any(|value| numbers.contains(&value))
+        {
+            finding.verdict = Verdict::Undecided;
+            finding.reason = Some(FALSE_VALUE.to_owned());
+        }
+    }
+
     /// Notes what a line that was left open leaves in doubt.
     pub(crate) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
+        if finding.verdict == Verdict::Refuted
+            && let Some(last) = line.sides.last()
+            && let [value] = numbers(last).as_slice()
+            && symbols(last).is_empty()
+            && value.to_string().len() > TELLING
+        {
+            self.doubts.values.push((*value).clone());
+        }
         let open = match finding.verdict {
             Verdict::Undecided => !finding.reason.as_deref().is_some_and(leaves_no_doubt),
             Verdict::Unreadable => true,
@@ -368,5 +396,13 @@ impl Checker<'_> {
         let atoms = &self.theory.atoms;
         let inside = atoms.with_arguments(variable).into_iter();
         inside.filter_map(|v| atoms.entity_of(v)).collect()
+    }
+}
+
+/// The numbers that are written in a node.
+fn numbers(node: &Node) -> Vec<&BigRational> {
+    match &node.kind {
+        Kind::Number(number) => vec![&number.value],
+        _ => node.children().into_iter().flat_map(numbers).collect(),
     }
 }

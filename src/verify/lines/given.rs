@@ -281,6 +281,13 @@ impl Checker<'_> {
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
         let zero = sides.last().is_some_and(is_zero);
         let derived = input && zero && self.asserted && self.displayed;
+        // "It is then put at ⟨(x, y) = (1, 2) m⟩": a place in units.
+        let place = !self.displayed
+            && matches!(&inner(&sides[0]).kind, Kind::Tuple(_))
+            && matches!(
+                sides.last().map(|side| &side.kind),
+                Some(Kind::WithUnit(..))
+            );
         if derived && !self.sets_motion(&sides[0]) {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned());
@@ -290,6 +297,7 @@ impl Checker<'_> {
             finding.remarks.push("taken as an assumption".to_owned());
         } else if (self.asserted || self.is_equation_of_motion(sides))
             && !sides.iter().all(lone)
+            && !place
             && !self.sets_motion(&sides[0])
             && !flat
         {

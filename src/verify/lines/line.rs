@@ -42,8 +42,10 @@ impl Checker<'_> {
     pub(crate) fn line_as_set(&mut self, line: &Line, role: Role) {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
+        self.measure(&line.sides, &mut finding);
         self.leave_hypothesis(&line.sides, &mut finding);
         self.withhold_value(line, &mut finding);
+        self.withhold_false_value(line, &mut finding);
         self.note_doubt(line, &finding);
         self.note_energies(&line.sides, &finding);
         self.note_oscillation(&line.sides, &finding);

@@ -69,7 +69,8 @@ impl Checker<'_> {
         oscillates.then(|| Fraction::from(spring) / Fraction::from(inertia))
     }
 
-    /// Decides a new symbol that the words call the frequency of the oscillation before it.
+    /// Decides a new symbol, or its square, that the words call the frequency of the oscillation before it, or what a
+    /// deviation grows by.
     pub(crate) fn is_frequency(
         &mut self,
         left: &Node,
@@ -80,10 +81,21 @@ impl Checker<'_> {
         let Some((at, square)) = self.oscillation.clone() else {
             return false;
         };
+        let grows = words.contains(" grow");
         let near = self.findings.len() <= at + 1 + NEAR;
-        if !near || !words.contains("frequency") || !matches!(inner(left).kind, Kind::Symbol(_)) {
+        let lone = |node: &Node| matches!(inner(node).kind, Kind::Symbol(_));
+        let squared = match &inner(left).kind {
+            Kind::Power(base, exponent) => {
+                let two = matches!(&exponent.kind, Kind::Number(n) if n.value == num_rational::BigRational::from_integer(2.into()));
+                two && lone(base)
+            }
+            _ => false,
+        };
+        if !near || !words.contains("frequency") && !grows || !squared && !lone(left) {
             return false;
         }
+        // Of ẍ = s²x the solutions grow like exp(st).
+        let square = if grows { -square } else { square };
         let named = self.entities([left]);
         let inside = square.variables();
         if inside.iter().any(|&v| {
@@ -97,7 +109,11 @@ impl Checker<'_> {
         let Some(value) = self.lowering(Frame::Moving).scalar(right) else {
             return false;
         };
-        let [left, right] = [square, value.clone() * value].map(Value::scalar);
+        let value = match squared {
+            true => value,
+            false => value.clone() * value,
+        };
+        let [left, right] = [square, value].map(Value::scalar);
         let Ok(residual) = left.plus(&right, true) else {
             return false;
         };
@@ -112,13 +128,12 @@ impl Checker<'_> {
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =
-                    Some("its square is not what the equation of the oscillation has".to_owned());
+                    Some("its square is not what the equation of motion has".to_owned());
                 finding.counterexample = Some(*witness);
                 finding.diagnosis = Some(Diagnosis {
                     kind: "frequency",
-                    message:
-                        "the equation of the oscillation has another ratio of its coefficients"
-                            .to_owned(),
+                    message: "the equation of motion has another ratio of its coefficients"
+                        .to_owned(),
                     suggestion: None,
                     place: Some(finding.place),
                 });

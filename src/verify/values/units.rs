@@ -64,11 +64,11 @@ fn unit(name: &str) -> Option<(Rational, i32)> {
     }
 }
 
-/// The factor of a unit such as `kg m^2`, `rad/s`, `rev/min` or `N mm`; one where it is not known.
+/// The units of a text such as `kg m^2`, `rad/s`, `rev/min`, each with its power.
 ///
 /// A slash, or `per`, puts the unit behind it below the line.
-pub(crate) fn scale(text: &str) -> Scale {
-    let mut total = Scale::one();
+fn powers(text: &str) -> Vec<(&str, i32)> {
+    let mut found = vec![];
     let mut rest = text;
     let mut below = false;
     while let Some(c) = rest.chars().next() {
@@ -87,13 +87,47 @@ pub(crate) fn scale(text: &str) -> Scale {
             below = true;
             continue;
         }
-        let Some((factor, pi)) = unit(name) else {
-            return Scale::one();
-        };
         let sign = if std::mem::take(&mut below) { -1 } else { 1 };
-        total = total.times(&factor, pi, sign * exponent);
+        found.push((name, sign * exponent));
     }
-    total
+    found
+}
+
+/// The factor of a unit such as `kg m^2`, `rad/s`, `rev/min` or `N mm`; one where it is not known.
+pub(crate) fn scale(text: &str) -> Scale {
+    let total = powers(text)
+        .into_iter()
+        .try_fold(Scale::one(), |total, (name, exponent)| {
+            let (factor, pi) = unit(name)?;
+            Some(total.times(&factor, pi, exponent))
+        });
+    total.unwrap_or_else(Scale::one)
+}
+
+/// The powers of kilogram, metre and second, doubled so that a root has them too.
+pub(crate) type Dimension = [i32; 3];
+
+/// The dimension of a unit; `None` where it is not known or belongs to another system.
+pub(crate) fn dimension(text: &str) -> Option<Dimension> {
+    let found = powers(text);
+    let all = found
+        .iter()
+        .try_fold([0; 3], |total: Dimension, (name, exponent)| {
+            let base: Dimension = match *name {
+                "kg" | "g" => [1, 0, 0],
+                "m" | "mm" | "cm" | "km" => [0, 1, 0],
+                "s" | "ms" | "min" | "h" => [0, 0, 1],
+                "N" | "mN" | "kN" | "MN" => [1, 1, -2],
+                "J" | "mJ" | "kJ" | "MJ" | "Nm" | "kNm" => [1, 2, -2],
+                "W" | "kW" | "MW" => [1, 2, -3],
+                "Hz" | "rpm" => [0, 0, -1],
+                "Pa" | "kPa" | "MPa" => [1, -1, -2],
+                "rad" | "rev" | "turn" | "deg" | "°" => [0; 3],
+                _ => return None,
+            };
+            Some([0, 1, 2].map(|i| total[i] + 2 * exponent * base[i]))
+        });
+    all.filter(|_| !found.is_empty())
 }
 
 /// The power behind a unit: `^2`, `^{-1}`, `²`, or a bare digit; one where none is written.
@@ -117,6 +151,15 @@ fn exponent(text: &str) -> (i32, &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn units_have_dimensions() {
+        assert_eq!(dimension("N m s"), dimension("kg m^2/s"));
+        assert_eq!(dimension("rad/s"), dimension("rpm"));
+        assert_ne!(dimension("kg m^2"), dimension("kg m"));
+        assert_eq!(dimension("lb ft"), None);
+        assert_eq!(dimension(""), None);
+    }
 
     #[test]
     fn units_become_factors() {
