@@ -93,10 +93,7 @@ where
         state,
         step,
     );
-    let added = seed.added + system.added().map(Number::of);
-    let system = System::over(seed.inertia, *system.law(), added);
-    let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
-    read(&end)
+    read(&seed.stepped(scheme, system, time))
 }
 
 impl<const N: usize> StepJacobian<N> {
@@ -126,9 +123,7 @@ where
         state,
         step,
     );
-    let added = seed.added + system.added().map(Number::of);
-    let system = System::over(seed.inertia, *system.law(), added);
-    let end = scheme.step(&system, Number::of(time), &seed.state, seed.step);
+    let end = seed.stepped(scheme, system, time);
     let attitude = Quaternion::new(end.attitude.components().map(|c| c.re));
     let rate = Quaternion::new(end.attitude.components().map(|c| c.eps));
     let (theta, omega) = (
@@ -174,6 +169,17 @@ impl<T: Number> Seed<T> {
             inertia: Matrix3::from_fn(entry),
             step: variable(step, 15),
         }
+    }
+
+    /// The state after one step of `scheme` from here.
+    fn stepped<S, L>(self, scheme: &S, system: &System<f64, L>, time: f64) -> State<T>
+    where
+        S: Scheme<L> + ?Sized,
+        L: Copy + TorqueLaw<f64> + TorqueLaw<T>,
+    {
+        let added = self.added + system.added().map(T::of);
+        let system = System::over(self.inertia, *system.law(), added);
+        scheme.step(&system, T::of(time), &self.state, self.step)
     }
 }
 

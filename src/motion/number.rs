@@ -24,55 +24,37 @@ pub trait Number: Real + Copy {
     fn magnitude(&self) -> f64;
 }
 
-impl Number for f64 {
-    type Value = Self;
-    const DERIVATIVES: usize = 0;
+/// A real number: no derivative to keep, and itself its value.
+macro_rules! real {
+    ($($real:ty),*) => {$(
+        impl Number for $real {
+            type Value = Self;
+            const DERIVATIVES: usize = 0;
 
-    #[inline(always)]
-    fn real(&self) -> Self {
-        *self
-    }
+            #[inline(always)]
+            fn real(&self) -> Self {
+                *self
+            }
 
-    #[inline(always)]
-    fn constant(value: Self) -> Self {
-        value
-    }
+            #[inline(always)]
+            fn constant(value: Self) -> Self {
+                value
+            }
 
-    #[inline(always)]
-    fn magnitude(&self) -> f64 {
-        self.abs()
-    }
+            #[inline(always)]
+            fn magnitude(&self) -> f64 {
+                self.abs().into()
+            }
 
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        value
-    }
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as Self
+            }
+        }
+    )*};
 }
 
-impl Number for f32 {
-    type Value = Self;
-    const DERIVATIVES: usize = 0;
-
-    #[inline(always)]
-    fn real(&self) -> Self {
-        *self
-    }
-
-    #[inline(always)]
-    fn constant(value: Self) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn magnitude(&self) -> f64 {
-        f64::from(self.abs())
-    }
-
-    #[inline(always)]
-    fn of(value: f64) -> Self {
-        value as Self
-    }
-}
+real!(f64, f32);
 
 impl<T: Number, const N: usize> Number for Jet<T, N> {
     type Value = <T as Number>::Value;

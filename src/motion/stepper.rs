@@ -165,7 +165,7 @@ pub trait Stepper {
     fn at(&self, time: f64) -> Result<State<f64>, MotionError>;
 }
 
-/// The most steps of fixed length that one call takes.
+/// The most steps that one call takes.
 const MOST_STEPS: u64 = 1 << 32;
 
 /// A [`Scheme`] repeated with steps of one length.
@@ -228,6 +228,27 @@ pub(crate) fn positive(step: f64) -> Result<(), MotionError> {
         Ok(())
     } else {
         Err(MotionError::Step { step })
+    }
+}
+
+/// That a tolerance bounds an error that a double can tell.
+pub(crate) fn tolerable(tolerance: f64) -> Result<(), MotionError> {
+    if (1e-16..=0.1).contains(&tolerance) {
+        Ok(())
+    } else {
+        Err(MotionError::Tolerance { tolerance })
+    }
+}
+
+/// That one call may take another step behind so many.
+pub(crate) fn another(taken: u64) -> Result<(), MotionError> {
+    if taken < MOST_STEPS {
+        Ok(())
+    } else {
+        Err(MotionError::TooManySteps {
+            needed: f64::INFINITY,
+            most: MOST_STEPS,
+        })
     }
 }
 

@@ -93,9 +93,6 @@ pub struct TaylorMotion {
 /// The most units of time that are tried: the second is right unless torque and speed are of very different sizes.
 const MOST_UNITS: usize = 3;
 
-/// The most steps that one call takes.
-const MOST_STEPS: u64 = 1 << 32;
-
 impl TaylorMotion {
     /// The motion of `body` under `torque` from `state` at time 0. `tolerance` bounds the last term of each
     /// step, of the attitude in radians and of ω against |ω|: from 1e-16 to 0.1.
@@ -108,9 +105,7 @@ impl TaylorMotion {
         state: &State<f64>,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        if !(1e-16..=0.1).contains(&tolerance) {
-            return Err(MotionError::Tolerance { tolerance });
-        }
+        stepper::tolerable(tolerance)?;
         let order = ((-0.5 * tolerance.ln()).ceil() as usize + 2).clamp(4, MOST);
         let system = System::principal(body, torque);
         let inner = body.state_along(state);
@@ -205,12 +200,7 @@ impl TaylorMotion {
         stepper::onward(time, self.time)?;
         let first = self.steps;
         while self.end < time {
-            if self.steps - first >= MOST_STEPS {
-                return Err(MotionError::TooManySteps {
-                    needed: f64::INFINITY,
-                    most: MOST_STEPS,
-                });
-            }
+            stepper::another(self.steps - first)?;
             each(self.end);
             self.next_series()?;
         }

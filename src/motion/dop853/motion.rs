@@ -56,9 +56,6 @@ pub(crate) struct Taken<'a> {
     pub(crate) stages: &'a Stages<f64>,
 }
 
-/// The most steps that one call takes.
-const MOST_STEPS: u64 = 1 << 32;
-
 /// The most refusals of one step: each makes it shorter, down to [`SHORTEST`].
 const MOST_REFUSALS: u32 = 700;
 
@@ -79,9 +76,7 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         state: &State<f64>,
         tolerance: f64,
     ) -> Result<Self, MotionError> {
-        if !(1e-16..=0.1).contains(&tolerance) {
-            return Err(MotionError::Tolerance { tolerance });
-        }
+        stepper::tolerable(tolerance)?;
         let last = pack(state);
         let slope = rate(&system, 0.0, &last);
         if slope.iter().any(|r| !r.is_finite()) {
@@ -175,12 +170,7 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
         stepper::onward(time, self.time)?;
         let first = self.taken;
         while self.end < time {
-            if self.taken - first >= MOST_STEPS {
-                return Err(MotionError::TooManySteps {
-                    needed: f64::INFINITY,
-                    most: MOST_STEPS,
-                });
-            }
+            stepper::another(self.taken - first)?;
             self.take(time, border, &mut each)?;
         }
         Ok(())
