@@ -1,7 +1,8 @@
 //! Primes that are derivatives in time: `I_1 ω_1' = (I_2 − I_3) ω_2 ω_3`.
 
 use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Item};
+use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::usage::{axis, symbols};
 use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
@@ -11,18 +12,7 @@ pub(crate) fn dots_for_primes(document: &mut Document) {
     if !said(document) && !shown(document) {
         return;
     }
-    for item in &mut document.items {
-        let Item::Formula(formula) = item else {
-            continue;
-        };
-        for row in &mut formula.rows {
-            match row {
-                Row::Line(line) => line.sides.iter_mut().for_each(dotted),
-                Row::Expression(node) => dotted(node),
-                Row::Unreadable { .. } => {}
-            }
-        }
-    }
+    formulas_mut(document).for_each(dotted);
 }
 
 /// "A prime is the derivative in time."

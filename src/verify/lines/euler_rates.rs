@@ -18,7 +18,7 @@ use crate::verify::repair::lines;
 use crate::verify::repair::slips::Slips;
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::theory::law::Axes;
-use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
@@ -91,9 +91,7 @@ impl Checker<'_> {
     /// The three components, from this line on, where nothing determines them yet.
     fn block_from(&mut self, first: &Line) -> Option<Vec<Component>> {
         let document = self.document;
-        if !self.is_of_omega(first) {
-            return None;
-        }
+        self.component_on_the_left(first)?;
         let mut block: Vec<Component> = vec![];
         let from = lines(document).skip_while(|line| line.span != first.span);
         for line in from.take(NEAR) {
@@ -110,24 +108,9 @@ impl Checker<'_> {
         (block.len() == 3).then_some(block)
     }
 
-    /// Whether a component of the angular velocity stands alone on the left.
-    fn is_of_omega(&mut self, line: &Line) -> bool {
+    /// The component of the angular velocity that stands alone on the left.
+    fn component_on_the_left(&mut self, line: &Line) -> Option<(Entity, u8)> {
         let [left, _] = line.sides.as_slice() else {
-            return false;
-        };
-        let Kind::Symbol(symbol) = &inner(left).kind else {
-            return false;
-        };
-        let Meaning::Component(entity, _) = self.meaning_of(symbol) else {
-            return false;
-        };
-        let omega = Owner::Quantity(Quantity::AngularVelocity, String::new());
-        self.theory.atoms.info(entity).owner == omega
-    }
-
-    /// `ω_x = …` with rates on the right.
-    fn component_of_rates(&mut self, line: &Line) -> Option<Component> {
-        let [left, right] = line.sides.as_slice() else {
             return None;
         };
         let Kind::Symbol(symbol) = &inner(left).kind else {
@@ -137,8 +120,15 @@ impl Checker<'_> {
             return None;
         };
         let omega = Owner::Quantity(Quantity::AngularVelocity, String::new());
+        (self.theory.atoms.info(entity).owner == omega).then_some((entity, axis))
+    }
+
+    /// `ω_x = …` with rates on the right.
+    fn component_of_rates(&mut self, line: &Line) -> Option<Component> {
+        let (entity, axis) = self.component_on_the_left(line)?;
+        let right = line.sides.last()?;
         let variable = self.theory.atoms.part(entity, axis, 0);
-        if self.theory.atoms.info(entity).owner != omega || self.theory.rule(variable).is_some() {
+        if self.theory.rule(variable).is_some() {
             return None;
         }
         let entry = self.lowering(Frame::Moving).scalar(right)?;
