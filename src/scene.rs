@@ -114,6 +114,26 @@ pub struct Run {
     pub costs: Costs,
 }
 
+impl Run {
+    /// A run that asks for the final state alone, without an estimate of its error, by the method that the plan chooses.
+    pub fn to_the_end(duration: f64, tolerance: f64) -> Self {
+        Self {
+            duration,
+            tolerance,
+            method: Method::Auto,
+            step: None,
+            outputs: Outputs {
+                last: true,
+                ..Outputs::NONE
+            },
+            wrt: Wrt::NONE,
+            output_interval: duration,
+            estimate_error: false,
+            costs: Costs::default(),
+        }
+    }
+}
+
 /// How a motion is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {

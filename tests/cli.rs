@@ -1,5 +1,9 @@
 //! The command as a user sees it: what it prints, what it writes, how it ends.
 
+#[path = "outcome/command.rs"]
+mod command;
+
+use command::polhode;
 use serde_json::Value;
 use std::fs;
 use std::io::Write;
@@ -34,15 +38,6 @@ fn folder() -> TempDir {
 
 fn put(folder: &Path, name: &str, bytes: &[u8]) {
     fs::write(folder.join(name), bytes).expect("a file that can be written");
-}
-
-fn polhode(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command starts")
 }
 
 /// Runs the command with a text on its standard input.

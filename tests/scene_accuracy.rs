@@ -4,9 +4,7 @@
 use nalgebra::{Matrix3, Vector3};
 use polhode::bench::reference;
 use polhode::motion::{Body, Frame, Quaternion, State, Stepper, TaylorMotion, Torque};
-use polhode::scene::{
-    Costs, Draw, Member, Method, Outputs, Quantity, Run, Wrt, distance, settle, way,
-};
+use polhode::scene::{Draw, Member, Quantity, Run, distance, settle, way};
 
 /// Even numbers of one random scene.
 struct Dice(Draw);
@@ -90,19 +88,11 @@ impl Dice {
 
     fn run(&mut self) -> Run {
         let longest = [1.0, 3.0, 10.0][self.one_of(3)];
+        let duration = self.between(0.1, longest);
+        let tolerance = 10f64.powf(self.between(-14.0, -3.0));
         Run {
-            duration: self.between(0.1, longest),
-            tolerance: 10f64.powf(self.between(-14.0, -3.0)),
-            method: Method::Auto,
-            step: None,
-            outputs: Outputs {
-                last: true,
-                ..Outputs::NONE
-            },
-            wrt: Wrt::NONE,
-            output_interval: 1.0,
             estimate_error: true,
-            costs: Costs::default(),
+            ..Run::to_the_end(duration, tolerance)
         }
     }
 }

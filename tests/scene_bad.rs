@@ -2,18 +2,13 @@
 //! and nothing half-written.
 #![cfg(feature = "cli")]
 
+#[path = "outcome/command.rs"]
+mod command;
+
+use command::polhode;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-
-fn polhode(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command starts")
-}
 
 fn said(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("UTF-8")

@@ -5,7 +5,7 @@ use polhode::bench::{
     Contender, Problem, axes, calibrate, cells, ensemble, floor, held, measure, problems, reference,
 };
 use polhode::motion::FreeBody;
-use polhode::scene::{Costs, Method, Outputs, Run, Way, Wrt, angle, distance, size, way};
+use polhode::scene::{Run, Way, angle, distance, size, way};
 use std::time::Duration;
 
 fn problem(name: &str) -> Problem {
@@ -97,20 +97,7 @@ fn the_closed_form_holds_on_every_axis() {
 
 /// A run of a case of the map by a plan that knows nothing of it but the member.
 fn planned(problem: &Problem) -> Way {
-    let run = Run {
-        duration: problem.duration,
-        tolerance: 1e-9,
-        method: Method::Auto,
-        step: None,
-        outputs: Outputs {
-            last: true,
-            ..Outputs::NONE
-        },
-        wrt: Wrt::NONE,
-        output_interval: problem.duration,
-        estimate_error: false,
-        costs: Costs::default(),
-    };
+    let run = Run::to_the_end(problem.duration, 1e-9);
     way(&problem.member, &run).expect("a plan")
 }
 

@@ -1,19 +1,14 @@
 //! `polhode run` as a user sees it.
 #![cfg(feature = "cli")]
 
+#[path = "outcome/command.rs"]
+mod command;
+
+use command::polhode;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
-
-fn polhode(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_polhode"))
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .output()
-        .expect("the command starts")
-}
+use std::process::Output;
 
 fn code(output: &Output) -> Option<i32> {
     output.status.code()

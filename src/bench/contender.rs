@@ -7,8 +7,7 @@ use crate::motion::{
     Stepper, System, Taylor, Torque,
 };
 use crate::scene::{
-    Costs, Course, Member, Method, Outputs, Reach, Run, Way, Wrt, is_free, jacobian_bound,
-    sensitivity, settle, size, way,
+    Course, Member, Reach, Run, Way, Wrt, is_free, jacobian_bound, sensitivity, settle, size, way,
 };
 use nalgebra::Vector3;
 use std::hint::black_box;
@@ -149,14 +148,14 @@ impl Contender {
         let by = |way: Way| Course::new(member, &way).ok()?.last(*duration).ok();
         let tolerance = setting;
         match self {
-            Self::Plan => by(way(member, &asked(tolerance, *duration)).ok()?),
+            Self::Plan => by(way(member, &Run::to_the_end(*duration, tolerance)).ok()?),
             Self::PlanEstimated => {
-                let way = way(member, &asked(tolerance, *duration)).ok()?;
+                let way = way(member, &Run::to_the_end(*duration, tolerance)).ok()?;
                 let settled = settle(member, way, *duration, tolerance, &|| false);
                 settled.ok().map(|settled| settled.state)
             }
             Self::PlanJacobian => {
-                let way = way(member, &asked(tolerance, *duration)).ok()?;
+                let way = way(member, &Run::to_the_end(*duration, tolerance)).ok()?;
                 let last = by(way)?;
                 let bound = jacobian_bound(&way, tolerance);
                 let found = sensitivity(member, &JACOBIAN, ENTRIES, *duration, &last, bound);
@@ -185,24 +184,6 @@ const JACOBIAN: Wrt = Wrt {
     ..Wrt::ALL
 };
 const ENTRIES: Products = Products::Entries;
-
-/// A run that asks for the final state alone.
-fn asked(tolerance: f64, duration: f64) -> Run {
-    Run {
-        duration,
-        tolerance,
-        method: Method::Auto,
-        step: None,
-        outputs: Outputs {
-            last: true,
-            ..Outputs::NONE
-        },
-        wrt: Wrt::NONE,
-        output_interval: duration,
-        estimate_error: false,
-        costs: Costs::default(),
-    }
-}
 
 /// The step in which the body turns by `angle` as it starts.
 fn step(member: &Member, duration: f64, angle: f64) -> f64 {
