@@ -5,6 +5,25 @@
 //! it prints the derivation, on a prime field or on exact rationals and it decides whether a line that
 //! somebody wrote by hand is true.
 //!
+//! A step and its Jacobian:
+//!
+#![doc = concat!("```\n", include_str!("../examples/step_jacobian.rs"), "```")]
+//!
+//! Each line of a document, with the feature `verify`:
+//!
+//! ```
+//! # #[cfg(feature = "verify")] {
+//! use polhode::notation::{document::Format, read};
+//! use polhode::verify::{Verdict, check};
+//!
+//! let text = r"On principal axes $M_x = I_x\dot\omega_x - (I_y - I_z)\omega_y\omega_z$.";
+//! let (document, _) = read("notes.md", text, Format::Markdown);
+//! assert!(matches!(check(&document).findings[0].verdict, Verdict::Proved(_)));
+//! # }
+//! ```
+//!
+//! The modules import in one direction:
+//!
 //! ```text
 //! source ─ diagnostic ─ notation ─┐
 //!                                 ├─ algebra ─┐

@@ -1,6 +1,6 @@
 //! Scenes: bodies, the torques on them, and what is to be known of their motion.
 //!
-//! A scene file is TOML ([`read()`]). Every number of a body may be a distribution, and a group of `count` bodies
+//! A scene file is TOML ([`read()`], [`MANUAL`]). Every number of a body may be a distribution, and a group of `count` bodies
 //! draws each of its members from it by a seed: the same file gives the same bodies everywhere.
 //!
 //! ```
@@ -51,6 +51,9 @@ pub use spin::Spin;
 
 use crate::mechanics::Products;
 use crate::source::Span;
+
+/// A scene in which everything that can be written in one is said.
+pub const MANUAL: &str = include_str!("scene/manual.toml");
 
 /// What a scene file says.
 #[derive(Clone, Debug, PartialEq)]

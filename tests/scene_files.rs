@@ -56,6 +56,12 @@ fn every_example_is_read() {
 }
 
 #[test]
+fn the_manual_is_a_scene_itself() {
+    let scene = read(scene::MANUAL).expect("a good scene");
+    assert_eq!(scene.bodies(), 4);
+}
+
+#[test]
 fn the_sign_convention_decides_what_a_product_is() {
     let integrals = tensor("{ xx = 2.0, yy = 3, zz = 4, xy = 0.1 }");
     assert_eq!(integrals[(0, 1)].to_bits(), (-0.1f64).to_bits());

@@ -16,7 +16,9 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Example:
   polhode explain top.toml
-  polhode explain top.toml --format json")]
+  polhode explain top.toml --format json
+
+What can be written in a scene: polhode help scene")]
 pub(super) struct Options {
     /// A scene (.toml), or - for standard input
     #[arg(value_name = "SCENE")]

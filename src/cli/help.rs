@@ -1,26 +1,31 @@
-//! `polhode help`: the help of a command, or the manual of what is read.
+//! `polhode help`: the help of a command, or the manuals of what is read.
 
 use crate::cli::output;
 use crate::notation::MANUAL;
+use crate::scene;
 use anstream::ColorChoice;
 use clap::{Args, Command};
+use std::collections::BTreeSet;
 
-/// Prints the help of a command, or `notation`: what is read, and as what
+/// Prints the help of a command, or of what is read: `notation` of documents, `scene` files
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   polhode help check
-  polhode help notation")]
+  polhode help notation
+  polhode help scene")]
 pub(super) struct Options {
-    /// A command, or `notation`
+    /// A command, `notation` or `scene`
     topic: Option<String>,
 }
 
 /// Prints what was asked for and returns the exit code.
 pub(super) fn run(options: &Options, mut command: Command, color: ColorChoice) -> u8 {
     let topic = options.topic.as_deref();
-    if topic == Some("notation") {
-        return output::deliver(&manual(), None, color);
+    match topic {
+        Some("notation") => return output::deliver(&manual(), None, color),
+        Some("scene") => return output::deliver(scene::MANUAL, None, color),
+        _ => {}
     }
     command.build();
     let asked = match topic {
@@ -29,7 +34,7 @@ pub(super) fn run(options: &Options, mut command: Command, color: ColorChoice) -
     };
     let Some(asked) = asked else {
         eprintln!(
-            "error: there is no help on that; `polhode help` names the commands, and `notation` is a topic"
+            "error: there is no help on that; `polhode help` names the commands, and `notation` and `scene` are topics"
         );
         return 2;
     };
@@ -87,7 +92,10 @@ fn row(row: &str) -> String {
     let mut text = String::new();
     let mut width = WIDTH;
     let code = |cell: &String| pieces(cell).into_iter().filter(|piece| piece.code);
-    for spelling in spellings.iter().flat_map(|cell| code(cell)) {
+    let mut shown = BTreeSet::new();
+    // What two columns have in common is shown once.
+    let all = spellings.iter().flat_map(|cell| code(cell));
+    for spelling in all.filter(|spelling| shown.insert(spelling.text.clone())) {
         let length = spelling.text.chars().count() + 3;
         if width + length > WIDTH {
             text.push_str(if text.is_empty() { "  " } else { "\n  " });

@@ -34,8 +34,11 @@ Example:
   polhode run top.toml --format csv --out top.csv
   polhode run top.toml --format csv --out top.csv --resume top.csv
 
-Exit code: 0 the run is complete and within its tolerance, 2 the scene can't be run, 3 a body may be off by more than
-the tolerance, 130 stopped by Ctrl-C: what is written then is complete up to the time said.")]
+What can be written in a scene: polhode help scene
+
+Exit code: 0 the run is complete and within its tolerance, 2 the scene can't be run, 3 a body may
+be off by more than the tolerance, 130 stopped by Ctrl-C: what is written then is complete up to
+the time said.")]
 pub(super) struct Options {
     /// A scene (.toml), or - for standard input
     #[arg(value_name = "SCENE")]
