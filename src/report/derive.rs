@@ -149,6 +149,12 @@ impl Page {
         self.blocks.push(display);
     }
 
+    /// Of a line for each axis, those that are asked for.
+    fn chosen_rows(&mut self, lines: [(Formula, Formula); 3]) {
+        let rows = self.components().into_iter().map(|i| lines[i].clone());
+        self.rows(rows.collect());
+    }
+
     /// The indices of the components asked for.
     fn components(&self) -> Vec<usize> {
         match self.options.component {
@@ -216,13 +222,7 @@ impl Page {
         };
         self.rows(vec![(moment(), right)]);
         self.words("Component by component this is");
-        let lines = self.equations.transported();
-        self.rows(
-            self.components()
-                .into_iter()
-                .map(|i| lines[i].clone())
-                .collect(),
-        );
+        self.chosen_rows(self.equations.transported());
     }
 
     /// L = I ω, its components and their rates.
@@ -242,26 +242,14 @@ impl Page {
             self.rows(rates);
             self.words("So the rates of the components have two parts.");
         }
-        let lines = self.equations.momentum_rates();
-        self.rows(
-            self.components()
-                .into_iter()
-                .map(|i| lines[i].clone())
-                .collect(),
-        );
+        self.chosen_rows(self.equations.momentum_rates());
     }
 
     /// The components of the moment in inertia and motion alone.
     fn moments(&mut self, heading: &str, equations: Equations) {
         self.heading(2, heading);
         self.words("Put together, the moments are");
-        let lines = equations.moments();
-        self.rows(
-            self.components()
-                .into_iter()
-                .map(|i| lines[i].clone())
-                .collect(),
-        );
+        self.chosen_rows(equations.moments());
     }
 
     /// Euler's equations, as what is left of the general ones.
@@ -287,12 +275,6 @@ impl Page {
         }
         pieces.push(Piece::Words(". Then the moments are"));
         self.blocks.push(Block::Prose(pieces));
-        let lines = special.moments();
-        self.rows(
-            self.components()
-                .into_iter()
-                .map(|i| lines[i].clone())
-                .collect(),
-        );
+        self.chosen_rows(special.moments());
     }
 }
