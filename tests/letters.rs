@@ -191,3 +191,45 @@ $$
     let found = verdicts(text);
     assert_eq!(found[found.len() - 3..], ["proved", "proved", "refuted"]);
 }
+
+#[test]
+fn a_pi_that_moves_is_a_letter() {
+    let text = r"
+Let $R$ be the rotation matrix that carries body vectors to space vectors, and $\Omega$ the body angular velocity,
+
+$$ \dot R\,v = R\,(\Omega\times v) $$
+
+for any vector $v$. The body angular momentum is
+
+$$ \Pi = \mathbb{I}\,\Omega $$
+
+and the spatial one is
+
+$$ \pi = R\,\Pi $$
+
+By the product rule
+
+$$ \dot\pi = \dot R\,\Pi + R\,\dot\Pi $$
+
+$$ \dot\pi = \dot R\,\Pi - R\,\dot\Pi $$
+";
+    let found = verdicts(text);
+    assert_eq!(found[3..], ["proved", "refuted"], "{found:?}");
+}
+
+#[test]
+fn a_tensor_with_products_is_not_on_the_principal_axes_of_the_words() {
+    let text = r"
+A cube has the mass $M$ and the side $a$. With $\mu = Ma^2/12$ the tensor about a corner is
+
+$$ \mathbf I = \mu\begin{pmatrix} 8 & -3 & -3 \\ -3 & 8 & -3 \\ -3 & -3 & 8 \end{pmatrix} $$
+
+The principal moments are not needed. For $\omega_x = \Omega$, $\omega_y = \omega_z = 0$
+
+$$ L_y = -3\mu\Omega $$
+
+$$ T = 5\mu\Omega^2 $$
+";
+    let found = verdicts(text);
+    assert_eq!(found[4..], ["proved", "refuted"], "{found:?}");
+}

@@ -38,6 +38,7 @@ pub(super) mod role_by_content;
 pub(super) mod signs;
 pub(super) mod small;
 pub(super) mod space_line;
+pub(super) mod squares;
 pub(super) mod steps;
 pub(super) mod summation;
 pub(super) mod trust;

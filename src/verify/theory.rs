@@ -104,8 +104,8 @@ pub(super) struct Theory {
     mentioned: Mentioned,
     /// The turn of the premise that was solved last.
     last_turn: Option<solve::Turn>,
-    /// Angles that a vector makes with the axis of symmetry, and which vector.
-    pub(super) cones: BTreeMap<Variable, Quantity>,
+    /// Angles that a vector makes with the axis of symmetry, and which vector; the axis, where it is named by its letter.
+    pub(super) cones: BTreeMap<Variable, (Quantity, Option<u8>)>,
     /// Premises that turned out to speak of a rate, by what they gave.
     of_rates: HashMap<Name, u8>,
     pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,

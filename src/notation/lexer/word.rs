@@ -249,11 +249,34 @@ impl<'a> Lexer<'a> {
         let sure = [
             "kg", "rad", "Nm", "N m", "N*m", "N·m", "deg", "rpm", "Hz", "m/s",
         ];
-        if sure.iter().any(|unit| text.starts_with(unit)) && is_unit(text) {
+        let alone = || self.is_value_with_unit(text, &inner[end..]);
+        if is_unit(text) && (sure.iter().any(|unit| text.starts_with(unit)) || alone()) {
             let start = self.at + lead;
             self.at = start + text.len();
             self.push(Lexeme::Text(&inner[..text.len()]), start);
         }
+    }
+}
+
+impl Lexer<'_> {
+    /// Whether a number and a unit of length, time, force or energy are all that stands on the right of a sign:
+    /// `R = 0.25 m`. `M = 2 m` is twice a mass.
+    fn is_value_with_unit(&self, unit: &str, behind: &str) -> bool {
+        let units = ["m", "s", "N", "J", "W", "mm", "cm", "km"];
+        let ends = !behind
+            .starts_with(|c: char| !c.is_whitespace() && !matches!(c, '.' | ',' | ';' | ')'));
+        let before = self.text[..self.at].rsplit(['\n', ',', ';']).next();
+        let before = before.unwrap_or_default();
+        let Some((left, number)) = before.rsplit_once(['=', '≈', '≃']) else {
+            return false;
+        };
+        let digits = |c: char| c.is_ascii_digit() || matches!(c, '.' | ' ' | '-' | '−');
+        let mass = left.trim().ends_with(['m', 'M']) || left.trim().contains('m');
+        let whole = !number.contains('.');
+        units.contains(&unit)
+            && ends
+            && number.chars().all(digits)
+            && !(unit == "m" && whole && mass)
     }
 }
 

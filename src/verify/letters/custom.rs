@@ -18,7 +18,9 @@ impl Reading {
                 "L" | "H" | "M" | "h" => !self.is_directed(&letter.name),
                 _ => false,
             };
-            let apart = free && self.apart.contains(&letter) || self.arms.contains(&letter);
+            let apart = free && self.apart.contains(&letter)
+                || self.arms.contains(&letter)
+                || self.periods.contains(&letter);
             if self.quantities.contains_key(&letter) || apart {
                 continue;
             }

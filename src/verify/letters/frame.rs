@@ -269,9 +269,8 @@ fn by_custom(label: &str) -> Option<Frame> {
     }
     match lower {
         "space" | "inertial" | "fixed" | "f" | "n" | "i" | "in" | "lab" | "abs" | "absolute"
-        | "world" | "w" | "inert" | "ground" | "0" | "s" | "fix" | "s0" | "r0" => {
-            Some(Frame::Space)
-        }
+        | "world" | "w" | "inert" | "ground" | "room" | "labo" | "laboratory" | "outside"
+        | "stars" | "0" | "s" | "fix" | "s0" | "r0" => Some(Frame::Space),
         "body" | "rot" | "rotating" | "b" | "m" | "moving" | "rel" | "relative" | "bodyfixed"
         | "r" | "rotate" | "turning" | "s1" | "r1" | "1" | "bodyaxes" | "rotatingframe"
         | "local" => Some(Frame::Moving),

@@ -55,6 +55,8 @@ pub(crate) struct Reading {
     pub(crate) starts: Vec<(Symbol, Node)>,
     /// Letters whose value has a weight in it.
     pub(crate) totals: BTreeSet<Letter>,
+    /// Letters of a period.
+    pub(crate) periods: BTreeSet<Letter>,
     /// Whether ω and the inertia are only ever numbers.
     pub(crate) flat: bool,
     /// Whether principal axes are chosen, as any may be.
@@ -106,6 +108,7 @@ impl Reading {
         reading.by_moments(document);
         reading.flat = reading.is_flat();
         reading.note_totals(document);
+        reading.note_periods(document);
         reading.note_arms(document);
         reading.note_beginnings(document);
         reading.by_words();

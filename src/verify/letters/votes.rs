@@ -57,8 +57,10 @@ impl Reading {
                     if listed_apart(&text, near) || (near || ended) && names_wheel_speeds(&text) {
                         self.apart.extend(last.drain(..));
                     }
+                    let blank = text.trim().is_empty();
+                    near &= blank;
                     ended = false;
-                    opens_paragraph &= text.trim().is_empty();
+                    opens_paragraph &= blank;
                     before.push_str(&text);
                     if let Some(end) = before.rfind(['.', '!', '?']) {
                         before.drain(..=end);
@@ -185,6 +187,7 @@ impl Reading {
     fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
         let used = self.usage.get(letter);
         match quantity {
+            _ if self.periods.contains(letter) => false,
             // Beside a T, E is the sum of it and a potential energy.
             Quantity::Energy if letter.name == "E" && self.has_bare("T") => false,
             Quantity::Energy if self.totals.contains(letter) => false,

@@ -52,6 +52,9 @@ impl Checker<'_> {
             if !open && self.names_components(sides, finding) {
                 return;
             }
+            if self.settled_by_squares(&read, open, finding) {
+                return;
+            }
             let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
             if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);

@@ -4,11 +4,11 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
+use crate::verify::letters::usage::{inner, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::passes_filter;
-use crate::verify::values::atoms::Owner;
+use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -107,7 +107,7 @@ impl Checker<'_> {
         let mut foreign = is_in_digits(side);
         for entity in self.entities([side]) {
             match &self.theory.atoms.info(entity).owner {
-                Owner::Symbol(_) => foreign |= self.is_free(entity),
+                Owner::Symbol(_) => foreign |= self.is_free(entity) || self.is_size(entity),
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
                 Owner::Quantity(quantity, _)
                     if INPUTS.contains(quantity)
@@ -116,6 +116,19 @@ impl Checker<'_> {
             }
         }
         Some(foreign)
+    }
+
+    /// Whether a symbol is short for masses and lengths: `\mu = Ma^2/12`.
+    fn is_size(&mut self, entity: Entity) -> bool {
+        let value = self.theory.atoms.value(entity, 0, 0);
+        let normal = self.theory.normal(&value);
+        let atoms = &self.theory.atoms;
+        let size = |v: u32| match atoms.owner(v) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::Mass,
+            None => false,
+        };
+        normal != value && !normal.is_zero() && normal.variables().into_iter().all(size)
     }
 
     /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over: it stands alone
@@ -184,77 +197,6 @@ impl Checker<'_> {
         rights.iter().any(|right| {
             let right = self.theory.normal(right);
             right.as_variable().is_none() && right.variables().iter().any(|v| renamed.contains(v))
-        })
-    }
-
-    /// Whether a side is the moment, or one component of it, that a free rate of ω̇ makes: its value follows from nothing.
-    /// Zero is such a value while nothing says how the body turns, or in a list of data.
-    fn is_any_moment(&mut self, side: &Node, zero: bool) -> bool {
-        let Kind::Symbol(symbol) = &inner(side).kind else {
-            return false;
-        };
-        let moment = self.theory.atoms.quantity(Quantity::Moment);
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let components = match self.meaning_of(symbol) {
-            Meaning::Whole(entity) if entity == moment => 0..3,
-            Meaning::Component(entity, c) if entity == moment => c..c + 1,
-            _ => return false,
-        };
-        let data = self.findings.last().is_some_and(|f| f.role == Role::Given);
-        let turns_freely = (0..3).all(|c| {
-            let rate = self.theory.atoms.value(omega, c, 0);
-            let rate = self.theory.normal(&rate);
-            rate.as_variable().is_some() || rate.is_zero() && self.reading.plane
-        });
-        let mut driven = components.filter(|c| !self.reading.plane || *c == 2);
-        (data || turns_freely || !zero)
-            && driven.all(|c| {
-                let value = self.theory.atoms.value(moment, c, 0);
-                let made_of = self.theory.normal(&value).variables();
-                let rates = (0..3).map(|k| self.theory.atoms.part(omega, k, 1));
-                rates.into_iter().any(|rate| made_of.contains(&rate))
-            })
-    }
-
-    /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
-    fn gives_momentum(&mut self, sides: &[Node]) -> bool {
-        let [left, right] = sides else { return false };
-        let whole = |quantity| Owner::Quantity(quantity, String::new());
-        let turns = |owner: &Owner| {
-            use Quantity::{
-                AngularAcceleration, AngularVelocity, Energy, Inertia, Moment, Momentum, Power,
-            };
-            let of_turning = [
-                AngularVelocity,
-                AngularAcceleration,
-                Inertia,
-                Moment,
-                Momentum,
-                Energy,
-                Power,
-            ];
-            of_turning
-                .into_iter()
-                .any(|quantity| *owner == whole(quantity))
-        };
-        let mut written = symbols(right).into_iter().map(Letter::of);
-        let rate = |letter: Letter| {
-            self.reading.quantities.get(&letter) == Some(&Quantity::AngularVelocity)
-        };
-        if written.any(rate) {
-            return false;
-        }
-        let (named, made_of) = (self.entities([left]), self.entities([right]));
-        let owner = |entity: &_| &self.theory.atoms.info(*entity).owner;
-        let momentum =
-            matches!(named.as_slice(), [one] if *owner(one) == whole(Quantity::Momentum));
-        if !momentum || made_of.is_empty() || made_of.iter().any(|entity| turns(owner(entity))) {
-            return false;
-        }
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        (0..3).all(|component| {
-            let variable = self.theory.atoms.part(omega, component, 0);
-            self.theory.rule(variable).is_none()
         })
     }
 

@@ -3,11 +3,13 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Role, Verdict};
+use num_traits::Zero;
 
 impl Checker<'_> {
     /// Whether a side is the rate of the angular velocity, or of a component of it, that nothing determines.
@@ -22,6 +24,77 @@ impl Checker<'_> {
         };
         let mut entries = value.entries.iter();
         turning && entries.all(|entry| self.theory.normal(entry).as_variable().is_some())
+    }
+
+    /// Whether a side is the moment, or one component of it, that a free rate of ω̇ makes: its value follows from nothing.
+    /// Zero is such a value while nothing says how the body turns, or in a list of data.
+    pub(crate) fn is_any_moment(&mut self, side: &Node, zero: bool) -> bool {
+        let Kind::Symbol(symbol) = &inner(side).kind else {
+            return false;
+        };
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let components = match self.meaning_of(symbol) {
+            Meaning::Whole(entity) if entity == moment => 0..3,
+            Meaning::Component(entity, c) if entity == moment => c..c + 1,
+            _ => return false,
+        };
+        let data = self.findings.last().is_some_and(|f| f.role == Role::Given);
+        let turns_freely = (0..3).all(|c| {
+            let rate = self.theory.atoms.value(omega, c, 0);
+            let rate = self.theory.normal(&rate);
+            rate.as_variable().is_some() || rate.is_zero() && self.reading.plane
+        });
+        let mut driven = components.filter(|c| !self.reading.plane || *c == 2);
+        (data || turns_freely || !zero)
+            && driven.all(|c| {
+                let value = self.theory.atoms.value(moment, c, 0);
+                let made_of = self.theory.normal(&value).variables();
+                let rates = (0..3).map(|k| self.theory.atoms.part(omega, k, 1));
+                rates.into_iter().any(|rate| made_of.contains(&rate))
+            })
+    }
+
+    /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
+    pub(crate) fn gives_momentum(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let turns = |owner: &Owner| {
+            use Quantity::{
+                AngularAcceleration, AngularVelocity, Energy, Inertia, Moment, Momentum, Power,
+            };
+            let of_turning = [
+                AngularVelocity,
+                AngularAcceleration,
+                Inertia,
+                Moment,
+                Momentum,
+                Energy,
+                Power,
+            ];
+            of_turning
+                .into_iter()
+                .any(|quantity| *owner == whole(quantity))
+        };
+        let mut written = symbols(right).into_iter().map(Letter::of);
+        let rate = |letter: Letter| {
+            self.reading.quantities.get(&letter) == Some(&Quantity::AngularVelocity)
+        };
+        if written.any(rate) {
+            return false;
+        }
+        let (named, made_of) = (self.entities([left]), self.entities([right]));
+        let owner = |entity: &_| &self.theory.atoms.info(*entity).owner;
+        let momentum =
+            matches!(named.as_slice(), [one] if *owner(one) == whole(Quantity::Momentum));
+        if !momentum || made_of.is_empty() || made_of.iter().any(|entity| turns(owner(entity))) {
+            return false;
+        }
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        (0..3).all(|component| {
+            let variable = self.theory.atoms.part(omega, component, 0);
+            self.theory.rule(variable).is_none()
+        })
     }
 
     /// Whether a side is how the body or the axes turn, which no law determines: words that derive it speak of the

@@ -151,6 +151,7 @@ impl Checker<'_> {
         self.note_triad(&sides);
         self.note_origin(&sides);
         self.note_turned_moments(&sides);
+        self.note_written_products(&sides);
         self.note_translation(&sides);
         self.note_wheel_energy(&sides);
         self.note_scalars(&sides);

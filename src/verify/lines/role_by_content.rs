@@ -29,6 +29,15 @@ impl Checker<'_> {
             return role;
         }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        // `T = 2π/Ω = 3.1 s` works a number out.
+        let numeral = |side: &Node| symbols(side).iter().all(|symbol| symbol.name == "pi");
+        if let [middle @ .., last] = rest
+            && numeral(last)
+            && !is_zero(last)
+            && middle.iter().any(|side| !alone(side) && !numeral(side))
+        {
+            return Role::Claim;
+        }
         if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
             return role;
         }

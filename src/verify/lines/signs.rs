@@ -131,7 +131,7 @@ impl Checker<'_> {
         if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
             finding.reason = None;
             self.proved(&read, proof, finding);
-            let ordered = "each term of the difference has this sign";
+            let ordered = "each term of the difference has this sign where it is not zero";
             finding.remarks.push(ordered.to_owned());
         }
     }

@@ -46,23 +46,35 @@ const BEHIND: &[&str] = &[
     "are much smaller",
     "is much smaller",
 ];
-/// Words behind a component of ω whose rate is of second order in the others.
-const KEPT: &[&str] = &[
-    "is nearly constant",
-    "is almost constant",
-    "is approximately constant",
-    "is essentially constant",
-    "remains nearly constant",
-    "remains approximately constant",
-    "stays nearly constant",
-    "may be taken as constant",
-    "may be taken to be constant",
-    "can be taken as constant",
-    "can be treated as constant",
-    "can be considered constant",
-    "may be neglected",
-    "can be neglected",
-    "is negligible",
+/// Words behind a component of ω that leave out what is of second order in its rate.
+const KEPT: &[&str] = &["may be neglected", "can be neglected", "is negligible"];
+/// What may stand between a component of ω and the word "constant", where its rate is of second order in the others.
+const HARDLY: &[&str] = &[
+    "nearly",
+    "almost",
+    "approximately",
+    "essentially",
+    "practically",
+    "effectively",
+    "sensibly",
+    "very",
+    "a",
+    "as",
+    "to",
+    "be",
+    "is",
+    "remains",
+    "stays",
+    "may",
+    "can",
+    "taken",
+    "treated",
+    "regarded",
+    "considered",
+    "then",
+    "therefore",
+    "first",
+    "order",
 ];
 /// Words that leave out what is of second order.
 const LINEAR: &[&str] = &[
@@ -81,8 +93,20 @@ const LINEAR: &[&str] = &[
     "quadratic terms",
     "perturb",
 ];
+/// The end of the name of a premise that a component of ω hardly changes.
+const OF_SECOND: &str = " is of second order";
 /// The highest order to which the series of a sine and a cosine are taken.
 const HIGHEST: u32 = 3;
+
+/// Whether words behind a component of ω say that it hardly changes: "may be taken as a constant".
+fn is_hardly_changed(text: &str) -> bool {
+    let clause = text.split(['.', ',', ';', ':', '⟨']).next();
+    let mut words = clause.unwrap_or_default().split_whitespace();
+    let lead: Vec<&str> = words.by_ref().take_while(|w| *w != "constant").collect();
+    let nearly = lead.len() > 1 && lead.iter().all(|word| HARDLY.contains(word));
+    let ends = words.next().is_none_or(|word| word != "of");
+    nearly && ends && text.contains("constant")
+}
 
 impl Checker<'_> {
     /// Notes symbols of an expression that the words before it call small.
@@ -104,7 +128,9 @@ impl Checker<'_> {
             named.iter().for_each(|node| self.call_positive(node));
         } else if BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_small(node));
-        } else if let ([node], true) = (named, KEPT.iter().any(|words| text.starts_with(words))) {
+        } else if let [node] = named
+            && (KEPT.iter().any(|words| text.starts_with(words)) || is_hardly_changed(text))
+        {
             self.hardly_changes(node);
         }
     }
@@ -193,12 +219,13 @@ impl Checker<'_> {
         if entity != omega || self.reading.fixed_axis.is_some() {
             return false;
         }
+        self.small_turns.remove(&axis);
         self.theory.set(|setting| setting.dropped_axis = Some(axis));
         let rate = self.theory.atoms.value(entity, axis, 1);
-        let name = format!(
-            "{} is of second order",
-            self.document.source.slice(node.span)
-        );
+        let name = format!("{}{OF_SECOND}", self.document.source.slice(node.span));
+        // Where the body spins about another axis now, what was said of the one before is over.
+        self.theory
+            .retain(|premise| premise.name == name || !premise.name.ends_with(OF_SECOND));
         let premise = Premise {
             name: name.clone(),
             preferred: rate.as_variable().into_iter().collect(),

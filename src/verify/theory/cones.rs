@@ -12,8 +12,11 @@ impl Theory {
     /// Sine and cosine of an angle that words call that of a vector with the axis; `None` for any other, and where the
     /// body is not symmetric or turns by this angle.
     pub(crate) fn cone(&mut self, angle: Variable) -> Option<(Fraction, Fraction)> {
-        let quantity = *self.cones.get(&angle)?;
+        let (quantity, named) = *self.cones.get(&angle)?;
         let [axial, first, second] = self.symmetry()?;
+        if named.is_some_and(|named| usize::from(named) != axial) {
+            return None;
+        }
         let vector = self.normals_of(quantity);
         let rate = self.normals_of(Quantity::AngularVelocity);
         let turns = |f: &Fraction| {

@@ -188,7 +188,7 @@ impl<T: Substance> World<'_, T> {
         );
         let value = match self.kind(variable) {
             _ if root => T::draw(Kind::Positive, self.chance()),
-            Kind::Any if self.seed % 4 > 1 && self.is_plain(variable) => {
+            Kind::Any | Kind::Signed if self.seed % 4 > 1 && self.is_plain(variable) => {
                 // Points of a sphere with small coordinates: (1, 2, 2)/3, (2, 3, 6)/7.
                 let below = [1, 3, 5, 7][(self.seed / 4 % 4) as usize];
                 T::draw(Kind::Over(below), self.chance())

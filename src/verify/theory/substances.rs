@@ -80,7 +80,7 @@ impl Substance for Rational {
         Self::from(match kind {
             Kind::Positive => 4 + below(4),
             Kind::Small => [-1, 1][below(2) as usize],
-            Kind::Any => [1, 2, -1, 3, -2, 5][below(6) as usize],
+            Kind::Any | Kind::Signed => [1, 2, -1, 3, -2, 5][below(6) as usize],
             // A zero lets many a root be rational.
             Kind::Over(_) if chance & 1 == 0 => 0,
             Kind::Over(whole) => {

@@ -8,7 +8,7 @@ use crate::verify::theory::attitude_law::{UNIT, number_of_quaternion, square_of_
 use crate::verify::theory::kept::{Point, Relations};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::figures::is_pi;
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 use std::collections::BTreeSet;
 
 /// A scalar that worlds are made of.
@@ -42,6 +42,8 @@ pub(crate) enum Kind {
     Positive,
     /// A product of inertia: small.
     Small,
+    /// A component of a vector, or a rate: of either sign.
+    Signed,
     /// Anything else.
     Any,
     /// A small multiple of one over this.
@@ -205,13 +207,27 @@ impl<'a, T: Substance> World<'a, T> {
         match self.theory.atoms.info(entity).owner {
             Owner::Quantity(Quantity::Inertia, _) if component >= 3 => Kind::Small,
             Owner::Quantity(Quantity::Inertia | Quantity::Mass, _) if order == 0 => Kind::Positive,
+            _ if order > 0 || self.theory.atoms.info(entity).shape == Shape::Vector => Kind::Signed,
             _ => Kind::Any,
         }
     }
 
     /// A point of the unit circle, (2u, 1 − u²)/(1 + u²), for the sine and cosine of one angle.
     fn circle(&mut self, argument: Fraction) {
-        let u = T::draw(Kind::Any, self.chance());
+        let time = Owner::Quantity(Quantity::Time, String::new());
+        let moves = |v: Variable| {
+            let info = self
+                .theory
+                .atoms
+                .entity_of(v)
+                .map(|e| self.theory.atoms.info(e));
+            info.is_some_and(|info| !info.constant || info.owner == time)
+        };
+        let kind = match argument.variables().into_iter().any(moves) {
+            true => Kind::Signed,
+            false => Kind::Any,
+        };
+        let u = T::draw(kind, self.chance());
         let square = u.clone() * u.clone();
         let whole = T::one() + square.clone();
         if whole.is_zero() {

@@ -1,6 +1,6 @@
 //! Products, powers and norms.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Rational};
 use crate::notation::ast::{Factor, Function, Kind, Node, Operator};
 use crate::verify::letters::usage::inner;
 use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
@@ -85,6 +85,9 @@ impl Lowering<'_> {
         let power = self.value(exponent)?;
         let power = power.as_scalar().filter(|power| power.is_polynomial());
         let power = power.and_then(|power| power.numerator().is_constant());
+        if let Some(halves) = power.as_ref().and_then(half_power) {
+            return self.power_of_root(base, halves);
+        }
         let Some(power) = power.and_then(|p| p.to_integer()) else {
             return Err(trouble(
                 TroubleKind::Unsupported,
@@ -132,6 +135,21 @@ impl Lowering<'_> {
         Ok(product)
     }
 
+    /// `x^{3/2}`: so many powers of the root.
+    fn power_of_root(&mut self, base: &Node, halves: i64) -> Lowered {
+        let value = self.value(base)?;
+        if !value.is_scalar() {
+            let message = "a root of what is no number";
+            return Err(trouble(TroubleKind::Unsupported, base.span, message));
+        }
+        let root = self.square_root(value.entries[0].clone());
+        let power = (0..halves.unsigned_abs()).fold(Fraction::one(), |p, _| p * root.clone());
+        Ok(Value::scalar(match halves < 0 {
+            true => Fraction::one() / power,
+            false => power,
+        }))
+    }
+
     /// What stands under the root of a length that is squared.
     fn square_of_norm(&mut self, base: &Node) -> Option<Value> {
         let Kind::Norm(inside) = &inner(base).kind else {
@@ -164,6 +182,12 @@ impl Lowering<'_> {
             None => self.theory.kernel(Function::Sqrt, radicand),
         }
     }
+}
+
+/// Twice a power that is half an odd number, and not high.
+fn half_power(power: &Rational) -> Option<i64> {
+    let halves = (power.clone() * Rational::from(2)).to_integer()?;
+    (halves % 2 != 0 && halves.abs() < 8).then_some(halves)
 }
 
 fn is_one(node: &Node) -> bool {

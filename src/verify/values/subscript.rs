@@ -143,7 +143,9 @@ pub(crate) fn tells_nothing_apart(
     let whole = match quantity {
         Quantity::Inertia => {
             let marked = symbol.style.vector || symbol.style.tensor || used.tensor > 0;
-            marked || used.component + used.double == 0
+            // The moment about one axis by the words is a number.
+            let moment = reading.moments.iter().any(|m| m.symbol == *symbol);
+            marked || !moment && used.component + used.double == 0
         }
         Quantity::Momentum | Quantity::Moment => symbol.style.vector,
         Quantity::AngularVelocity => {

@@ -205,9 +205,11 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     {
         return Some(Meaning::UnitVector(component));
     }
-    let plain = symbol.subscripts.is_empty();
+    // What moves or is a vector is no number: the spatial momentum π beside Π.
+    let used = reading.usage.get(&Letter::of(symbol));
+    let number = symbol.subscripts.is_empty() && !used.moving && used.vector == 0;
     match symbol.name.as_str() {
-        "pi" if plain => Some(Meaning::Pi),
+        "pi" if number => Some(Meaning::Pi),
         _ if reading.is_identity(symbol) => Some(Meaning::Identity),
         _ => None,
     }

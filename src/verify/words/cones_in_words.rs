@@ -3,7 +3,7 @@
 
 use crate::notation::ast::Symbol;
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
@@ -42,8 +42,10 @@ impl Checker<'_> {
             let text = sentence.numbered();
             let axis = has_any(&text, AXES);
             for clause in text.split([',', ';', ':']).flat_map(|c| c.split(" while ")) {
+                let named = self.names_axis(clause, &symbols);
+                let axis = axis || named.is_some();
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
-                    self.note_cone(clause, &symbols);
+                    self.note_cone(clause, &symbols, named);
                 }
                 if has_any(clause, ACROSS) {
                     self.note_transverse_rate(clause, &symbols);
@@ -52,7 +54,25 @@ impl Checker<'_> {
         }
     }
 
-    fn note_cone(&mut self, clause: &str, symbols: &[&Symbol]) {
+    /// The axis that a clause names by a formula: "the ⟨z⟩ axis", "⟨\hat e_3⟩".
+    fn names_axis(&mut self, clause: &str, symbols: &[&Symbol]) -> Option<u8> {
+        in_clause(clause, symbols)
+            .into_iter()
+            .find_map(|(at, symbol)| {
+                if let Meaning::UnitVector(axis) = self.meaning_of(symbol) {
+                    return Some(axis);
+                }
+                let mark = format!("⟨{at}⟩");
+                let (before, behind) = clause.split_once(&mark)?;
+                let lead = before.trim_end();
+                let spoken = behind.trim_start_matches(['-', ' ']).starts_with("axis")
+                    || lead.ends_with("axis");
+                let plain = symbol.subscripts.is_empty() && !symbol.style.vector;
+                axis(&symbol.name).filter(|_| spoken && plain)
+            })
+    }
+
+    fn note_cone(&mut self, clause: &str, symbols: &[&Symbol], axis: Option<u8>) {
         let met = in_clause(clause, symbols);
         let names_angle = |(at, symbol): &&(usize, &Symbol)| {
             let mark = format!("⟨{at}⟩");
@@ -87,7 +107,7 @@ impl Checker<'_> {
         };
         if let Meaning::Whole(entity) = self.meaning_of(angle) {
             let variable = self.theory.atoms.part(entity, 0, 0);
-            self.theory.cones.insert(variable, quantity);
+            self.theory.cones.insert(variable, (quantity, axis));
         }
     }
 

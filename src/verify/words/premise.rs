@@ -17,6 +17,7 @@ use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::prose::Said;
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 impl Checker<'_> {
@@ -37,6 +38,7 @@ impl Checker<'_> {
             }
             Said::DotsOnBody => self.dots.replace(Frame::Moving) != Some(Frame::Moving),
             Said::DotsInSpace => self.dots.replace(Frame::Space) != Some(Frame::Space),
+            Said::Principal if self.products_are_given() => false,
             Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
             Said::SymmetryPlane(a, b) => {
                 let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
@@ -46,6 +48,42 @@ impl Checker<'_> {
         };
         if new {
             self.tell(span, name);
+        }
+    }
+
+    /// Whether lines say of a product of inertia what it is: the principal axes that words speak of are other ones.
+    fn products_are_given(&mut self) -> bool {
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        (3..6).any(|component| {
+            let product = self.theory.atoms.value(inertia, component, 0);
+            let normal = self.theory.normal(&product);
+            normal != product && !normal.is_zero()
+        })
+    }
+
+    /// A tensor that a line writes out with products of its own does not stand on the principal axes that words spoke of.
+    pub(crate) fn note_written_products(&mut self, sides: &[Node]) {
+        let [left, right] = sides else { return };
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let tensor = match &inner(left).kind {
+            Kind::Symbol(symbol) => self.meaning_of(symbol),
+            _ => return,
+        };
+        if !matches!(tensor, Meaning::Whole(entity) if entity == inertia) {
+            return;
+        }
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return;
+        };
+        let written = |entry: &Fraction| {
+            let variables = entry.variables();
+            let mut entities = variables.iter().map(|&v| self.theory.atoms.entity_of(v));
+            !entry.is_zero() && entities.all(|entity| entity != Some(inertia))
+        };
+        let off_diagonal = [1, 2, 5].into_iter().filter_map(|at| value.entries.get(at));
+        if value.entries.len() == 9 && off_diagonal.into_iter().any(written) {
+            let words = Said::Principal.words();
+            self.theory.retain(|premise| premise.name != words);
         }
     }
 

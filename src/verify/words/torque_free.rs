@@ -111,9 +111,11 @@ static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
     )
 });
 
+const THERE: &[&str] = &["is no ", "are no ", "with no "];
+
 /// What no text is without that says that no torque acts.
 static CUES: LazyLock<Book> =
-    LazyLock::new(|| Book::of([FREE, KINDS, NOTHING, FREE_MOTION, FORCE_FREE].concat()));
+    LazyLock::new(|| Book::of([FREE, KINDS, NOTHING, FREE_MOTION, FORCE_FREE, THERE].concat()));
 
 /// Whether a text in small letters says that no torque acts.
 pub(crate) fn torque_free(text: &str) -> bool {
@@ -121,6 +123,7 @@ pub(crate) fn torque_free(text: &str) -> bool {
         let mut supposed = [&NO_TORQUE, &FREELY, &NO_FORCE].into_iter();
         stands(&FREE_BOOK, text)
             || denies_a_kind(text)
+            || there_is_none(text)
             || supposed.any(|supposed| supposed.is_in(text))
     };
     CUES.is_in(text) && says()
@@ -143,6 +146,18 @@ pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
 fn denies_a_kind(text: &str) -> bool {
     let mut names = ["torque", "moment", "couple"].iter();
     names.any(|name| text.contains(name)) && words(text).windows(3).any(denies)
+}
+
+/// "There is no moment": none of any kind, about no axis in particular.
+fn there_is_none(text: &str) -> bool {
+    const PARTS: &[&str] = &["of", "about", "along", "around", "in", "arm", "from", "due"];
+    let words = words(text);
+    let mut places = words.windows(3).enumerate();
+    places.any(|(at, three)| {
+        let none = matches!(three, ["is" | "are" | "with", "no", thing] if THINGS.contains(thing));
+        let behind = words.get(at + 3);
+        none && behind.is_none_or(|word| !PARTS.contains(word))
+    })
 }
 
 fn denies(words: &[&str]) -> bool {
