@@ -45,7 +45,7 @@ fn a_chain_may_mix_equality_with_other_relations() {
 $$ 2T = I_1\omega_1^2 + I_1\omega_2^2 + I_3\,\omega_3^2 > 0 $$
 "
     );
-    assert_eq!(verdicts(&text), "app");
+    assert_eq!(verdicts(&text), "apu");
 }
 
 #[test]
