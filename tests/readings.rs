@@ -4,7 +4,8 @@
 #[path = "outcome/verdicts.rs"]
 mod outcome;
 
-use outcome::verdicts;
+use outcome::{verdicts, verdicts_in};
+use polhode::notation::document::Format;
 
 #[test]
 fn moments_that_are_added_act_together() {
@@ -125,4 +126,17 @@ fn an_unknown_factor_of_the_difference_does_not_save_a_line() {
 $$ p^2 = k^2\,\omega_x^2\,\omega_y $$
 ";
     assert_eq!(verdicts(text), "ar");
+}
+
+#[test]
+fn the_front_matter_gives_letters_a_meaning() {
+    let head = "---\nsymbols:\n  W: momentum\n  u: angular velocity\n  Q: moment\n---\n";
+    let text = |line: &str| format!("{head}On body axes\n\n$$ {line} $$\n");
+    let line = r"Q_x = \dot W_x - W_y u_z + W_z u_y";
+    assert_eq!(verdicts(&text(line)), "p");
+    assert_eq!(verdicts(&text(&line.replace("\\dot ", ""))), "r");
+    let latex = "% polhode: symbol W: momentum\n% polhode: symbol u: angular velocity\n\
+                 % polhode: symbol Q: torque\n\\begin{document}On body axes $Q_x = \\dot W_x - W_y u_z + W_z u_y$.\n\
+                 \\end{document}\n";
+    assert_eq!(verdicts_in(latex, Format::Latex), "p");
 }

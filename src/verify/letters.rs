@@ -24,6 +24,7 @@ pub(super) mod reading;
 pub(super) mod rivals;
 pub(super) mod roles_by_law;
 pub(super) mod sequences;
+pub(super) mod set_letters;
 pub(super) mod sightings;
 pub(super) mod skew_marks;
 pub(super) mod space_axes;

@@ -126,6 +126,8 @@ impl Reading {
                 q.name()
             )
         });
-        whole.chain(parts).chain(self.attitude.describe()).collect()
+        let not_set = self.not_set.iter().cloned();
+        let attitude = self.attitude.describe();
+        whole.chain(parts).chain(attitude).chain(not_set).collect()
     }
 }

@@ -37,6 +37,8 @@ pub(crate) struct Reading {
     /// Letters of vectors that are numbers in the line that is being read.
     pub scalars: BTreeSet<Letter>,
     pub(crate) votes: BTreeMap<(Letter, Quantity), usize>,
+    /// What the front matter says of letters and is not understood.
+    pub(crate) not_set: Vec<String>,
     /// Letters that words call the identity.
     pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
@@ -101,6 +103,7 @@ impl Reading {
             ..Self::default()
         };
         reading.points = TwoPoints::of(document, &reading.usage);
+        reading.by_front_matter(document);
         reading.listen(document);
         reading.listed_moments(document);
         reading.named_rates(document);

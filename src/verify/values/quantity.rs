@@ -74,6 +74,25 @@ impl Shape {
 }
 
 impl Quantity {
+    /// Those that a front matter can name.
+    pub(crate) const NAMED: [Self; 15] = [
+        Self::AngularVelocity,
+        Self::FrameRate,
+        Self::AngularAcceleration,
+        Self::Momentum,
+        Self::RelativeMomentum,
+        Self::Moment,
+        Self::Inertia,
+        Self::Energy,
+        Self::Power,
+        Self::Position,
+        Self::Velocity,
+        Self::Acceleration,
+        Self::Force,
+        Self::LinearMomentum,
+        Self::Mass,
+    ];
+
     /// The shape of its value.
     pub fn shape(self) -> Shape {
         match self {
