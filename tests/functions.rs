@@ -55,3 +55,35 @@ fn an_energy_is_taken_at_the_rate_in_its_brackets() {
     assert_eq!(verdicts(&text("\\tfrac12")), "ap");
     assert_ne!(verdicts(&text("\\tfrac13")), "ap");
 }
+
+#[test]
+fn the_exponential_of_a_turn_in_the_plane_is_a_turn() {
+    let with = |sine: &str, sign: &str| {
+        let text = r"The two rates $x = [\,u\;\;w\,]^\top$ turn with the constant $\nu$ and the matrix
+
+$$ A = \begin{bmatrix} 0 & -\nu \\ \nu & 0 \end{bmatrix} $$
+
+so that
+
+$$ P(t) = e^{At} = \begin{bmatrix} \cos\nu t & -\sin\nu t \\ SINE & \cos\nu t \end{bmatrix} $$
+
+A code that uses
+
+$$ P_1 = \mathbf{1} + hA $$
+
+has the determinant
+
+$$ \det P_1 = 1 SIGN h^2\nu^2 $$
+";
+        let found = verdicts(&text.replace("SINE", sine).replace("SIGN", sign));
+        found[1..].to_owned()
+    };
+    assert_eq!(
+        with(r"\sin\nu t", "+"),
+        "apap",
+        "{}",
+        with(r"\sin\nu t", "+")
+    );
+    assert_eq!(with(r"\sin\nu t", "-"), "apar");
+    assert!(with(r"-\sin\nu t", "+").contains('r'));
+}

@@ -102,3 +102,32 @@ $$ {}^B\vec\omega^A = -{}^A\vec\omega^B $$
 ";
     assert!(!verdicts(text).contains('r'), "{}", verdicts(text));
 }
+
+#[test]
+fn a_law_of_the_torque_lasts_where_the_next_section_goes_on_with_it() {
+    let with = |use_of_it: &str| {
+        let text = r"A rigid body has the inertia matrix $J$ and the control torque $u$ on body axes:
+
+$$ J\dot\omega = -\omega^\times J\omega + u $$
+
+## Damping
+
+We choose $u = -c\,\omega$. Then
+
+$$ \omega^\top u = -c\,\omega^\top\omega $$
+
+## Momentum
+
+For $H = J\omega$ we have
+
+$$ H^\top u = USE $$
+";
+        verdicts(&text.replace("USE", use_of_it))
+    };
+    assert!(
+        with(r"-c\,\omega^\top J\,\omega").ends_with('p'),
+        "{}",
+        with(r"-c\,\omega^\top J\,\omega")
+    );
+    assert!(with(r"-2c\,\omega^\top J\,\omega").ends_with('r'));
+}

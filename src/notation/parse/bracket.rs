@@ -38,7 +38,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             Lexeme::Char('{') => Bracket::Curly,
             _ => Bracket::Round,
         };
-        if let Some(parts) = components(inside, bracket) {
+        if let Some(parts) = components(inside, bracket, self.transpose_follows()) {
             let entries = parts
                 .into_iter()
                 .map(|part| self.inside(part).whole())
@@ -53,6 +53,23 @@ impl<'t, 'a> Parser<'t, 'a> {
             },
             _ => self.grouped(bracket, inner, start),
         }
+    }
+
+    /// Whether a `^T` stands behind the bracket: two components may stand in it, and no factors.
+    fn transpose_follows(&self) -> bool {
+        let mut at = 1 + usize::from(self.peek_at(1) == Some(Lexeme::Open));
+        if matches!(
+            self.peek_at(at),
+            Some(Lexeme::Command("mathsf" | "mathrm" | "text"))
+        ) {
+            at += 1 + usize::from(self.peek_at(at + 1) == Some(Lexeme::Open));
+        }
+        let mark = self.peek_at(at);
+        let mark = matches!(
+            mark,
+            Some(Lexeme::Char('T') | Lexeme::Command("top" | "intercal"))
+        );
+        mark && matches!(self.peek(), Some(Lexeme::Superscript))
     }
 
     fn cross_follows(&self) -> bool {
@@ -100,7 +117,11 @@ fn closing_bar(tokens: &[Token<'_>], start: usize, bar: Lexeme<'_>) -> Option<us
 }
 
 /// The entries of a list: split at commas, semicolons, or, in square brackets, at written spaces.
-fn components<'t, 'a>(inside: &'t [Token<'a>], bracket: Bracket) -> Option<Vec<&'t [Token<'a>]>> {
+fn components<'t, 'a>(
+    inside: &'t [Token<'a>],
+    bracket: Bracket,
+    transposed: bool,
+) -> Option<Vec<&'t [Token<'a>]>> {
     for mark in [',', ';'] {
         let parts = split_outside(inside, |t| t.kind == Lexeme::Char(mark));
         if parts.len() > 1 && parts.iter().all(|p| !is_blank(p)) {
@@ -118,7 +139,12 @@ fn components<'t, 'a>(inside: &'t [Token<'a>], bracket: Bracket) -> Option<Vec<&
         .filter(|p| !is_blank(p))
         .collect();
     let joined = parts.iter().any(|p| begins_or_ends_with_sign(p));
-    (parts.len() >= 3 && !joined).then_some(parts)
+    let fewest = if transposed && bracket == Bracket::Square {
+        2
+    } else {
+        3
+    };
+    (parts.len() >= fewest && !joined).then_some(parts)
 }
 
 fn is_blank(tokens: &[Token<'_>]) -> bool {

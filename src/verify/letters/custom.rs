@@ -281,7 +281,7 @@ impl Reading {
             {
                 Some(Quantity::Energy)
             }
-            "F" if !used.moving => Some(Quantity::Force),
+            "F" if !used.moving && used.tensor == 0 => Some(Quantity::Force),
             "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
             "r" if used.vector > 0 => Some(Quantity::Position),
             "v" | "V" if directed && self.drifts(letter) => Some(Quantity::CentreVelocity),

@@ -1,6 +1,6 @@
 //! What the formulas of a document show of the letters in them.
 
-use crate::notation::ast::{Factor, Kind, Line, Node, Operator, Symbol};
+use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol};
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, worn};
 use crate::verify::letters::wholes::{is_cross, lone, terms};
 use crate::verify::values::written_out::{along_plain_units, plain_list};
@@ -34,6 +34,19 @@ impl Usage {
                 }
             }
         }
+        if let Some(Kind::Symbol(symbol)) = line.sides.first().map(|side| &called(side).kind)
+            && symbol.subscripts.is_empty()
+            && let Some(rows) = line.sides.iter().find_map(square_of)
+        {
+            self.squares.insert(Letter::of(symbol), rows);
+        }
+        // Of `P(t) = e^{At} = [...]` too.
+        if let [first, _, rest @ ..] = line.sides.as_slice()
+            && let Kind::Symbol(symbol) = &called(first).kind
+            && rest.iter().any(|side| columns(side).is_some_and(|n| n > 1))
+        {
+            self.letters.entry(Letter::of(symbol)).or_default().tensor += 1;
+        }
         self.beside_a_cross(line);
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
@@ -49,7 +62,7 @@ impl Usage {
             factors.iter().any(|factor| symbols(factor).is_empty())
         };
         let mut all = line.sides.iter().flat_map(terms);
-        if all.any(|term| is_cross(term) && !of_numbers(term)) {
+        if all.any(|term| is_cross(term) && !of_numbers(term) || applies_skew(term)) {
             let lone = line.sides.iter().flat_map(terms).filter_map(lone);
             let bare = lone.filter(|symbol| symbol.subscripts.is_empty() && !symbol.style.vector);
             for symbol in bare {
@@ -134,6 +147,12 @@ impl Usage {
             }
             Kind::Transpose(operand) => {
                 self.transposed(operand);
+                self.node(operand);
+            }
+            Kind::Function(Function::Det, operand) => {
+                if let Kind::Symbol(symbol) = &inner(operand).kind {
+                    self.letters.entry(Letter::of(symbol)).or_default().tensor += 1;
+                }
                 self.node(operand);
             }
             Kind::Power(base, exponent) => {
@@ -241,6 +260,45 @@ impl Usage {
             .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
+    }
+}
+
+/// Whether a term is the matrix of a cross product on a vector that makes such a matrix too: `\omega^\times J\omega`.
+fn applies_skew(term: &Node) -> bool {
+    let Kind::Product(factors) = &inner(term).kind else {
+        return false;
+    };
+    let skew = factors
+        .iter()
+        .find_map(|factor| match &inner(&factor.node).kind {
+            Kind::Skew(operand) => Some(inner(operand)),
+            _ => None,
+        });
+    let last = factors.last().map(|factor| inner(&factor.node));
+    let of_vector = match (skew.map(|node| &node.kind), last.map(|node| &node.kind)) {
+        (Some(Kind::Symbol(skew)), Some(Kind::Symbol(last))) => skew == last,
+        _ => false,
+    };
+    of_vector
+        && !factors
+            .iter()
+            .any(|f| matches!(f.node.kind, Kind::Transpose(_)))
+}
+
+/// The rows of a square matrix, other than three.
+fn square_of(side: &Node) -> Option<u8> {
+    let Kind::Matrix(rows) = &inner(side).kind else {
+        return None;
+    };
+    let square = rows.len() > 1 && rows.iter().all(|row| row.len() == rows.len());
+    (square && rows.len() != 3).then(|| u8::try_from(rows.len()).ok())?
+}
+
+/// What stands before a bracket.
+fn called(node: &Node) -> &Node {
+    match &inner(node).kind {
+        Kind::Call(head, _) => head,
+        _ => inner(node),
     }
 }
 

@@ -267,8 +267,10 @@ impl Checker<'_> {
 
     /// The entity of a lone symbol, or of a component, that has no meaning yet.
     pub(crate) fn new_symbol(&mut self, node: &Node) -> Option<(Entity, Option<u8>)> {
-        let Kind::Symbol(symbol) = &inner(node).kind else {
-            return None;
+        let symbol = match &inner(node).kind {
+            Kind::Symbol(symbol) => symbol,
+            Kind::Call(head, arguments) if is_time(arguments) => return self.new_symbol(head),
+            _ => return None,
         };
         let (entity, place) = match self.meaning_of(symbol) {
             Meaning::Whole(entity) => (entity, None),
@@ -331,4 +333,10 @@ impl Checker<'_> {
         self.theory.atoms.forget_meanings();
         Some(bound)
     }
+}
+
+/// Whether a bracket behind a symbol holds the time alone.
+fn is_time(arguments: &[Node]) -> bool {
+    let [argument] = arguments else { return false };
+    matches!(&inner(argument).kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty())
 }

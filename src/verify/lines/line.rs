@@ -14,7 +14,7 @@ use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::all_in_space;
 use crate::verify::values::symbol::ANY_POINT;
-use crate::verify::values::value::Value;
+use crate::verify::values::value::{Value, units_in_size};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
@@ -302,7 +302,7 @@ impl Checker<'_> {
             .map(|side| lowering.side(side))
             .collect::<Result<_, _>>()?;
         let ambiguous = lowering.met_unlabelled;
-        let values = lowering.sides_aligned(values);
+        let values = units_in_size(lowering.sides_aligned(values));
         let mut equations = vec![];
         for (i, pair) in values.windows(2).enumerate() {
             let residual = pair[0].plus(&pair[1], true).map_err(|mismatch| Trouble {

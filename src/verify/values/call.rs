@@ -34,6 +34,11 @@ impl Lowering<'_> {
             }
             _ => {}
         }
+        if function == Function::Exp
+            && let Some(turn) = self.turn_in_a_plane(&value)
+        {
+            return Ok(turn);
+        }
         if !value.is_scalar() {
             return Err(trouble(
                 TroubleKind::IllTyped,
@@ -51,6 +56,25 @@ impl Lowering<'_> {
                     "nothing is known of this function",
                 )
             })
+    }
+
+    /// The exponential of \[0, −a; a, 0\]: the turn through a.
+    fn turn_in_a_plane(&mut self, value: &Value) -> Option<Value> {
+        if value.rows != 2 || value.columns != 2 {
+            return None;
+        }
+        let entries = value.map(|entry| self.theory.normal(entry)).entries;
+        let [first, minus, angle, last] = entries.try_into().ok()?;
+        if !first.is_zero() || !last.is_zero() || !(minus + angle.clone()).is_zero() {
+            return None;
+        }
+        let cosine = self.kernel(Function::Cos, angle.clone())?;
+        let sine = self.kernel(Function::Sin, angle)?;
+        Some(Value::from_fn(2, 2, |r, c| match (r, c) {
+            (0, 1) => -sine.clone(),
+            (1, 0) => sine.clone(),
+            _ => cosine.clone(),
+        }))
     }
 
     /// A symbol with a bracket behind it: a function that the document defined, a quantity at time t, or a product.

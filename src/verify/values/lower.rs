@@ -153,6 +153,8 @@ impl Lowering<'_> {
                 Ok(a.map(|entry| entry.clone() / b.entries[0].clone()))
             }
             Kind::Power(base, exponent) => self.power(node, base, exponent),
+            // `[a\;b]^T` is a column, as the list alone is.
+            Kind::Transpose(a) if is_other_list(a) => self.value(a),
             Kind::Transpose(a) => Ok(self.value(a)?.transposed()),
             Kind::Skew(a) => self.value(a)?.skew().map_err(ill),
             Kind::Norm(a) => self.norm(a),
@@ -274,6 +276,11 @@ impl Lowering<'_> {
             }
         }
     }
+}
+
+/// A list of two numbers, or of more than three.
+fn is_other_list(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Tuple(entries) if entries.len() != 3)
 }
 
 /// A number as a fraction.

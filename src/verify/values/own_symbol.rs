@@ -36,7 +36,10 @@ pub(crate) fn of_symbol(
         || sorted.double.is_some()
         || square && !symbol.style.vector
         || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
-    let shape = if tensor {
+    let size = reading.usage.squares.get(letter).filter(|_| square);
+    let shape = if let Some(&rows) = size {
+        Shape::Grid(rows, rows)
+    } else if tensor {
         Shape::Matrix
     } else if marks {
         Shape::Vector

@@ -38,11 +38,19 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let named_apart = reading.quantities.get(&letter) == Some(&Quantity::Inertia)
         && reading.usage.has_lettered_entries(&letter)
         && !reading.turns_to_numbers;
+    // A matrix has no component: its index tells it from another.
+    let used = reading.usage.get(&letter);
+    let known =
+        reading.quantities.contains_key(&letter) || reading.components.contains_key(&letter);
+    let of_matrix = used.tensor > 0 && used.vector + used.double == 0 && !known;
     for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
         // Beside axes 1, 2, 3, z is the vertical.
         let vertical = reading.usage.k_alone && text == "z";
-        if vertical || named_apart && matches!(text, "1" | "2" | "3") {
+        if vertical
+            || of_matrix && axis(text).is_some()
+            || named_apart && matches!(text, "1" | "2" | "3")
+        {
             sorted.variant.push_str(text);
         } else if let Some(index) = axis(text) {
             sorted.single = Some(index);

@@ -150,6 +150,10 @@ impl Value {
             Ok((zero(other), other.clone()))
         } else if other.is_scalar() && other.is_zero() {
             Ok((self.clone(), zero(self)))
+        } else if let Some(unit) = self.unit_of_size(other) {
+            Ok((unit, other.clone()))
+        } else if let Some(unit) = other.unit_of_size(self) {
+            Ok((self.clone(), unit))
         } else if self.entries.len() == other.entries.len() && (self.rows == 1 || self.columns == 1)
         {
             let turned = Self {
@@ -165,6 +169,18 @@ impl Value {
                 other.shape()
             )))
         }
+    }
+
+    /// A multiple of the unit matrix, which is written without its size, in the size of another matrix.
+    fn unit_of_size(&self, other: &Self) -> Option<Self> {
+        let square = |value: &Self| value.rows == value.columns && value.rows > 1;
+        let factor = self.entries.first()?;
+        let multiple = |(i, entry): (usize, &Fraction)| match i % (self.rows + 1) {
+            0 => entry == factor,
+            _ => entry.is_zero(),
+        };
+        let unit = square(self) && self.entries.iter().enumerate().all(multiple);
+        (unit && square(other)).then(|| Self::identity(other.rows).scaled(factor))
     }
 
     /// The negative.
@@ -308,4 +324,20 @@ impl Value {
             Err(ShapeMismatch(format!("the {what} of {}", self.shape())))
         }
     }
+}
+
+/// The sides of a line, each that is a multiple of the unit matrix in the size of the matrix beside it.
+pub(crate) fn units_in_size(mut sides: Vec<Value>) -> Vec<Value> {
+    for i in 1..sides.len() {
+        let (before, after) = (&sides[i - 1], &sides[i]);
+        if before.rows == after.rows {
+            continue;
+        }
+        if let Some(unit) = after.unit_of_size(before) {
+            sides[i] = unit;
+        } else if let Some(unit) = before.unit_of_size(after) {
+            sides[i - 1] = unit;
+        }
+    }
+    sides
 }
