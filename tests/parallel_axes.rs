@@ -98,3 +98,24 @@ fn a_bar_marks_the_mass_centre_and_a_component_left_unsaid_stays_open() {
     ];
     assert_eq!(behind(told, &lines), "aappu");
 }
+
+#[test]
+fn the_place_of_the_mass_centre_may_be_given_in_expressions() {
+    let text = r"
+A uniform lamina of mass $M$ has the sides $2p$ (along $x$) and $2q$ (along $y$). $C$ is its centre of mass and $A$ is a corner. The lamina lies in the plane $z=0$. The vector from $A$ to $C$ has the components $p$, $q$, $0$. Then
+
+$$
+\begin{aligned}
+J_{xx}^A &= J_{xx}^C + Mq^2 \\
+J_{zz}^A &= J_{zz}^C + M(p^2 + q^2) \\
+J_{zz}^A &= J_{zz}^C + M(p + q)^2 \\
+J_{xy}^A &= J_{xy}^C - Mpq
+\end{aligned}
+$$
+";
+    let (document, _) = read("lamina.md", text, Format::Markdown);
+    let findings = check(&document).findings;
+    let found: Vec<&str> = findings.iter().map(|f| f.verdict.name()).collect();
+    let lines = ["proved", "proved", "refuted", "refuted"];
+    assert_eq!(found[1..], lines, "{found:?}");
+}

@@ -9,7 +9,7 @@ use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
 use crate::verify::letters::wholes::terms;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::points_in_words::{
-    called_centre, calls_distance, holds_still, lone, places,
+    called_centre, calls_distance, holds_still, lone, place_in_words, places,
 };
 use std::collections::BTreeSet;
 
@@ -36,6 +36,8 @@ pub(crate) struct TwoPoints {
     pub vector: Option<Symbol>,
     /// Its components, where they have letters of their own.
     pub coordinates: Option<[Symbol; 3]>,
+    /// Its components in expressions, where words give them.
+    pub place: Option<[Node; 3]>,
     /// Two moments about one axis each, and the distance of the axes.
     pub axes: Option<(Symbol, Symbol, Symbol)>,
     /// The angular momentum about the other point, beside that about the mass centre.
@@ -69,6 +71,7 @@ impl TwoPoints {
             unmarked: BTreeSet::new(),
             vector: vector(&used, usage),
             coordinates: None,
+            place: place_in_words(document, &centre),
             axes: None,
             pivot: holds_still(document),
             main: centre.clone(),

@@ -4,13 +4,14 @@
 use crate::algebra::{Fraction, Variable};
 use crate::mechanics;
 use crate::mechanics::Products;
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Node, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::theory::Premise;
 use crate::verify::theory::law::{INERTIA_ENTRIES, Setting, tensor, vector};
 use crate::verify::values::about_point::tensor_about;
-use crate::verify::values::atoms::{Atoms, Entity, variable_fraction};
+use crate::verify::values::atoms::{Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use nalgebra::Vector3;
@@ -147,7 +148,7 @@ impl Checker<'_> {
                 }
                 _ => return None,
             },
-            (None, None) => return None,
+            (None, None) => self.place_of_centre(points.place.as_ref()?)?.map(Some),
         };
         if offset.iter().any(Option::is_none) {
             return None;
@@ -173,6 +174,30 @@ impl Checker<'_> {
             velocity,
             pivot: points.pivot,
         })
+    }
+
+    /// Variables for a place that words give in expressions.
+    fn place_of_centre(&mut self, place: &[Node; 3]) -> Option<[Variable; 3]> {
+        let values = place.each_ref().map(|entry| {
+            let value = self.lowering(Frame::Moving).value(entry).ok()?;
+            value.as_scalar().cloned()
+        });
+        let [Some(x), Some(y), Some(z)] = values else {
+            return None;
+        };
+        let owner = Owner::Symbol("the place of the mass centre".to_owned());
+        let entity = self.theory.atoms.entity(&owner, Shape::Vector, true, "r_G");
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(entity, c, 0));
+        let written = parts.iter().zip([x, y, z]);
+        let residuals = written.map(|(&part, value)| variable_fraction(part) - value);
+        self.known.insert(entity);
+        self.theory.assume(Premise {
+            name: "the place of the mass centre by the words".to_owned(),
+            residuals: residuals.collect(),
+            preferred: parts.to_vec(),
+            definition: true,
+        });
+        Some(parts)
     }
 
     fn moments_about(&mut self, points: &TwoPoints) -> Option<ParallelAxes> {

@@ -23,12 +23,16 @@ pub(crate) fn of_symbol(
     let named = !sorted.variant.is_empty() && of_quantity;
     let always_hatted =
         symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
+    // Beside the unit vector x̂ an x is a coordinate.
+    let axis_letter = matches!(letter.name.as_str(), "x" | "y" | "z");
+    let coordinate = axis_letter && used.vector == used.hatted;
+    let is_vector = reading.usage.is_vector(letter) && !coordinate;
     let marks = symbol.style.vector
         || always_hatted
         || (symbol.style.bar && sorted.single.is_some())
         || reading.usage.wholes.is_vector(symbol)
         || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
-        || (reading.usage.is_vector(letter) && !named && !reading.is_scalar(letter))
+        || (is_vector && !named && !reading.is_scalar(letter))
         || used.component > 1 && sorted.single.is_some();
     // A letter that some line sets against a square of numbers is a matrix before that line too.
     let square = used.tensor > 0 && symbol.subscripts.is_empty() && symbol.superscripts.is_empty();

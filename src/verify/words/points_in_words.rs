@@ -143,6 +143,84 @@ pub(crate) fn places(document: &Document, vector: &Option<Symbol>) -> Vec<[Symbo
     found
 }
 
+/// The place of the mass centre where words give it by three expressions: "the vector from ⟨O⟩ to ⟨G⟩ has the components
+/// ⟨a/2⟩, ⟨b/2⟩, ⟨0⟩", "the centre of mass is at ⟨(a/2, b/2, 0)⟩".
+pub(crate) fn place_in_words(document: &Document, centre: &str) -> Option<[Node; 3]> {
+    let items = &document.items;
+    let alone = |at: usize| match items.get(at) {
+        Some(Item::Formula(formula)) if !formula.display => match formula.rows.as_slice() {
+            [Row::Expression(node)] => Some(node),
+            _ => None,
+        },
+        _ => None,
+    };
+    let joins = |at: usize| match items.get(at) {
+        Some(Item::Prose { text, .. }) => matches!(text.trim(), "," | "and" | ", and"),
+        _ => false,
+    };
+    let listed = |at: usize| {
+        let all = [alone(at)?, alone(at + 2)?, alone(at + 4)?];
+        (joins(at + 1) && joins(at + 3)).then(|| all.map(Node::clone))
+    };
+    (1..items.len()).find_map(|at| {
+        let Some(Item::Prose { text, .. }) = items.get(at - 1) else {
+            return None;
+        };
+        let text = text.to_lowercase().replace('\n', " ");
+        let lead = text.trim_end();
+        let called = ["components", "coordinates", "position", "located at", "lies at", "is at", "at the point"]
+            .iter()
+            .any(|words| lead.ends_with(words));
+        let place = expressions(alone(at)?).or_else(|| listed(at))?;
+        (called && speaks_of_centre(items, at, centre)).then_some(place)
+    })
+}
+
+/// Whether the sentence before a place has the mass centre in it, by its words or its letter.
+fn speaks_of_centre(items: &[Item], at: usize, centre: &str) -> bool {
+    for item in items[..at].iter().rev() {
+        match item {
+            Item::Prose { text, .. } => {
+                let text = text.to_lowercase().replace('\n', " ");
+                let (end, rest) = match text.rsplit_once(". ") {
+                    Some((_, rest)) => (true, rest),
+                    None => (false, text.as_str()),
+                };
+                if CENTRES.iter().any(|words| rest.contains(words)) {
+                    return true;
+                }
+                if end {
+                    return false;
+                }
+            }
+            Item::Formula(formula) => {
+                let own = |row: &Row| match row {
+                    Row::Expression(node) => lone(node).is_some_and(|s| s.name == centre),
+                    _ => false,
+                };
+                if formula.rows.iter().any(own) {
+                    return true;
+                }
+            }
+            _ => return false,
+        }
+    }
+    false
+}
+
+/// The three expressions of a list or a column.
+fn expressions(node: &Node) -> Option<[Node; 3]> {
+    let entries: Vec<Node> = match &inner(node).kind {
+        Kind::Tuple(entries) => entries.clone(),
+        Kind::Matrix(rows) if rows.len() == 1 || rows.iter().all(|row| row.len() == 1) => {
+            rows.iter().flatten().cloned().collect()
+        }
+        Kind::Transpose(inside) => return expressions(inside),
+        _ => return None,
+    };
+    entries.try_into().ok()
+}
+
 /// Whether the words speak of a point that the body turns about.
 pub(crate) fn holds_still(document: &Document) -> bool {
     prose(document).any(|text| has_any(&text, PIVOTS))

@@ -207,10 +207,12 @@ pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
     // "The plane ⟨y = 0⟩": of a formula the sentence keeps letters and digits.
     let spoken: Vec<&str> = text.split_whitespace().collect();
     for (axis, (a, b)) in [("x", (1, 2)), ("y", (0, 2)), ("z", (0, 1))] {
-        if spoken
-            .windows(3)
-            .any(|w| w[..2] == [axis, "0"] && w[2].starts_with('⟨'))
-        {
+        let close = format!("{axis}0");
+        let equation = |w: &[&str]| {
+            let apart = w[..2] == [axis, "0"] && w[2].starts_with('⟨');
+            apart || w[1] == close && w[2].starts_with('⟨')
+        };
+        if spoken.windows(3).any(equation) {
             return Some(Said::SymmetryPlane(a, b));
         }
     }
