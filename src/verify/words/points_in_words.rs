@@ -168,9 +168,17 @@ pub(crate) fn place_in_words(document: &Document, centre: &str) -> Option<[Node;
         };
         let text = text.to_lowercase().replace('\n', " ");
         let lead = text.trim_end();
-        let called = ["components", "coordinates", "position", "located at", "lies at", "is at", "at the point"]
-            .iter()
-            .any(|words| lead.ends_with(words));
+        let called = [
+            "components",
+            "coordinates",
+            "position",
+            "located at",
+            "lies at",
+            "is at",
+            "at the point",
+        ]
+        .iter()
+        .any(|words| lead.ends_with(words));
         let place = expressions(alone(at)?).or_else(|| listed(at))?;
         (called && speaks_of_centre(items, at, centre)).then_some(place)
     })
