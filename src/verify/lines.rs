@@ -8,6 +8,7 @@ pub(super) mod claim;
 pub(super) mod data;
 pub(super) mod decimals;
 pub(super) mod define;
+pub(super) mod defined_squares;
 pub(super) mod digits;
 pub(super) mod dimensions;
 pub(super) mod doubt;

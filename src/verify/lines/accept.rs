@@ -68,7 +68,8 @@ impl Checker<'_> {
             .find(|&i| holds(self, &readings[i]))
             .unwrap_or(0);
         let read = readings.swap_remove(index);
-        let residuals = against_last(&read);
+        let mut residuals = against_last(&read);
+        self.roots_of_squares(&read, &mut residuals);
         if !residuals.iter().all(Fraction::is_valid) {
             finding.reason = Some("something is divided by zero".to_owned());
             return;

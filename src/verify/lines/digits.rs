@@ -10,6 +10,9 @@ use crate::verify::values::figures::is_number;
 use crate::verify::values::value::Value;
 use num_traits::Zero;
 
+/// One over this is smaller than any digit that is shown.
+const FINEST: i64 = 1_000_000_000_000_000_000;
+
 /// How far a value may lie from a numeral.
 #[derive(Clone, Debug)]
 pub(crate) struct Tolerance {
@@ -75,7 +78,17 @@ pub(crate) fn compare(
             if distance.apart(&zero, &zero) {
                 return Comparison::Differ(place, value, gap.variables().is_empty());
             }
-            return Comparison::Doubtful("equal to many digits, and not shown to be equal");
+            // √48 and 12/√3: equal to more digits than anyone shows.
+            let fine = Rational::from((1, FINEST));
+            if !distance.within(&-fine.clone(), &fine) {
+                return Comparison::Doubtful("equal to many digits, and not shown to be equal");
+            }
+            bounds.push(Bound {
+                value: ratio(&gap),
+                lower: -fine.clone(),
+                upper: fine,
+            });
+            continue;
         };
         let (lower, upper) = (-tolerance.half.clone(), tolerance.half.clone());
         if distance.within(&lower, &upper) {

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Item, Row};
 use crate::verify::check::Checker;
+use crate::verify::lines::defined_squares::is_two;
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::verdict::{Finding, Role};
 use std::collections::BTreeSet;
@@ -61,17 +62,25 @@ impl<'a> Checker<'a> {
 
     /// A line that says what a symbol is that was used before.
     fn defined_behind(&mut self, line: &'a Line, used: &BTreeSet<Entity>) {
-        let [left, right] = line.sides.as_slice() else {
-            return;
+        // "With ⟨ν² = … > 0⟩."
+        let (left, right) = match line.sides.as_slice() {
+            [left, right] => (left, right),
+            [left, right, sign] if matches!(sign.kind, Kind::Number(_)) => (left, right),
+            _ => return,
         };
         let symbol = match &left.kind {
             Kind::Call(head, _) => head,
+            Kind::Power(base, two) if is_two(two) => base,
             _ => left,
         };
-        let Some((entity, None)) = self.new_symbol(symbol) else {
+        let Some((entity, place)) = self.new_symbol(symbol) else {
             return;
         };
-        let known = self.known.contains(&entity) || self.theory.mentions_entity(entity);
+        let squared = !std::ptr::eq(symbol, left) && matches!(left.kind, Kind::Power(..));
+        if place.is_some() && !squared {
+            return;
+        }
+        let known = self.known.contains(&entity) || self.theory.mentions_part(entity, place);
         if known || !used.contains(&entity) || line.continues {
             return;
         }

@@ -170,6 +170,7 @@ impl Checker<'_> {
         }
         let settled = self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
+            || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)
             || self.turns_to_step(&sides, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)

@@ -212,8 +212,12 @@ impl Checker<'_> {
     /// The sign that all terms have; even powers, and the squares of a position, are never below zero.
     fn of_terms(&self, polynomial: &Polynomial, squares: &[(Variable, Variable)]) -> Option<Sign> {
         let mut whole: Option<Sign> = None;
+        // Where the square of a rate is a factor of all, that rate is not zero: nothing else would turn.
+        let common = polynomial.common_monomial();
         for (monomial, coefficient) in polynomial.terms() {
-            let strict = monomial.factors().all(|(v, _)| self.is_positive(v));
+            let mut factors = monomial.factors();
+            let whole_square = |v, p| p % 2 == 0 && (self.rests(v) || common.exponent(v) == p);
+            let strict = factors.all(|(v, p)| self.is_positive(v) || whole_square(v, p));
             let square = |v| squares.iter().any(|(_, square)| *square == v);
             let mut factors = monomial.factors();
             let known = factors.all(|(v, p)| p % 2 == 0 || self.is_positive(v) || square(v));
@@ -226,6 +230,13 @@ impl Checker<'_> {
             whole = Some(Sign { negative, strict });
         }
         whole
+    }
+
+    /// Whether a variable is a number of the document's own that does not change: nobody names a zero.
+    fn rests(&self, variable: Variable) -> bool {
+        let atoms = &self.theory.atoms;
+        let entity = atoms.entity_of(variable).map(|e| atoms.info(e));
+        entity.is_some_and(|info| info.constant && matches!(info.owner, Owner::Symbol(_)))
     }
 
     /// Whether a variable is a moment of inertia, a mass, or a difference that is positive.

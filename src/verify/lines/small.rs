@@ -243,6 +243,15 @@ impl Checker<'_> {
     /// linear equations go on without it. A heading ends this.
     pub(crate) fn drop_second_order(&mut self) {
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        for component in 0..3 {
+            let value = self.theory.atoms.value(omega, component, 0);
+            let normal = self.theory.normal(&value);
+            let mut terms = normal.numerator().terms().iter();
+            let small = |monomial: &Monomial| monomial.factors().any(|(v, _)| self.is_small(v));
+            if normal != value && !normal.is_zero() && terms.all(|(monomial, _)| small(monomial)) {
+                self.small_turns.insert(component);
+            }
+        }
         let mut large = (0..3).filter(|c| !self.small_turns.contains(c));
         let (1, Some(axis)) = (large.clone().count(), large.next()) else {
             return;

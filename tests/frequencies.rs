@@ -1,0 +1,42 @@
+//! Frequencies that lines give by their squares, with the sign that is said of these, and in numbers.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const BOOK: &str = r"A book with the principal moments $I_1 < I_2 < I_3$ is tossed. No torque acts. Discuss small disturbances $\epsilon_1, \epsilon_2, \epsilon_3$. Put $\omega_1 = \epsilon_1$, $\omega_2 = \epsilon_2$, $\omega_3 = \Omega$ with constant $\Omega$. Keeping terms of first order, $\ddot\epsilon_1 + \nu_3^2\,\epsilon_1 = 0$ with";
+
+#[test]
+fn a_square_with_a_sign_defines_a_frequency() {
+    let text = format!(
+        r"{BOOK}
+
+$$ \nu_3^2 = \frac{{(I_3 - I_1)(I_3 - I_2)}}{{I_1 I_2}}\,\Omega^2 > 0 $$
+
+Cyclic change of the letters:
+
+$$ \nu_2^2 = \frac{{(I_2 - I_1)(I_2 - I_3)}}{{I_1 I_3}}\,\Omega^2 < 0 $$
+
+With $I_1 = 2.0$, $I_2 = 3.0$, $I_3 = 4.0$ and $\Omega = 12$
+
+$$ \nu_3 = \Omega\sqrt{{\frac{{2\cdot 1}}{{2\cdot 3}}}} = 6.9 $$
+
+$$ \nu_3 = \Omega\sqrt{{\frac{{2\cdot 1}}{{2\cdot 3}}}} = 6.3 $$
+"
+    );
+    let found = verdicts(&text);
+    assert_eq!(&found[4..], "paaaaaapr", "{found}");
+}
+
+#[test]
+fn a_frequency_with_the_wrong_factor_does_not_solve_its_equation() {
+    let text = format!(
+        r"{BOOK}
+
+$$ \nu_3^2 = \frac{{(I_3 - I_1)(I_2 - I_3)}}{{I_1 I_2}}\,\Omega^2 $$
+"
+    );
+    let found = verdicts(&text);
+    assert!(!found[4..].starts_with('p'), "{found}");
+}
