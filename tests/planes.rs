@@ -52,3 +52,24 @@ Suppose q = r = 0 and p constant. Then
 ";
     assert_eq!(verdicts_in(text, Format::Text), "ppppprapp");
 }
+
+#[test]
+fn a_plane_tensor_turns_by_its_matrix() {
+    let with = |sign: &str| {
+        let text = r"In the plane the tensor and the turn through the angle $\beta$ are
+
+$$ \mathbf{I} = \begin{pmatrix} I_{xx} & I_{xy} \\ I_{xy} & I_{yy} \end{pmatrix}, \qquad \mathbf{Q} = \begin{pmatrix} \cos\beta & \sin\beta \\ -\sin\beta & \cos\beta \end{pmatrix} $$
+
+On the turned axes it is
+
+$$ \mathbf{I}' = \mathbf{Q}\,\mathbf{I}\,\mathbf{Q}^T $$
+
+that is
+
+$$ I_{y'y'} = I_{xx}\sin^2\beta SIGN I_{xy}\sin 2\beta + I_{yy}\cos^2\beta $$
+";
+        verdicts(&text.replace("SIGN", sign)).pop()
+    };
+    assert_eq!(with("-"), Some('p'));
+    assert_eq!(with("+"), Some('r'));
+}

@@ -29,6 +29,13 @@ impl Reading {
         !diagonal.is_empty() && diagonal.into_iter().all(|d| d) && !self.speaks_of_products
     }
 
+    /// Whether the inertia is written as a matrix of two rows: all turning is in the plane of the first two axes.
+    pub(crate) fn tensors_are_plane(&self) -> bool {
+        let plane = |letter: &Letter| self.usage.squares.get(letter) == Some(&2);
+        let mut quantities = self.quantities.iter();
+        quantities.any(|(letter, q)| *q == Quantity::Inertia && plane(letter))
+    }
+
     /// Beside an ω, an Ω with components that the words call the speeds of wheels is a list of them.
     pub(crate) fn wheel_speeds(&mut self) {
         let letter = Letter::plain("Omega");

@@ -118,8 +118,8 @@ fn signed(node: &Node) -> (bool, &Node) {
 /// A written inertia matrix: its entries off the diagonal show their sign. The most of them decide, as one may have slipped.
 fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
     if let Kind::Matrix(rows) = &node.kind
-        && rows.len() == 3
-        && rows.iter().all(|row| row.len() == 3)
+        && matches!(rows.len(), 2 | 3)
+        && rows.iter().all(|row| row.len() == rows.len())
     {
         let (mut plain, mut negated) = (0, 0);
         for (r, row) in rows.iter().enumerate() {

@@ -39,6 +39,9 @@ impl Usage {
             && let Some(rows) = line.sides.iter().find_map(square_of)
         {
             self.squares.insert(Letter::of(symbol), rows);
+            if line.sides.iter().any(has_minus_beside_diagonal) {
+                self.negated.insert(Letter::of(symbol));
+            }
         }
         // Of `P(t) = e^{At} = [...]` too.
         if let [first, _, rest @ ..] = line.sides.as_slice()
@@ -254,6 +257,9 @@ impl Usage {
         }
         entry.resultant += usize::from(symbol.resultant);
         entry.naked += usize::from(symbol.subscripts.is_empty());
+        if symbol.primes == 1 && symbol.subscripts.is_empty() {
+            self.primed.insert(Letter::of(symbol));
+        }
         self.superscripts
             .entry(Letter::of(symbol))
             .or_default()
@@ -292,6 +298,21 @@ fn square_of(side: &Node) -> Option<u8> {
     };
     let square = rows.len() > 1 && rows.iter().all(|row| row.len() == rows.len());
     (square && rows.len() != 3).then(|| u8::try_from(rows.len()).ok())?
+}
+
+fn has_minus_beside_diagonal(side: &Node) -> bool {
+    let Kind::Matrix(rows) = &inner(side).kind else {
+        return false;
+    };
+    let beside = rows.iter().enumerate().flat_map(|(r, row)| {
+        let entries = row.iter().enumerate();
+        entries
+            .filter(move |(c, _)| *c != r)
+            .map(|(_, entry)| entry)
+    });
+    beside
+        .into_iter()
+        .any(|entry| matches!(entry.kind, Kind::Negate(_)))
 }
 
 /// What stands before a bracket.

@@ -81,8 +81,12 @@ pub(crate) struct Usage {
     pub(crate) lists: BTreeSet<[String; 3]>,
     /// Letters that a line says to be such a list.
     pub(crate) listed: Vec<(Letter, [String; 3])>,
+    /// Letters that stand with a prime and no index: `J'`.
+    pub(crate) primed: BTreeSet<Letter>,
     /// Rows of the square matrices that letters without an index are set against, other than three.
     pub(crate) squares: BTreeMap<Letter, u8>,
+    /// Letters of such matrices with a minus beside the diagonal.
+    pub(crate) negated: BTreeSet<Letter>,
     /// Whether a vector k stands beside numbered unit vectors, and no i and j do.
     pub k_alone: bool,
     /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.

@@ -1,12 +1,12 @@
 //! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
 
-use crate::algebra::{Fraction, Monomial, Rational};
+use crate::algebra::{Fraction, Monomial, Rational, Variable};
 use crate::notation::ast::{Function, Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
-use crate::verify::reason::{AT_A_MOMENT, FALSE_VALUE, NAMES_A_MOMENT, leaves_no_doubt};
+use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -21,11 +21,8 @@ pub(crate) struct Doubts {
     /// The line that sets the body or its motion up, and was left open.
     setting: Option<String>,
     /// Values in numbers that false lines show.
-    values: Vec<BigRational>,
+    pub(super) values: Vec<BigRational>,
 }
-
-/// The digits that a value must have to be known again.
-const TELLING: usize = 3;
 
 /// Quantities that set a body and its motion up.
 const SETTING: &[Quantity] = &[
@@ -37,30 +34,9 @@ const SETTING: &[Quantity] = &[
 ];
 
 impl Checker<'_> {
-    /// Leaves a value open that is worked out, though rightly, from one that a false line shows.
-    pub(crate) fn withhold_false_value(&self, line: &Line, finding: &mut Finding) {
-        let inside = &line.sides[..line.sides.len().saturating_sub(1)];
-        let digits = inside.iter().filter(|side| symbols(side).is_empty());
-        let numbers: Vec<&BigRational> = digits.flat_map(numbers).collect();
-        let mut false_values = self.doubts.values.iter();
-        if matches!(finding.verdict, Verdict::Proved(_))
-            && false_values.any(|value| numbers.contains(&value))
-        {
-            finding.verdict = Verdict::Undecided;
-            finding.reason = Some(FALSE_VALUE.to_owned());
-        }
-    }
-
     /// Notes what a line that was left open leaves in doubt.
     pub(crate) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
-        if finding.verdict == Verdict::Refuted
-            && let Some(last) = line.sides.last()
-            && let [value] = numbers(last).as_slice()
-            && symbols(last).is_empty()
-            && value.to_string().len() > TELLING
-        {
-            self.doubts.values.push((*value).clone());
-        }
+        self.note_false_value(line, finding);
         let open = match finding.verdict {
             Verdict::Undecided => !finding.reason.as_deref().is_some_and(leaves_no_doubt),
             Verdict::Unreadable => true,
@@ -113,6 +89,9 @@ impl Checker<'_> {
         if self.lacks_energy_of_wheels(read) {
             return Some("nothing before says what energy the wheels have".to_owned());
         }
+        if let Some(name) = self.lies_along_a_direction(read) {
+            return Some(format!("nothing before says what `{name}` is"));
+        }
         if self.is_at_a_moment() {
             return Some(AT_A_MOMENT.to_owned());
         }
@@ -138,6 +117,24 @@ impl Checker<'_> {
             }
         }
         None
+    }
+
+    /// A component of a vector **e** of the document in what differs: such a letter is a direction that the words give.
+    fn lies_along_a_direction(&mut self, read: &Read) -> Option<String> {
+        let entries: Vec<Fraction> = read.residuals().cloned().collect();
+        entries.iter().find_map(|entry| {
+            let variables = self.theory.normal(entry).variables();
+            let direction = |v: &Variable| match *self.theory.atoms.atom(*v) {
+                Atom::Part { entity, .. } => {
+                    let info = self.theory.atoms.info(entity);
+                    let named = matches!(&info.owner, Owner::Symbol(key) if key.starts_with("e "));
+                    named && info.shape == Shape::Vector && !self.any_vector
+                }
+                _ => false,
+            };
+            let found = variables.into_iter().find(direction)?;
+            Some(names::latex(&self.theory.atoms, found))
+        })
     }
 
     /// Numbered components in a line, where moments of inertia are numbered and about x and y as well: nothing says
@@ -396,13 +393,5 @@ impl Checker<'_> {
         let atoms = &self.theory.atoms;
         let inside = atoms.with_arguments(variable).into_iter();
         inside.filter_map(|v| atoms.entity_of(v)).collect()
-    }
-}
-
-/// The numbers that are written in a node.
-fn numbers(node: &Node) -> Vec<&BigRational> {
-    match &node.kind {
-        Kind::Number(number) => vec![&number.value],
-        _ => node.children().into_iter().flat_map(numbers).collect(),
     }
 }

@@ -79,6 +79,17 @@ impl Checker<'_> {
         let Some(entity) = self.entity_named(symbol) else {
             return false;
         };
+        // What several forces come to follows from where and how they act.
+        let sums = [
+            "combine to",
+            "add up to",
+            "sum up to",
+            "together give",
+            "amount to",
+        ];
+        if sums.iter().any(|words| self.sentence.contains(words)) {
+            return false;
+        }
         let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
         let owner = &self.theory.atoms.info(entity).owner;
         if !matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty())

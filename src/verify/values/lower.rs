@@ -261,7 +261,12 @@ impl Lowering<'_> {
                     Shape::Vector => Value::column(atoms.vector(entity, order)),
                     Shape::Symmetric => {
                         let tensor = tensor(atoms, entity, self.theory.setting.products);
-                        Value::from_fn(3, 3, |r, c| tensor[(r, c)].clone())
+                        let size = if self.reading.tensors_are_plane() {
+                            2
+                        } else {
+                            3
+                        };
+                        Value::from_fn(size, size, |r, c| tensor[(r, c)].clone())
                     }
                     Shape::Matrix => {
                         Value::from_fn(3, 3, |r, c| atoms.value(entity, (3 * r + c) as u8, order))

@@ -40,7 +40,12 @@ pub(crate) fn of_symbol(
         || sorted.double.is_some()
         || square && !symbol.style.vector
         || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
-    let size = reading.usage.squares.get(letter).filter(|_| square);
+    let entry = used.tensor > 0
+        && sorted
+            .double
+            .is_some_and(|(row, column)| row.max(column) < 2);
+    let size = reading.usage.squares.get(letter);
+    let size = size.filter(|_| square || entry);
     let shape = if let Some(&rows) = size {
         Shape::Grid(rows, rows)
     } else if tensor {
@@ -92,6 +97,9 @@ pub(crate) fn of_symbol(
     match (shape, sorted.single, sorted.double) {
         (Shape::Vector, Some(index), _) => Meaning::Component(entity, index),
         (Shape::Matrix, _, Some((row, column))) => Meaning::Component(entity, 3 * row + column),
+        (Shape::Grid(rows, _), _, Some((row, column))) if entry => {
+            Meaning::Component(entity, rows * row + column)
+        }
         _ => Meaning::Whole(entity),
     }
 }

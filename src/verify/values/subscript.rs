@@ -56,6 +56,9 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.single = Some(index);
         } else if let Some(pair) = axes(text) {
             sorted.double = Some(pair);
+        } else if let Some(pair) = primed_axes(text, &letter, reading) {
+            sorted.double = Some(pair);
+            sorted.variant.push('\'');
         } else if let Some(index) = about_an_angle(text, &letter, reading) {
             sorted.single = Some(index);
         } else if let Some((name, index)) = name_and_index(text, &letter, reading) {
@@ -89,6 +92,24 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
         sorted.variant.push('δ');
     }
     sorted
+}
+
+/// Row and column of an entry on turned axes in the plane, `J_{x'y'}`, where the tensor on these has a prime, `J'`, and
+/// its products are its entries.
+fn primed_axes(text: &str, letter: &Letter, reading: &Reading) -> Option<(u8, u8)> {
+    let characters: Vec<char> = text
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != ',')
+        .collect();
+    let [row, '\'', column, '\''] = characters.as_slice() else {
+        return None;
+    };
+    let inertia = reading.quantities.get(letter) == Some(&Quantity::Inertia);
+    let usage = &reading.usage;
+    let plane = usage.squares.contains_key(letter) && usage.primed.contains(letter);
+    let entry = row == column || !usage.negated.contains(letter);
+    let pair = axes(&format!("{row}{column}"));
+    pair.filter(|_| inertia && plane && entry)
 }
 
 /// The axis of roll, pitch or yaw, where moments are told apart by the angles of all three: `\tau_\phi`, `\tau_\theta`,
