@@ -233,3 +233,26 @@ $$ T = 5\mu\Omega^2 $$
     let found = verdicts(text);
     assert_eq!(found[4..], ["proved", "refuted"], "{found:?}");
 }
+
+#[test]
+fn the_axes_that_words_turn_with_an_omega_are_not_the_body() {
+    let text = r"
+A symmetric top spins about its axis $z$. About $O$ the moment of inertia is $C$ for the axis of symmetry and $A$ for every perpendicular axis. The axes precess with the top, but do not share the spin $s$, therefore their angular velocity is
+
+$$ \boldsymbol\Omega = p\sin\theta\,\mathbf j + p\cos\theta\,\mathbf k $$
+
+and that of the top is
+
+$$ \boldsymbol\omega = p\sin\theta\,\mathbf j + (s + p\cos\theta)\,\mathbf k $$
+
+so that the angular momentum is
+
+$$ \mathbf H = A\,p\sin\theta\,\mathbf j + C\,(s + p\cos\theta)\,\mathbf k $$
+
+$$ \mathbf H = A\,p\sin\theta\,\mathbf j + C\,p\cos\theta\,\mathbf k $$
+";
+    assert_eq!(
+        verdicts(text),
+        ["accepted", "accepted", "proved", "refuted"]
+    );
+}

@@ -28,6 +28,10 @@ impl Reading {
                 self.quantities.insert(letter, quantity);
             }
         }
+        let vector = |name: &str| self.usage.get(&Letter::plain(name)).vector > 0;
+        if vector("omega") && vector("Omega") {
+            self.part_turns();
+        }
     }
 
     /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, are no kinetic energies.
