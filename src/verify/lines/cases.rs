@@ -113,7 +113,7 @@ impl Checker<'_> {
         self.cases.named.insert(name.to_owned(), section);
     }
 
-    /// Notes that a paragraph opens with a title in bold or italic letters, or that words turn to another case.
+    /// Notes that a paragraph, in small letters, opens with a title in bold or italics, or that words turn to another case.
     pub(crate) fn note_case(&mut self, text: &str, span: Span, opens_paragraph: bool) {
         let before = Span {
             start: span.start.saturating_sub(12),
@@ -122,10 +122,10 @@ impl Checker<'_> {
         let before = self.document.source.slice(before);
         let titles = ["\\textbf{", "\\emph{", "\\textit{"];
         let title = before.ends_with(['*', '_']) || titles.iter().any(|t| before.ends_with(t));
-        let lower = text.trim_start().to_lowercase();
+        let text = text.trim_start();
         let counted = ["case ", "(a) ", "(b) ", "(c) ", "(d) "];
-        let counted = counted.iter().any(|start| lower.starts_with(start));
-        let turned = has_any(&lower, TURNS);
+        let counted = counted.iter().any(|start| text.starts_with(start));
+        let turned = has_any(text, TURNS);
         if opens_paragraph && (title || counted) || turned {
             self.cases.now += 1;
         }

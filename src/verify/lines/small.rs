@@ -164,9 +164,8 @@ impl Checker<'_> {
             }
     }
 
-    /// Whether words take equations to first order in what is small, until the next heading.
+    /// Whether words in small letters take equations to first order in what is small, until the next heading.
     pub(crate) fn note_linear(&mut self, text: &str) {
-        let text = text.to_lowercase();
         self.linear |= LINEAR.iter().any(|words| text.contains(words));
         self.note_small_rates(&text);
     }

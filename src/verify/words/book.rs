@@ -1,7 +1,6 @@
 //! Phrases that are looked for in a text all at once.
 
 use aho_corasick::{AhoCorasick, AhoCorasickKind};
-use std::collections::BTreeSet;
 
 /// A text in lower case: the same as `str::to_lowercase`, and faster on a text that is Latin but for some signs.
 pub(crate) fn lowered(text: &str) -> String {
@@ -52,16 +51,6 @@ impl Book {
     pub(crate) fn places(&self, text: &str) -> impl Iterator<Item = (usize, usize, usize)> {
         let found = self.automaton.find_overlapping_iter(text);
         found.map(|found| (found.pattern().as_usize(), found.start(), found.end()))
-    }
-
-    /// Where the last of the phrases begins.
-    pub(crate) fn last(&self, text: &str) -> Option<usize> {
-        self.places(text).map(|(_, start, _)| start).max()
-    }
-
-    /// Which of the phrases stand in a text, in the order of the book.
-    pub(crate) fn found(&self, text: &str) -> BTreeSet<usize> {
-        self.places(text).map(|(which, ..)| which).collect()
     }
 }
 

@@ -136,9 +136,9 @@ impl Checker<'_> {
         self.named.push(node.clone());
     }
 
-    /// Takes what a piece of prose behind expressions calls constant.
+    /// Takes what a piece of prose behind expressions, in small letters, calls constant.
     pub(crate) fn constants_in_words(&mut self, text: &str, span: Span) {
-        let text = text.trim_start().to_lowercase();
+        let text = text.trim_start();
         if SPEED.iter().any(|words| text.contains(words)) {
             self.turns_steadily(span);
         }
@@ -148,7 +148,7 @@ impl Checker<'_> {
             return;
         }
         let named = std::mem::take(&mut self.named);
-        self.small_behind(&text, &named);
+        self.small_behind(text, &named);
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));
         // What is "a constant of the motion" is for laws to say.
         let of_motion = has_any(rest, &["constant of", "constants of"]);

@@ -6,72 +6,45 @@ use crate::verify::words::role_words::{
     ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, SHORTER, SOURCES,
     SUBJECTS, SUPPOSE,
 };
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-static ASSUMING: LazyLock<Book> = LazyLock::new(|| words(&[ASSUME, SUPPOSE]));
-static CLAIMING: LazyLock<Book> = LazyLock::new(|| words(&[CLAIM]));
-static DEFINING: LazyLock<Book> = LazyLock::new(|| words(&[DEFINE]));
-static DEFINED: LazyLock<Book> = LazyLock::new(|| words(&[DEFINITION]));
-static GIVING: LazyLock<Book> = LazyLock::new(|| words(&[GIVEN]));
-static SUPPOSING: LazyLock<Book> = LazyLock::new(|| words(&[SUPPOSE, GIVEN]));
-static CONDITIONS: LazyLock<Book> = LazyLock::new(|| words(&[CONDITION]));
-static CONSTRAINTS: LazyLock<Book> = LazyLock::new(|| words(&[CONSTRAINT]));
-static WITHOUT_ROLE: LazyLock<Book> = LazyLock::new(|| words(&[NO_ROLE]));
-static LONGER: LazyLock<Book> =
-    LazyLock::new(|| Book::of_words(SHORTER.iter().map(|(phrase, _)| *phrase)));
-
-/// Any word that a role, or what else [`Words`] says, hangs on.
-static SPEAKING: LazyLock<Book> = LazyLock::new(|| {
-    let lists = [
-        ASSUME, SUPPOSE, CLAIM, DEFINE, DEFINITION, GIVEN, CONDITION, CONSTRAINT,
-    ];
-    let shorter = SHORTER.iter().map(|(phrase, _)| *phrase);
-    Book::of_words(lists.into_iter().flatten().copied().chain(shorter))
-});
-
-fn words(lists: &[&[&'static str]]) -> Book {
-    Book::of_words(lists.iter().copied().flatten().copied())
+/// What a phrase does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Assume,
+    Suppose,
+    Claim,
+    Define,
+    Definition,
+    Given,
+    Condition,
+    Constraint,
+    Longer,
+    NoRole,
 }
 
-/// The role that a sentence gives to a formula that stands behind it.
-///
-/// Words reach to the end of their sentence, or to a word such as *then* or *gives*; the last role word that is in
-/// force decides.
-pub(crate) fn role(sentence: &str) -> Role {
-    let mut text = Words::of(&main_clauses(sentence)).0;
-    if LONGER.is_in(&text) {
-        for (phrase, word) in SHORTER {
-            text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
-        }
-    }
-    // The formula may follow "called the precession rate": a definition, though "called the" alone is none.
-    let definition = DEFINED.last(&text);
-    for phrase in WITHOUT_ROLE.found(&text).into_iter().map(|at| NO_ROLE[at]) {
-        text = text.replace(
-            &format!(" {phrase} "),
-            &format!(" {} ", "_".repeat(phrase.len())),
-        );
-    }
-    if has_left_its_condition(&text) {
-        return Role::Claim;
-    }
-    let claim = CLAIMING.last(&text);
-    let best = [
-        (ASSUMING.last(&text), Role::Assume),
-        (DEFINING.last(&text).max(definition), Role::Define),
-        (GIVING.last(&text), Role::Given),
-    ];
-    let (place, role) = best
-        .into_iter()
-        .fold((None, Role::Claim), |kept, (place, role)| {
-            if place > kept.0 { (place, role) } else { kept }
-        });
-    if place.is_none() || claim > place {
-        Role::Claim
-    } else {
-        role
-    }
+/// The phrases of each kind, and those that mean what a shorter one does.
+const PHRASES: [(Kind, &[&str]); 9] = [
+    (Kind::Assume, ASSUME),
+    (Kind::Suppose, SUPPOSE),
+    (Kind::Claim, CLAIM),
+    (Kind::Define, DEFINE),
+    (Kind::Definition, DEFINITION),
+    (Kind::Given, GIVEN),
+    (Kind::Condition, CONDITION),
+    (Kind::Constraint, CONSTRAINT),
+    (Kind::NoRole, NO_ROLE),
+];
+
+fn phrases() -> impl Iterator<Item = (Kind, &'static str)> {
+    let each = PHRASES.into_iter();
+    let each = each.flat_map(|(kind, phrases)| phrases.iter().map(move |phrase| (kind, *phrase)));
+    each.chain(SHORTER.iter().map(|(phrase, _)| (Kind::Longer, *phrase)))
 }
+
+static LISTED: LazyLock<Vec<(Kind, &str)>> = LazyLock::new(|| phrases().collect());
+static BOOK: LazyLock<Book> = LazyLock::new(|| Book::of_words(phrases().map(|(_, phrase)| phrase)));
 
 /// "With ⟨ω = Ω⟩ the spin is": the condition has ended, for what stands there and for further formulas behind it.
 fn has_left_its_condition(text: &str) -> bool {
@@ -80,8 +53,12 @@ fn has_left_its_condition(text: &str) -> bool {
         return false;
     };
     let behind = format!(" {}", &text[end..]);
-    let formulas = behind.trim().is_empty()
-        || behind.contains('⟩') && !ASSUMING.is_in(&behind) && !DEFINING.is_in(&behind);
+    let plain = |behind| {
+        let words = Words::new(behind);
+        let roles = [Kind::Assume, Kind::Suppose, Kind::Define];
+        !roles.into_iter().any(|kind| words.has(kind))
+    };
+    let formulas = behind.trim().is_empty() || behind.contains('⟩') && plain(behind);
     formulas && leaves_its_condition(&text[..end])
 }
 
@@ -109,79 +86,161 @@ pub(crate) fn ends_with_condition(text: &str) -> bool {
 }
 
 /// A sentence in lower case, each of its words between single spaces.
-pub(crate) struct Words(String);
+#[derive(Debug)]
+pub(crate) struct Words {
+    text: String,
+    /// Where the last phrase of each kind begins.
+    last: [Option<usize>; Kind::NoRole as usize + 1],
+}
 
 impl Words {
     /// The words of a sentence; stops within it are spaces.
     pub(crate) fn of(sentence: &str) -> Self {
-        let kept = |c: char| c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩');
-        let lower = lowered(sentence);
-        let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
-        let mut text = " ".to_owned();
-        words.for_each(|word| text.extend([word, " "]));
-        if !text.contains(" give") && !text.contains(" gave ") {
-            return Self(text);
+        Self::new(in_words(sentence))
+    }
+
+    fn new(text: String) -> Self {
+        let mut last = [None; Kind::NoRole as usize + 1];
+        for (which, at, _) in BOOK.places(&text) {
+            let known = &mut last[LISTED[which].0 as usize];
+            *known = (*known).max(Some(at));
         }
-        // What gives a torque derives nothing.
-        for load in ["torque", "moment", "couple", "force"] {
-            for (gives, acts) in [("gives", "exerts"), ("give", "exert")] {
-                for article in ["a", "no", "the"] {
-                    let said = format!(" {gives} {article} {load} ");
-                    text = text.replace(&said, &format!(" {acts} {article} {load} "));
+        Self { text, last }
+    }
+
+    fn last(&self, kind: Kind) -> Option<usize> {
+        self.last[kind as usize]
+    }
+
+    fn has(&self, kind: Kind) -> bool {
+        self.last(kind).is_some()
+    }
+
+    /// The role that they, the words of a sentence, give to a formula that stands behind it.
+    ///
+    /// Words reach to the end of their sentence, or to a word such as *then* or *gives*; the last role word that is in
+    /// force decides.
+    pub(crate) fn role(self, sentence: &str) -> Role {
+        match main_clauses(sentence) {
+            Some(clauses) => Self::of(&clauses).role_of_clauses(),
+            None => self.role_of_clauses(),
+        }
+    }
+
+    fn role_of_clauses(self) -> Role {
+        let mut words = self;
+        if words.has(Kind::Longer) {
+            let mut text = words.text;
+            for (phrase, word) in SHORTER {
+                text = text.replace(&format!(" {phrase} "), &format!(" {word} "));
+            }
+            words = Self::new(text);
+        }
+        // The formula may follow "called the precession rate": a definition, though "called the" alone is none.
+        let definition = words.last(Kind::Definition);
+        if words.has(Kind::NoRole) {
+            let met: BTreeSet<usize> = BOOK.places(&words.text).map(|(which, ..)| which).collect();
+            let mut text = words.text;
+            for (kind, phrase) in met.into_iter().map(|which| LISTED[which]) {
+                if kind == Kind::NoRole {
+                    let nothing = "_".repeat(phrase.len());
+                    text = text.replace(&format!(" {phrase} "), &format!(" {nothing} "));
                 }
             }
+            words = Self::new(text);
         }
-        for source in SOURCES {
-            for gives in ["gives", "give", "gave"] {
-                text = text.replace(&format!(" {source} {gives} "), &format!(" {source} given "));
-            }
+        if has_left_its_condition(&words.text) {
+            return Role::Claim;
         }
-        Self(text)
+        let assumed = words.last(Kind::Assume).max(words.last(Kind::Suppose));
+        let best = [
+            (assumed, Role::Assume),
+            (words.last(Kind::Define).max(definition), Role::Define),
+            (words.last(Kind::Given), Role::Given),
+        ];
+        let (place, role) = best
+            .into_iter()
+            .fold((None, Role::Claim), |kept, (place, role)| {
+                if place > kept.0 { (place, role) } else { kept }
+            });
+        if place.is_none() || words.last(Kind::Claim) > place {
+            Role::Claim
+        } else {
+            role
+        }
     }
 
     /// Whether a role hangs on one of them; else what follows is claimed, and neither derived nor assumed.
     pub(crate) fn speak(&self) -> bool {
-        SPEAKING.is_in(&self.0)
+        let (no_role, others) = (Kind::NoRole as usize, &self.last);
+        others[..no_role].iter().any(Option::is_some)
     }
 
     /// Whether they derive what follows: "hence", "gives".
     pub(crate) fn derive(&self) -> bool {
-        CLAIMING.is_in(&self.0)
+        self.has(Kind::Claim)
     }
 
     /// Whether they assume what follows in so many words.
     pub(crate) fn assume(&self) -> bool {
-        let last = SUPPOSING.last(&self.0);
-        last.is_some_and(|at| !self.0[at..].contains('⟩'))
+        let last = self.last(Kind::Suppose).max(self.last(Kind::Given));
+        last.is_some_and(|at| !self.text[at..].contains('⟩'))
     }
 
     /// Whether the last of them picks out a case: "we take ⟨…⟩".
     pub(crate) fn pick(&self) -> bool {
         let verbs = ["take", "choose", "pick", "require", "prescribe", "set"];
-        let last = self.0.split_whitespace().next_back();
+        let last = self.text.split_whitespace().next_back();
         let belongs = ["belong to ", "belongs to "]
             .iter()
-            .any(|words| self.0.ends_with(words));
+            .any(|words| self.text.ends_with(words));
         belongs || last.is_some_and(|word| verbs.contains(&word))
     }
 
     /// Whether what follows is a condition for something that was said: "it is stable if".
     pub(crate) fn condition(&self) -> bool {
-        let last = CONDITIONS.last(&self.0);
-        last.is_some_and(|at| at > 0 && self.0[at..].split_whitespace().count() <= 3)
+        let last = self.last(Kind::Condition);
+        last.is_some_and(|at| at > 0 && self.text[at..].split_whitespace().count() <= 3)
     }
 
     /// Whether they name a constraint that a body or a point of it is under.
     pub(crate) fn constrain(&self) -> bool {
-        CONSTRAINTS.is_in(&self.0)
+        self.has(Kind::Constraint)
     }
 }
 
+/// A sentence in lower case, each word of it between single spaces.
+fn in_words(sentence: &str) -> String {
+    let kept = |c: char| c.is_alphanumeric() || matches!(c, '\'' | '-' | '⟨' | '⟩');
+    let lower = lowered(sentence);
+    let words = lower.split(|c| !kept(c)).filter(|word| !word.is_empty());
+    let mut text = String::with_capacity(lower.len() + 2);
+    text.push(' ');
+    words.for_each(|word| text.extend([word, " "]));
+    if !text.contains(" give") && !text.contains(" gave ") {
+        return text;
+    }
+    // What gives a torque derives nothing.
+    for load in ["torque", "moment", "couple", "force"] {
+        for (gives, acts) in [("gives", "exerts"), ("give", "exert")] {
+            for article in ["a", "no", "the"] {
+                let said = format!(" {gives} {article} {load} ");
+                text = text.replace(&said, &format!(" {acts} {article} {load} "));
+            }
+        }
+    }
+    for source in SOURCES {
+        for gives in ["gives", "give", "gave"] {
+            text = text.replace(&format!(" {source} {gives} "), &format!(" {source} given "));
+        }
+    }
+    text
+}
+
 /// A comma after a formula, and a subject behind it, open the main clause: "where ⟨n⟩ is constant, the equation is".
-fn main_clauses(sentence: &str) -> String {
-    let Some(formula) = sentence.find('⟩') else {
-        return sentence.to_owned();
-    };
+/// `None` where none does.
+fn main_clauses(sentence: &str) -> Option<String> {
+    let formula = sentence.find('⟩')?;
     let (mut text, mut from) = (String::new(), 0);
     for (at, _) in sentence.match_indices(", ").filter(|&(at, _)| at > formula) {
         let (inside, behind) = sentence.split_at(at);
@@ -196,7 +255,7 @@ fn main_clauses(sentence: &str) -> String {
         }
     }
     text.push_str(&sentence[from..]);
-    text
+    (from > 0).then_some(text)
 }
 
 /// Whether what stands behind a comma is one more thing of a list: "take ⟨m = 2⟩, the rate ⟨⟩ and the arm".
@@ -283,7 +342,7 @@ mod tests {
             ("For ⟨s⟩ the rate is ⟨⟩. Now assume", Role::Assume),
         ];
         for (sentence, expected) in cases {
-            assert_eq!(role(sentence), expected, "{sentence}");
+            assert_eq!(Words::of(sentence).role(sentence), expected, "{sentence}");
         }
     }
 }

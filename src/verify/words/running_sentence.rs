@@ -6,7 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
 use crate::verify::words::prose::{said, symmetry_plane};
-use crate::verify::words::role::{Words, ends_with_condition, role};
+use crate::verify::words::role::{Words, ends_with_condition};
 
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
 const LONGEST_SENTENCE: usize = 1_000;
@@ -23,14 +23,15 @@ impl Checker<'_> {
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
         // After a display, a new paragraph that opens with a capital opens a sentence too.
         let opens = text.trim_start().starts_with(char::is_uppercase);
-        self.note_case(text, span, self.broken);
+        let lower = lowered(text);
+        self.note_case(&lower, span, self.broken);
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
         let speaks = text.contains(char::is_alphanumeric);
         if speaks {
-            self.note_linear(text);
-            self.constants_in_words(text, span);
+            self.note_linear(&lower);
+            self.constants_in_words(&lower, span);
         }
         self.sentence.push_str(text);
         if speaks {
@@ -54,12 +55,15 @@ impl Checker<'_> {
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
     }
 
-    /// The role that the sentence gives. A display right behind "with ⟨ω = Ω⟩," is the main clause.
-    fn role(&self, display: bool) -> Role {
+    /// The role that the words of the sentence give. A display right behind "with ⟨ω = Ω⟩," is the main clause.
+    fn role(&self, words: Words, display: bool) -> Role {
         // "If the body is at rest, ⟨v = 0⟩" hands over; "if the products vanish: […]" claims.
-        let role = match display {
-            true => role(&self.sentence.replace("if the ", "")),
-            false => role(&self.sentence),
+        let role = match display && self.sentence.contains("if the ") {
+            true => {
+                let sentence = self.sentence.replace("if the ", "");
+                Words::of(&sentence).role(&sentence)
+            }
+            false => words.role(&self.sentence),
         };
         let closed = self.sentence.trim_end().strip_suffix(',');
         let clause = display && closed.is_some_and(ends_with_condition);
@@ -78,7 +82,7 @@ impl Checker<'_> {
         self.firm = self.mark.is_some() || speak && words.assume();
         self.picked = words.pick();
         self.mark.unwrap_or_else(|| match speak {
-            true => self.role(display),
+            true => self.role(words, display),
             false => Role::Claim,
         })
     }
