@@ -199,7 +199,8 @@ impl Monomial {
                 Self(Form::Packed(rest.into()))
             }
             Form::Packed(word) => Self(Form::Packed(*word)),
-            _ => Self::from_powers(self.factors().filter(|&(v, _)| v != variable)),
+            Form::Short(word) => Self::from_word(short::without(word.bits(), variable)),
+            Form::Sparse(_) => Self::from_powers(self.factors().filter(|&(v, _)| v != variable)),
         }
     }
 

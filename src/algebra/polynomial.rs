@@ -95,14 +95,22 @@ impl Polynomial {
 
     /// The variables that occur, ascending.
     pub fn variables(&self) -> Vec<Variable> {
-        let mut found: Vec<_> = self
-            .terms()
-            .iter()
-            .flat_map(|(m, _)| m.factors())
-            .map(|(v, _)| v)
-            .collect();
-        found.sort_unstable();
-        found.dedup();
+        // Most documents have few variables: one bit each sorts them.
+        let (mut low, mut high) = (0u128, vec![]);
+        for (variable, _) in self.terms().iter().flat_map(|(m, _)| m.factors()) {
+            match variable {
+                0..128 => low |= 1 << variable,
+                _ => high.push(variable),
+            }
+        }
+        high.sort_unstable();
+        high.dedup();
+        let mut found = Vec::with_capacity(low.count_ones() as usize + high.len());
+        while low != 0 {
+            found.push(low.trailing_zeros());
+            low &= low - 1;
+        }
+        found.extend(high);
         found
     }
 
@@ -126,6 +134,22 @@ impl Polynomial {
         Self {
             terms: terms.collect(),
         }
+    }
+
+    /// A polynomial of first degree in a variable as s·v + r: s and r.
+    pub(super) fn slope_and_rest(&self, variable: Variable) -> (Self, Self) {
+        let (mut slope, mut rest) = (vec![], Vec::with_capacity(self.len()));
+        for (monomial, coefficient) in self.terms() {
+            match monomial.exponent(variable) {
+                0 => rest.push((monomial.clone(), coefficient.clone())),
+                _ => slope.push((monomial.without(variable), coefficient.clone())),
+            }
+        }
+        // One power taken out of each, so their order stays.
+        let polynomial = |terms: Vec<_>| Self {
+            terms: terms.into(),
+        };
+        (polynomial(slope), polynomial(rest))
     }
 
     /// The partial derivative in a variable.

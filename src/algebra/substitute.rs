@@ -51,10 +51,7 @@ impl Polynomial {
     pub fn pseudo_division(&self, variable: Variable, n: &Self, d: &Self) -> PseudoDivision {
         let degree = self.degree_in(variable);
         if degree == 1 {
-            let (slope, rest) = (
-                self.coefficient_of(variable, 1),
-                self.coefficient_of(variable, 0),
-            );
+            let (slope, rest) = self.slope_and_rest(variable);
             let rest = if d.is_one() { rest } else { rest * d.clone() };
             return PseudoDivision {
                 remainder: slope.clone() * n.clone() + rest,

@@ -59,6 +59,23 @@ pub(super) fn exponent(word: u128, variable: Variable) -> u32 {
     0
 }
 
+/// A word without the entry of a variable.
+#[inline]
+pub(super) fn without(word: u128, variable: Variable) -> u128 {
+    let (mut rest, mut above) = (word << 8, 0);
+    while let Some((v, exponent)) = entry(rest) {
+        rest <<= ENTRY;
+        if v == variable {
+            let degree = (word >> 120) - u128::from(exponent);
+            let below = rest >> above;
+            let kept = (word << 8) & !(u128::MAX >> above);
+            return degree << 120 | (kept | below) >> 8;
+        }
+        above += ENTRY;
+    }
+    word
+}
+
 /// Two words joined, exponent by exponent, where the result has room.
 #[inline]
 pub(super) fn merged(a: u128, b: u128, join: impl Fn(u32, u32) -> u32) -> Option<u128> {

@@ -203,6 +203,18 @@ impl Hash for Terms {
     }
 }
 
+impl From<Vec<Term>> for Terms {
+    fn from(mut terms: Vec<Term>) -> Self {
+        match (terms.len(), terms.pop()) {
+            (1, Some(term)) => Self::One(term),
+            (_, last) => {
+                terms.extend(last);
+                Self::Any(terms)
+            }
+        }
+    }
+}
+
 impl FromIterator<Term> for Terms {
     fn from_iter<I: IntoIterator<Item = Term>>(terms: I) -> Self {
         let mut terms = terms.into_iter();
