@@ -42,6 +42,9 @@ pub(super) struct Checker<'a> {
     /// The whole text in lower case, once it was asked for.
     lower: OnceCell<String>,
     pub(super) reading: Reading,
+    /// The symbols as the document writes them, and its labels of frames, once they were asked for.
+    pub(super) written: OnceCell<Vec<Vec<&'a str>>>,
+    pub(super) frame_labels: OnceCell<[String; 2]>,
     pub(super) theory: Theory,
     pub(super) functions: HashMap<String, FunctionOf>,
     /// Entities that the words or an accepted line have given a meaning.
@@ -158,6 +161,8 @@ impl<'a> Checker<'a> {
             theory: Theory::new(setting),
             functions: HashMap::new(),
             known: BTreeSet::new(),
+            written: OnceCell::new(),
+            frame_labels: OnceCell::new(),
             loads: BTreeSet::new(),
             dots: None,
             last_side: None,

@@ -193,6 +193,11 @@ impl Checker<'_> {
 
     /// The labels that the document writes for the space frame and for the moving one.
     pub(super) fn frame_labels(&self) -> [String; 2] {
+        let labels = self.frame_labels.get_or_init(|| self.labels_of_frames());
+        labels.clone()
+    }
+
+    fn labels_of_frames(&self) -> [String; 2] {
         let mut found: [Option<String>; 2] = [None, None];
         let mut look = |label: &FrameLabel| {
             let slot = match self.reading.frames.of_label(label) {

@@ -34,20 +34,16 @@ impl Checker<'_> {
         let document = self.document;
         let mut texts: Vec<String> = vec![];
         let mut seen = BTreeSet::new();
-        for side in line
-            .sides
-            .iter()
-            .chain(lines(document).flat_map(|l| &l.sides))
-        {
+        let own = line.sides.iter().map(|side| written(document, side));
+        let of_document = self.written.get_or_init(|| written_in(document));
+        for side in own.chain(of_document.iter().cloned()) {
             if texts.len() >= WORDS {
                 break;
             }
-            atoms(side, &mut |node| {
-                let text = document.source.slice(node.span).trim();
-                if !text.is_empty() && seen.insert(text.to_owned()) {
-                    texts.push(text.to_owned());
-                }
-            });
+            let new = side
+                .into_iter()
+                .filter(|text| seen.insert((*text).to_owned()));
+            texts.extend(new.map(str::to_owned));
         }
         // A letter that is a component by itself has its siblings in other letters.
         for letter in self.reading.components.keys().filter(|l| !l.calligraphic) {
@@ -101,6 +97,32 @@ impl Word {
     pub(crate) fn is_parameter(&self) -> bool {
         self.order == 0 && self.subscripts.is_empty() && self.of.is_none()
     }
+}
+
+/// The symbols of the sides of a document's lines, those of a side that none before it has; no more than are kept.
+fn written_in(document: &Document) -> Vec<Vec<&str>> {
+    let mut seen = BTreeSet::new();
+    let mut found = vec![];
+    for side in lines(document).flat_map(|l| &l.sides) {
+        if seen.len() >= WORDS {
+            break;
+        }
+        let mut texts = written(document, side);
+        texts.retain(|text| seen.insert(*text));
+        found.push(texts);
+    }
+    found.retain(|texts| !texts.is_empty());
+    found
+}
+
+/// The symbols of a side, as they are written.
+fn written<'d>(document: &'d Document, side: &Node) -> Vec<&'d str> {
+    let mut texts = vec![];
+    atoms(side, &mut |node| {
+        let text = document.source.slice(node.span).trim();
+        texts.extend((!text.is_empty()).then_some(text));
+    });
+    texts
 }
 
 /// The expression that a text holds.
