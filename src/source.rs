@@ -111,7 +111,11 @@ impl Source {
         if !self.text.is_char_boundary(offset) {
             return (line, 1);
         }
-        let column = self.characters_before(offset) - self.characters_before(start);
+        let inside = self.text.as_bytes().get(start..offset).unwrap_or_default();
+        let column = match inside.len() < BLOCK {
+            true => characters(inside),
+            false => self.characters_before(offset) - self.characters_before(start),
+        };
         (line, column + 1)
     }
 

@@ -12,6 +12,7 @@ use crate::verify::lines::dimensions::Dimensions;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
+use crate::verify::lines::line::Read;
 use crate::verify::lines::signs::Order;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
@@ -41,10 +42,10 @@ pub(super) struct Checker<'a> {
     pub(super) document: &'a Document,
     /// The whole text in lower case, once it was asked for.
     lower: OnceCell<String>,
-    pub(super) reading: Reading,
     /// The symbols as the document writes them, and its labels of frames, once they were asked for.
     pub(super) written: OnceCell<Vec<Vec<&'a str>>>,
     pub(super) frame_labels: OnceCell<[String; 2]>,
+    pub(super) reading: Reading,
     pub(super) theory: Theory,
     pub(super) functions: HashMap<String, FunctionOf>,
     /// Entities that the words or an accepted line have given a meaning.
@@ -53,6 +54,8 @@ pub(super) struct Checker<'a> {
     pub(super) loads: BTreeSet<Entity>,
     /// Whether the words fix what a dot without a frame means.
     pub(super) dots: Option<Frame>,
+    /// How the claim that was proved last was read, and where it ends.
+    pub(super) proved_as: Option<(Span, Read)>,
     /// The last side of the line before, for lines that go on.
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
@@ -158,13 +161,14 @@ impl<'a> Checker<'a> {
         let mut checker = Self {
             document,
             lower: OnceCell::new(),
+            written: OnceCell::new(),
+            frame_labels: OnceCell::new(),
             theory: Theory::new(setting),
             functions: HashMap::new(),
             known: BTreeSet::new(),
-            written: OnceCell::new(),
-            frame_labels: OnceCell::new(),
             loads: BTreeSet::new(),
             dots: None,
+            proved_as: None,
             last_side: None,
             asserted: false,
             firm: false,

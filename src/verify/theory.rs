@@ -247,7 +247,7 @@ impl Theory {
 
     /// The value of a variable by a premise or a law, one step down; `None` for a free one.
     pub(super) fn rule(&mut self, variable: Variable) -> Option<Rule> {
-        match self.atoms.atom(variable).clone() {
+        match *self.atoms.atom(variable) {
             Atom::Part {
                 entity,
                 component,
@@ -275,7 +275,11 @@ impl Theory {
                     });
                 }
             }
-            Atom::Kernel { function, argument } => {
+            Atom::Kernel {
+                function,
+                ref argument,
+            } => {
+                let argument = argument.clone();
                 let value = self.reduced_kernel(variable, function, &argument)?;
                 return Some(Rule {
                     name: String::new(),

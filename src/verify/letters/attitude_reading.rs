@@ -82,7 +82,9 @@ impl AttitudeReading {
 
     /// The part of the quaternion that a symbol stands for.
     pub(crate) fn part(&self, symbol: &Symbol) -> Option<Part> {
-        let spelling = spelling(symbol);
+        if self.parts.is_empty() {
+            return None;
+        }
         let starred = symbol
             .superscripts
             .iter()
@@ -90,7 +92,7 @@ impl AttitudeReading {
         if symbol.primes > 0 || symbol.variation || (!starred && !symbol.superscripts.is_empty()) {
             return None;
         }
-        match self.parts.get(&spelling).copied()? {
+        match self.parts.get(&spelling(symbol)).copied()? {
             Part::Whole if starred || symbol.style.bar || symbol.style.tilde => {
                 Some(Part::Conjugate)
             }

@@ -155,12 +155,12 @@ impl Reading {
 
     /// Whether a tilde makes a vector the matrix of its cross product: the `[\tilde\omega]` beside a vector ω.
     pub(crate) fn marks_skew(&self, symbol: &Symbol) -> bool {
+        if !symbol.style.tilde || symbol.subscripts.iter().any(|s| axis(s).is_some()) {
+            return false;
+        }
         let letter = Letter::of(symbol);
         let quantity = self.quantities.get(&letter);
-        symbol.style.tilde
-            && symbol.subscripts.iter().all(|s| axis(s).is_none())
-            && (self.usage.is_vector(&letter)
-                || quantity.is_some_and(|q| q.shape() == Shape::Vector))
+        (self.usage.is_vector(&letter) || quantity.is_some_and(|q| q.shape() == Shape::Vector))
             && !self.usage.apart_under_tilde.contains(&letter)
     }
 

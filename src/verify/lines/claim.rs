@@ -34,7 +34,10 @@ impl Checker<'_> {
             match decide(&mut self.theory, &read.equations) {
                 Decision::True(proof) => {
                     self.note_written_out(sides, &read);
-                    return self.proved(&read, proof, finding);
+                    self.proved(&read, proof, finding);
+                    let last = sides.last().filter(|_| read.unlabelled == Frame::Moving);
+                    self.proved_as = last.map(|side| (side.span, read));
+                    return;
                 }
                 other => failed = failed.or(Some((read, other))),
             }

@@ -103,6 +103,7 @@ impl Checker<'_> {
     }
 
     pub(crate) fn settle(&mut self, line: &Line, role: Role, finding: &mut Finding) {
+        self.proved_as = None;
         if self.no_equation(line, role, finding) {
             return;
         }

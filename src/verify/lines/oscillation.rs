@@ -21,6 +21,9 @@ impl Checker<'_> {
         if !matches!(finding.verdict, Verdict::Accepted | Verdict::Proved(_)) || sides.len() != 2 {
             return;
         }
+        if !self.theory.atoms.has_second_rates() && !sides.iter().any(is_rate_of_rate) {
+            return;
+        }
         let Ok(read) = self.read(sides, Frame::Moving) else {
             return;
         };
@@ -142,4 +145,17 @@ impl Checker<'_> {
             _ => false,
         }
     }
+}
+
+/// Whether a second rate, or the rate of a rate, stands in a node.
+fn is_rate_of_rate(node: &Node) -> bool {
+    fn most(node: &Node) -> u8 {
+        let mut inside = 0;
+        node.each_child(&mut |child| inside = inside.max(most(child)));
+        match &node.kind {
+            Kind::TimeDerivative { order, .. } => inside.saturating_add(*order),
+            _ => inside,
+        }
+    }
+    most(node) > 1
 }

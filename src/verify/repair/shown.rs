@@ -98,6 +98,10 @@ impl Checker<'_> {
             return;
         }
         let [first, .., last] = sides else { return };
+        if self.ends_in_symbols(last) {
+            self.figures.decimals |= holds_decimals(last);
+            return;
+        }
         let (Ok(whole), Ok(shown)) = (
             self.lowering(Frame::Moving).value(first),
             self.lowering(Frame::Moving).value(last),
@@ -140,6 +144,26 @@ impl Checker<'_> {
                 self.other_value(of, number, format!("{name}, in {unit}"));
             }
         }
+    }
+
+    /// Whether the last side of a line that was proved just now comes to no number.
+    fn ends_in_symbols(&mut self, last: &Node) -> bool {
+        let Some((span, read)) = self.proved_as.take() else {
+            return false;
+        };
+        let as_it_stands = self.reading.space_axes.is_none() && !read.to_order;
+        let Some(equation) = read
+            .equations
+            .last()
+            .filter(|_| as_it_stands && span == last.span)
+        else {
+            return false;
+        };
+        let mut entries = equation.right.entries.iter();
+        entries.all(|entry| {
+            let value = self.theory.normal(entry);
+            !is_number(&self.theory.atoms, &value)
+        })
     }
 
     fn other_value(&mut self, of: &Fraction, value: Fraction, name: Name) {

@@ -87,6 +87,7 @@ pub(crate) struct Atoms {
     /// What symbols were found to stand for.
     meanings: HashMap<Symbol, Meaning>,
     changes: usize,
+    second_rates: bool,
     /// Whether the document numbers its axes.
     pub numbered: bool,
     /// The label of what stands on the body's axes, where the plain letters are those on space axes.
@@ -155,6 +156,11 @@ impl Atoms {
         self.meanings.clear();
     }
 
+    /// Whether second rates of symbols of the document were met.
+    pub(crate) fn has_second_rates(&self) -> bool {
+        self.second_rates
+    }
+
     /// How often what is known of entities was changed.
     pub(crate) fn changes(&self) -> usize {
         self.changes
@@ -208,6 +214,7 @@ impl Atoms {
         if let Some(&variable) = self.parts.get(&key) {
             return variable;
         }
+        self.second_rates |= order > 1 && matches!(self.info(entity).owner, Owner::Symbol(_));
         let variable = self.push(Atom::Part {
             entity,
             component,

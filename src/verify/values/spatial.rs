@@ -39,7 +39,8 @@ pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol
 /// Whether a symbol shows that it is a vector or a tensor, or wears labels of both triads of axes.
 fn is_marked(symbol: &Symbol, reading: &Reading) -> bool {
     let marked = symbol.style.vector || symbol.style.tensor || symbol.style.bar;
-    marked || reading.on_both_axes.contains(&Letter::of(symbol))
+    let letters = &reading.on_both_axes;
+    marked || !letters.is_empty() && letters.contains(&Letter::of(symbol))
 }
 
 /// Letters for the body's axes, where the document speaks of an attitude.
@@ -161,10 +162,10 @@ impl Lowering<'_> {
 /// would take the others there.
 pub(crate) fn all_in_space(sides: &[Node], reading: &Reading) -> bool {
     let all: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
-    let labelled = all.iter().any(|s| without_label(s, reading).is_some());
-    let turned = all.iter().any(|s| {
-        reading.attitude.matrix.as_ref() == Some(&Letter::of(s))
-            || reading.attitude.part(s).is_some()
-    });
-    labelled && !turned
+    let labelled = || all.iter().any(|s| without_label(s, reading).is_some());
+    let turned = |symbol: &&Symbol| {
+        reading.attitude.matrix.as_ref() == Some(&Letter::of(symbol))
+            || reading.attitude.part(symbol).is_some()
+    };
+    labelled() && !all.iter().any(turned)
 }
