@@ -120,6 +120,12 @@ impl Fraction {
 
     fn sum(self, other: Self, negative: bool) -> Self {
         let joined = |a: Polynomial, b: Polynomial| if negative { a - b } else { a + b };
+        if self.is_one_below() && other.is_one_below() {
+            return Self {
+                numerator: joined(self.numerator, other.numerator),
+                denominator: self.denominator,
+            };
+        }
         if self.denominator == other.denominator {
             return Self::simplified(joined(self.numerator, other.numerator), self.denominator);
         }

@@ -126,7 +126,7 @@ impl Lowering<'_> {
                     let value = self.value(&term.node)?;
                     let (left, value) = self.aligned(sum, value);
                     sum = left
-                        .plus(&value, term.negative)
+                        .joined(value, term.negative)
                         .map_err(|ShapeMismatch(m)| {
                             trouble(
                                 TroubleKind::IllTyped,

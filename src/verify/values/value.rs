@@ -123,45 +123,43 @@ impl Value {
 
     /// `self + other`, or `self − other`. A scalar zero takes any shape.
     pub(crate) fn plus(&self, other: &Self, negative: bool) -> Result<Self, ShapeMismatch> {
+        self.clone().joined(other.clone(), negative)
+    }
+
+    /// The same of values that are not needed any more.
+    pub(crate) fn joined(self, other: Self, negative: bool) -> Result<Self, ShapeMismatch> {
         let (left, right) = self.matched(other)?;
-        let pairs = left.entries.iter().zip(&right.entries);
-        let entries = pairs
-            .map(|(a, b)| {
-                if negative {
-                    a.clone() - b.clone()
-                } else {
-                    a.clone() + b.clone()
-                }
-            })
-            .collect();
+        let pairs = left.entries.into_iter().zip(right.entries);
+        let join = |(a, b)| if negative { a - b } else { a + b };
         Ok(Self {
             rows: left.rows,
             columns: left.columns,
-            entries,
+            entries: pairs.map(join).collect(),
         })
     }
 
     /// Both values in one shape: zero takes any, a row of three stands for a column.
-    fn matched(&self, other: &Self) -> Result<(Self, Self), ShapeMismatch> {
+    fn matched(self, other: Self) -> Result<(Self, Self), ShapeMismatch> {
         let zero = |like: &Self| Self::from_fn(like.rows, like.columns, |_, _| Fraction::zero());
         if (self.rows, self.columns) == (other.rows, other.columns) {
-            Ok((self.clone(), other.clone()))
+            Ok((self, other))
         } else if self.is_scalar() && self.is_zero() {
-            Ok((zero(other), other.clone()))
+            Ok((zero(&other), other))
         } else if other.is_scalar() && other.is_zero() {
-            Ok((self.clone(), zero(self)))
-        } else if let Some(unit) = self.unit_of_size(other) {
-            Ok((unit, other.clone()))
-        } else if let Some(unit) = other.unit_of_size(self) {
-            Ok((self.clone(), unit))
+            let zero = zero(&self);
+            Ok((self, zero))
+        } else if let Some(unit) = self.unit_of_size(&other) {
+            Ok((unit, other))
+        } else if let Some(unit) = other.unit_of_size(&self) {
+            Ok((self, unit))
         } else if self.entries.len() == other.entries.len() && (self.rows == 1 || self.columns == 1)
         {
             let turned = Self {
                 rows: self.rows,
                 columns: self.columns,
-                entries: other.entries.clone(),
+                entries: other.entries,
             };
-            Ok((self.clone(), turned))
+            Ok((self, turned))
         } else {
             Err(ShapeMismatch(format!(
                 "{} against {}",
