@@ -229,6 +229,9 @@ impl Theory {
             self.ledger = Ledger::default();
             let rates = self.of_rates.len();
             let taken = self.solve(&premise);
+            if taken == Taken::Solved && !self.exhausted {
+                self.case = self.case_at_hand();
+            }
             match self.of_rates.len() > rates {
                 true => self.rebuild(),
                 false => taken,

@@ -7,7 +7,7 @@ use crate::verify::theory::kept::Relations;
 use crate::verify::theory::law::Setting;
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::normal::Normals;
-use crate::verify::theory::{Name, Rule, Theory};
+use crate::verify::theory::{Name, Premise, Rule, Taken, Theory};
 use crate::verify::values::atoms::Entity;
 use foldhash::HashMap;
 use std::collections::BTreeSet;
@@ -27,7 +27,7 @@ pub(crate) struct Solution {
 }
 
 /// What was solved, besides which premises there are.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Case {
     setting: Setting,
     left_out: BTreeSet<Name>,
@@ -59,8 +59,17 @@ impl Solutions {
         self.0.push(solution);
     }
 
-    fn take(&mut self, case: &Case) -> Option<Solution> {
-        let same = |known: &Solution| known.case.as_ref() == Some(case);
+    fn take(
+        &mut self,
+        setting: Setting,
+        left_out: &BTreeSet<Name>,
+        counts: [usize; 4],
+    ) -> Option<Solution> {
+        let same = |known: &Solution| {
+            known.case.as_ref().is_some_and(|case| {
+                case.counts == counts && case.setting == setting && case.left_out == *left_out
+            })
+        };
         let place = self.0.iter().position(same)?;
         Some(self.0.remove(place))
     }
@@ -69,17 +78,21 @@ impl Solutions {
 impl Theory {
     /// What is to be solved here; `None` where other values stand in the place of what premises give.
     pub(crate) fn case_at_hand(&self) -> Option<Case> {
-        let rates = self.of_rates.values().map(|&order| 1 + usize::from(order));
         self.fixed.is_empty().then(|| Case {
             setting: self.setting,
             left_out: self.left_out.clone(),
-            counts: [
-                self.atoms.changes(),
-                rates.sum(),
-                self.instants.len(),
-                self.cones.len(),
-            ],
+            counts: self.counts(),
         })
+    }
+
+    fn counts(&self) -> [usize; 4] {
+        let rates = self.of_rates.values().map(|&order| 1 + usize::from(order));
+        [
+            self.atoms.changes(),
+            rates.sum(),
+            self.instants.len(),
+            self.cones.len(),
+        ]
     }
 
     /// Puts a solution in force, and gives back the one that was.
@@ -103,10 +116,34 @@ impl Theory {
         }
     }
 
+    /// Works with one premise more, solved behind all others; `None` where it gives no symbol a value.
+    pub(crate) fn supposing<R>(
+        &mut self,
+        premise: &Premise,
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> Option<R> {
+        let copy = Solution {
+            rules: self.rules.clone(),
+            normals: self.normals.clone(),
+            sources: self.sources.clone(),
+            relations: self.relations.clone(),
+            ..Solution::default()
+        };
+        let before = self.put(copy);
+        let solved = self.solve(premise) == Taken::Solved;
+        let result = solved.then(|| work(self));
+        self.put(before);
+        result
+    }
+
     /// Puts the solution for what is in force now in the place of none, as it was set aside or anew.
     pub(crate) fn solve_again(&mut self) {
-        let case = self.case_at_hand();
-        match case.and_then(|case| self.solutions.take(&case)) {
+        let counts = self.counts();
+        let known = match self.fixed.is_empty() {
+            true => self.solutions.take(self.setting, &self.left_out, counts),
+            false => None,
+        };
+        match known {
             Some(known) => {
                 self.put(known);
             }
