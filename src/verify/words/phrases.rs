@@ -2,7 +2,7 @@
 
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::has_any;
-use crate::verify::words::quantity_names::{BOOK, PHRASES, is_word};
+use crate::verify::words::quantity_names::{BOOK, LONGEST, PHRASES, is_word};
 
 /// What is said of a quantity, and is not the quantity.
 const LAWS: &[&str] = &[
@@ -225,16 +225,12 @@ pub(crate) fn calls_identity(text: &str) -> bool {
 
 /// The quantity that a text names first, so many bytes from its beginning at most.
 pub(crate) fn named_first(rest: &str, within: usize) -> Option<Quantity> {
-    let near = |(phrase, quantity): &(String, Option<Quantity>)| {
-        let at = rest
-            .match_indices(phrase.as_str())
-            .find(|&(at, _)| is_word(rest, at, phrase))?
-            .0;
-        (at < within).then_some((at, std::cmp::Reverse(phrase.len()), *quantity))
-    };
-    let found = PHRASES.iter().filter_map(near);
-    let (at, _, quantity) = found.min_by_key(|&(at, len, _)| (at, len))?;
-    match quantity {
+    let near = BOOK
+        .places(rest)
+        .take_while(|&(_, _, end)| end <= within + *LONGEST);
+    let named = near.filter(|&(which, at, _)| at < within && is_word(rest, at, &PHRASES[which].0));
+    let (which, at, _) = named.min_by_key(|&(_, at, end)| (at, std::cmp::Reverse(end)))?;
+    match PHRASES[which].1 {
         Some(Quantity::Momentum) if is_in_wheels(&rest[at..]) => Some(Quantity::RelativeMomentum),
         quantity => quantity,
     }

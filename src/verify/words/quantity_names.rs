@@ -139,6 +139,10 @@ pub(crate) static PHRASES: LazyLock<Vec<(String, Option<Quantity>)>> = LazyLock:
 pub(crate) static BOOK: LazyLock<Book> =
     LazyLock::new(|| Book::of(PHRASES.iter().map(|(phrase, _)| phrase)));
 
+/// The bytes of the longest.
+pub(crate) static LONGEST: LazyLock<usize> =
+    LazyLock::new(|| PHRASES.iter().map(|(p, _)| p.len()).max().unwrap_or(0));
+
 /// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
 pub(crate) fn is_word(text: &str, at: usize, phrase: &str) -> bool {
     let letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
