@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Formula, Item, Row};
+use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
@@ -45,6 +46,8 @@ pub(super) struct Checker<'a> {
     /// The symbols as the document writes them, and its labels of frames, once they were asked for.
     pub(super) written: OnceCell<Vec<Vec<&'a str>>>,
     pub(super) frame_labels: OnceCell<[String; 2]>,
+    /// The nodes of words that a line could have, as they were read for others.
+    pub(super) words: HashMap<String, Option<Node>>,
     pub(super) reading: Reading,
     pub(super) theory: Theory,
     pub(super) functions: HashMap<String, FunctionOf>,
@@ -163,6 +166,7 @@ impl<'a> Checker<'a> {
             lower: OnceCell::new(),
             written: OnceCell::new(),
             frame_labels: OnceCell::new(),
+            words: HashMap::new(),
             theory: Theory::new(setting),
             functions: HashMap::new(),
             known: BTreeSet::new(),

@@ -22,6 +22,7 @@ use std::collections::BTreeSet;
 pub(crate) const SEARCHES: usize = 200;
 
 /// The equations of a line, read with one meaning of the dots that carry no frame.
+#[derive(Clone)]
 pub(crate) struct Read {
     pub(crate) equations: Vec<Equation>,
     pub(crate) unlabelled: Frame,

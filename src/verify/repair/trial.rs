@@ -8,6 +8,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::repair::edit::{Edit, edited};
 use crate::verify::theory::decide::{passes_filter, vanishes};
 use crate::verify::values::value::Value;
+use std::collections::HashMap;
 
 /// Texts that are tried for one line at most.
 const CANDIDATES: usize = 3000;
@@ -16,6 +17,8 @@ const CANDIDATES: usize = 3000;
 pub(crate) struct Search<'a> {
     line: &'a Line,
     left: usize,
+    /// Texts that were read before: most are looked at whole, and then by component.
+    read: HashMap<String, Option<Vec<Read>>>,
 }
 
 impl<'a> Search<'a> {
@@ -24,6 +27,7 @@ impl<'a> Search<'a> {
         Self {
             line,
             left: CANDIDATES,
+            read: HashMap::new(),
         }
     }
 }
@@ -77,7 +81,16 @@ impl Checker<'_> {
     }
 
     /// The equations of a text that stands in the place of the line.
-    pub(crate) fn reads(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
+    pub(crate) fn reads(&mut self, text: &str, search: &mut Search<'_>) -> Option<Vec<Read>> {
+        if let Some(known) = search.read.get(text) {
+            return known.clone();
+        }
+        let found = self.read_anew(text, search);
+        search.read.insert(text.to_owned(), found.clone());
+        found
+    }
+
+    fn read_anew(&mut self, text: &str, search: &Search<'_>) -> Option<Vec<Read>> {
         let rows = reread(self.document, text);
         let [Row::Line(line)] = rows.as_slice() else {
             return None;

@@ -68,7 +68,11 @@ impl Checker<'_> {
     }
 
     fn word(&mut self, text: String) -> Option<Word> {
-        let node = expression(self.document, &text)?;
+        let document = self.document;
+        let known = self.words.entry(text.clone());
+        let node = known
+            .or_insert_with(|| expression(document, &text))
+            .clone()?;
         let (symbol, order) = symbol(&node)?;
         let value = self.lowering(Frame::Moving).scalar(&node)?;
         let of = match self.meaning_of(symbol) {
