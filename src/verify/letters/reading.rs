@@ -67,6 +67,8 @@ pub(crate) struct Reading {
     pub symmetric: bool,
     /// Whether a symbol that is used before its definition is what its use makes it.
     pub by_use: bool,
+    /// Whether the reading is only tried, and what puts false lines right is not looked for.
+    pub on_trial: bool,
     /// Whether products of inertia are entries of the matrix, where nothing else says their sign.
     pub products_as_entries: bool,
     /// Indices that are summed over where they are repeated, so that a letter with two of them is an entry of its tensor.

@@ -51,7 +51,7 @@ impl Checker<'_> {
         self.note_energies(&line.sides, &finding);
         self.note_oscillation(&line.sides, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
-        if finding.verdict == Verdict::Refuted && unexplained {
+        if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {
             match self.slips.len() <= SEARCHES {
                 true => self.diagnose(line, &mut finding),
                 false => finding.remarks.push(reason::MANY_FALSE.to_owned()),

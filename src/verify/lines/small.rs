@@ -167,7 +167,7 @@ impl Checker<'_> {
     /// Whether words in small letters take equations to first order in what is small, until the next heading.
     pub(crate) fn note_linear(&mut self, text: &str) {
         self.linear |= LINEAR.iter().any(|words| text.contains(words));
-        self.note_small_rates(&text);
+        self.note_small_rates(text);
     }
 
     fn call_small(&mut self, node: &Node) {
