@@ -4,7 +4,8 @@
 #[path = "outcome/verdicts.rs"]
 mod outcome;
 
-use outcome::verdicts;
+use outcome::{verdicts, verdicts_in};
+use polhode::notation::document::Format;
 
 #[test]
 fn moments_named_in_words_are_components() {
@@ -300,4 +301,19 @@ fn a_principal_axis_somewhere_is_no_choice_of_axes() {
         "pa"
     );
     assert_eq!(verdicts(&text("We use the principal axis system.")), "pp");
+}
+
+#[test]
+fn typed_notes_hold_lines_in_comments_and_brackets() {
+    let with = |term: &str| {
+        let text = "% rotor notes, axes fixed in the rotor\n\
+                    % Ixz = integral of x*z dm (so a minus in H)\n\n\
+                    Turn about z only (wx = 0, wy = 0). Angular momentum:\n\n    \
+                    Hx = -Ixz*wz\n\n\
+                    At constant speed, dwz/dt = 0:\n\n    \
+                    My = TERM*wz^2\n";
+        verdicts_in(&text.replace("TERM", term), Format::Text).pop()
+    };
+    assert_eq!(with("-Ixz"), Some('p'));
+    assert_eq!(with("Ixz"), Some('r'));
 }

@@ -126,7 +126,8 @@ pub(super) fn marker(text: &str) -> usize {
         && (number.bytes().all(|b| b.is_ascii_digit())
             || (number.len() == 1 && word.ends_with(')'))
             || number.bytes().all(|b| matches!(b, b'i' | b'v' | b'x')));
-    if counted || matches!(word, "-" | "*" | "•" | "–" | "+" | "o") {
+    // A note may stand as a comment of some program.
+    if counted || matches!(word, "-" | "*" | "•" | "–" | "+" | "o" | "%" | "%%" | "//") {
         text.len() - text[space..].trim_start().len()
     } else {
         0
@@ -227,7 +228,29 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
                 run.start + closed(&text[run.start..run.end]).len(),
             )
         })
+        .flat_map(|(start, end)| unbracketed(text, start, end))
         .collect()
+}
+
+/// The lines of a bracket that holds nothing else: "(M = 0, N = 0)".
+fn unbracketed(text: &str, start: usize, end: usize) -> Vec<(usize, usize)> {
+    let whole = vec![(start, end)];
+    let inside = text[start..end]
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(')'));
+    let Some(inside) = inside.filter(|inside| !inside.contains(['(', ')'])) else {
+        return whole;
+    };
+    let mut lines = vec![];
+    let mut at = start + 1;
+    for piece in inside.split(", ") {
+        if !piece.contains('=') {
+            return whole;
+        }
+        lines.push((at, at + piece.len()));
+        at += piece.len() + ", ".len();
+    }
+    lines
 }
 
 /// Whether the words behind a lone letter say that it is a symbol: "suppose p constant".
@@ -259,7 +282,14 @@ fn belongs(word: &str, run: Option<&str>) -> bool {
     let operators = ['=', '+', '-', '−', '/', '*', '(', '×', '·'];
     let open = run.is_some_and(|run| run.ends_with(operators));
     let letter = word.trim_end_matches(['.', ',', ':', ';']).len() == 1;
-    look(word) != Look::Words
+    // "I_xz = integral of x*z dm".
+    let integral = match word {
+        "integral" => run.is_some_and(|run| run.trim_end().ends_with('=')),
+        "of" => run.is_some_and(|run| run.trim_end().ends_with("integral")),
+        _ => false,
+    };
+    integral
+        || look(word) != Look::Words
         || (open && (letter || is_constant(word)))
         || (run.is_some() && matches!(word, "A" | "I" | "a"))
 }

@@ -116,7 +116,8 @@ impl Reading {
         let indexed = self.usage.get(&letter).component > 0;
         let crossed = self.usage.is_vector(&letter) && indexed && !self.has("omega");
         let typed = typewriter && self.has("w") && (indexed || !self.has("omega"));
-        if !quaternion && (typed || crossed) && !self.components.contains_key(&letter) {
+        if (indexed || !quaternion) && (typed || crossed) && !self.components.contains_key(&letter)
+        {
             self.quantities
                 .entry(letter)
                 .or_insert(Quantity::AngularVelocity);

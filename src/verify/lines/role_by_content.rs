@@ -68,15 +68,30 @@ impl Checker<'_> {
         if new { role } else { Role::Claim }
     }
 
-    /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines.
+    /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines; or of ω,
+    /// where the words name such a case and claim nothing.
     fn is_said_to_be_constant(&mut self, left: &Node) -> bool {
         let words = self.sentence.rsplit('⟩').next().unwrap_or_default();
-        let said = words.to_lowercase().contains("constant");
+        let words = words.to_lowercase();
+        let said = words.contains("constant");
+        let clause = words.trim().trim_end_matches([',', ':']);
+        let clause = clause.rsplit(['.', '\n']).next().unwrap_or_default().trim();
+        let clause = clause.strip_prefix("at ").unwrap_or(clause);
+        let case = [
+            "constant speed",
+            "constant rate",
+            "constant spin",
+            "constant angular velocity",
+        ];
+        let case = !self.asserted && case.contains(&clause);
         let Kind::TimeDerivative { operand, .. } = &inner(left).kind else {
             return false;
         };
         let entities = self.entities([&**operand]);
-        let own = |entity| matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+        let own = |entity| match &self.theory.atoms.info(entity).owner {
+            Owner::Symbol(_) => true,
+            Owner::Quantity(quantity, _) => case && *quantity == Quantity::AngularVelocity,
+        };
         said && !entities.is_empty() && entities.into_iter().all(own)
     }
 
