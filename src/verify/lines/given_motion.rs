@@ -58,6 +58,10 @@ impl Checker<'_> {
     /// Whether a line says what the momentum is of a body of which nothing says how it turns: by a blow, in numbers.
     pub(crate) fn gives_momentum(&mut self, sides: &[Node]) -> bool {
         let [left, right] = sides else { return false };
+        // Over the particles of a body the momentum is made of how it turns.
+        if sums_up(right) {
+            return false;
+        }
         let whole = |quantity| Owner::Quantity(quantity, String::new());
         let turns = |owner: &Owner| {
             use Quantity::{
@@ -169,4 +173,10 @@ impl Checker<'_> {
             .into_iter()
             .any(|entity| self.theory.mentions_entity(entity))
     }
+}
+
+/// Whether a sum over particles or an integral stands in a side.
+fn sums_up(side: &Node) -> bool {
+    let own = matches!(side.kind, Kind::IndexedSum { .. } | Kind::Integral { .. });
+    own || side.children().into_iter().any(sums_up)
 }

@@ -1,7 +1,7 @@
 //! Integrals over the mass of the body: the moments and products of inertia behind their definitions.
 
 use crate::algebra::{Fraction, Polynomial, Rational};
-use crate::notation::ast::{Factor, Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::usage::Letter;
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
@@ -65,31 +65,54 @@ impl Lowering<'_> {
 
     /// Σ m f over the particles of the body is ∫ f dm.
     pub(crate) fn over_particles(&mut self, node: &Node, index: &Symbol, body: &Node) -> Lowered {
-        let mut body = body.clone();
-        body.change_symbols(&mut |symbol| symbol.subscripts.retain(|s| *s != index.name));
+        let mut plain = body.clone();
+        plain.change_symbols(&mut |symbol| symbol.subscripts.retain(|s| *s != index.name));
         let load = |symbol: &Symbol| {
             let quantity = self.reading.quantities.get(&Letter::of(symbol));
             matches!(quantity, Some(Quantity::Moment | Quantity::Force))
         };
-        if matches!(&body.kind, Kind::Symbol(symbol) if load(symbol)) {
-            return self.value(&body);
+        if matches!(&plain.kind, Kind::Symbol(symbol) if load(symbol)) {
+            return self.value(&plain);
         }
-        let mass = |factor: &Factor| matches!(&factor.node.kind, Kind::Symbol(s) if s.name == "m" && s.subscripts.is_empty());
-        if let Kind::Product(factors) = &mut body.kind
-            && let Some(at) = factors.iter().position(mass)
-            && factors.len() > 1
-        {
-            let variable = factors.remove(at).node;
-            return self.integral(node, &body, &variable);
+        let Some((variable, integrand)) = per_mass(&plain) else {
+            let message = "a sum over an index is not expanded";
+            return Err(trouble(TroubleKind::Unsupported, node.span, message));
+        };
+        let value = self.integral(node, &integrand, &variable);
+        match value {
+            Err(open) if open.kind == TroubleKind::Unsupported => {
+                let own = per_mass(body).map(|(_, integrand)| integrand);
+                own.and_then(|own| self.by_own_places(index, &own)).ok_or(open)
+            }
+            value => value,
         }
-        if let Kind::Call(head, arguments) = &body.kind
-            && let (Kind::Symbol(symbol), [argument]) = (&head.kind, arguments.as_slice())
-            && symbol.name == "m"
-        {
-            return self.integral(node, argument, head);
+    }
+
+    /// ∫ f dm with the places `\vec r_i` of the particles as they are written, and their velocities put in.
+    fn by_own_places(&mut self, index: &Symbol, integrand: &Node) -> Option<Value> {
+        let mut symbol = Symbol {
+            name: "r".to_owned(),
+            subscripts: vec![index.name.clone()],
+            ..Symbol::default()
+        };
+        symbol.style.vector = true;
+        let place = self.value(&Node {
+            kind: Kind::Symbol(symbol),
+            span: integrand.span,
+        });
+        let place = place.ok().filter(Value::is_vector)?;
+        let coordinates: Option<Vec<u32>> =
+            place.entries.iter().map(Fraction::as_variable).collect();
+        let (coordinates, value) = (coordinates?, self.value(integrand).ok()?);
+        let mut entries = vec![];
+        for entry in &value.entries {
+            let normal = self.theory.normal(entry);
+            entries.push(self.moment_of(&normal, &coordinates)?);
         }
-        let message = "a sum over an index is not expanded";
-        Err(trouble(TroubleKind::Unsupported, node.span, message))
+        let columns = value.columns;
+        Some(Value::from_fn(value.rows, columns, |r, c| {
+            entries[r * columns + c].clone()
+        }))
     }
 
     /// The variable of a plain letter, or of one with an index.
@@ -166,5 +189,24 @@ impl Lowering<'_> {
                 diagonal - tensor[(a, b)].clone()
             })
         })
+    }
+}
+
+/// The mass of a particle and what it is multiplied by: `m_i f_i`, `m_i (f_i)`.
+fn per_mass(body: &Node) -> Option<(Node, Node)> {
+    let mass = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.name == "m" && !s.style.vector);
+    match &body.kind {
+        Kind::Product(factors) if factors.len() > 1 => {
+            let at = factors.iter().position(|factor| mass(&factor.node))?;
+            let mut rest = factors.clone();
+            let variable = rest.remove(at).node;
+            let kind = Kind::Product(rest);
+            Some((variable, Node { kind, span: body.span }))
+        }
+        Kind::Call(head, arguments) if mass(head) => match arguments.as_slice() {
+            [argument] => Some(((**head).clone(), argument.clone())),
+            _ => None,
+        },
+        _ => None,
     }
 }

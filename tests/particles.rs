@@ -1,0 +1,36 @@
+//! Sums over the particles of a body: angular momentum and kinetic energy from where they begin.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+fn last(line: &str) -> char {
+    let text = format!(
+        r"A rigid body has one point $O$ fixed, and for the $i$-th particle of it $\vec v_i = \vec\omega\times\vec r_i$. The angular momentum about $O$ is $\vec L$, its kinetic energy is $T$.
+
+$$ {line} $$
+"
+    );
+    verdicts(&text).chars().last().unwrap_or(' ')
+}
+
+#[test]
+fn momentum_and_energy_are_sums_over_particles() {
+    for (line, verdict) in [
+        (r"\vec L = \sum_i m_i\,(\vec r_i\times\vec v_i)", 'p'),
+        (r"\vec L = \sum_i m_i\,\vec r_i\times(\vec\omega\times\vec r_i)", 'p'),
+        (r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega - (\vec r_i\cdot\vec\omega)\,\vec r_i]", 'p'),
+        (r"\vec L = \sum_i m_i\,(\vec v_i\times\vec r_i)", 'r'),
+        (r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega + (\vec r_i\cdot\vec\omega)\,\vec r_i]", 'r'),
+        (r"T = \frac12\sum_i m_i v_i^2", 'p'),
+        (r"T = \frac12\sum_i m_i\,\vec v_i\cdot(\vec\omega\times\vec r_i)", 'p'),
+        (r"T = \sum_i m_i v_i^2", 'r'),
+    ] {
+        let found = last(line);
+        match verdict {
+            'p' => assert_eq!(found, 'p', "{line}"),
+            _ => assert!(!matches!(found, 'p' | 'a'), "{line}: {found}"),
+        }
+    }
+}
