@@ -19,12 +19,24 @@ $$ {line} $$
 fn momentum_and_energy_are_sums_over_particles() {
     for (line, verdict) in [
         (r"\vec L = \sum_i m_i\,(\vec r_i\times\vec v_i)", 'p'),
-        (r"\vec L = \sum_i m_i\,\vec r_i\times(\vec\omega\times\vec r_i)", 'p'),
-        (r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega - (\vec r_i\cdot\vec\omega)\,\vec r_i]", 'p'),
+        (
+            r"\vec L = \sum_i m_i\,\vec r_i\times(\vec\omega\times\vec r_i)",
+            'p',
+        ),
+        (
+            r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega - (\vec r_i\cdot\vec\omega)\,\vec r_i]",
+            'p',
+        ),
         (r"\vec L = \sum_i m_i\,(\vec v_i\times\vec r_i)", 'r'),
-        (r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega + (\vec r_i\cdot\vec\omega)\,\vec r_i]", 'r'),
+        (
+            r"\vec L = \sum_i m_i\,[r_i^2\,\vec\omega + (\vec r_i\cdot\vec\omega)\,\vec r_i]",
+            'r',
+        ),
         (r"T = \frac12\sum_i m_i v_i^2", 'p'),
-        (r"T = \frac12\sum_i m_i\,\vec v_i\cdot(\vec\omega\times\vec r_i)", 'p'),
+        (
+            r"T = \frac12\sum_i m_i\,\vec v_i\cdot(\vec\omega\times\vec r_i)",
+            'p',
+        ),
         (r"T = \sum_i m_i v_i^2", 'r'),
     ] {
         let found = last(line);

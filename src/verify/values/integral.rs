@@ -82,7 +82,8 @@ impl Lowering<'_> {
         match value {
             Err(open) if open.kind == TroubleKind::Unsupported => {
                 let own = per_mass(body).map(|(_, integrand)| integrand);
-                own.and_then(|own| self.by_own_places(index, &own)).ok_or(open)
+                own.and_then(|own| self.by_own_places(index, &own))
+                    .ok_or(open)
             }
             value => value,
         }
@@ -194,14 +195,21 @@ impl Lowering<'_> {
 
 /// The mass of a particle and what it is multiplied by: `m_i f_i`, `m_i (f_i)`.
 fn per_mass(body: &Node) -> Option<(Node, Node)> {
-    let mass = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.name == "m" && !s.style.vector);
+    let mass =
+        |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.name == "m" && !s.style.vector);
     match &body.kind {
         Kind::Product(factors) if factors.len() > 1 => {
             let at = factors.iter().position(|factor| mass(&factor.node))?;
             let mut rest = factors.clone();
             let variable = rest.remove(at).node;
             let kind = Kind::Product(rest);
-            Some((variable, Node { kind, span: body.span }))
+            Some((
+                variable,
+                Node {
+                    kind,
+                    span: body.span,
+                },
+            ))
         }
         Kind::Call(head, arguments) if mass(head) => match arguments.as_slice() {
             [argument] => Some(((**head).clone(), argument.clone())),
