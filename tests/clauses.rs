@@ -75,3 +75,16 @@ fn a_rotor_may_turn_uniformly_about_an_axis() {
     let frame = "A frame turns about the $z$ axis with the constant angular velocity $\\omega$.";
     assert_ne!(verdicts(&format!("{frame}\n\n{BEARINGS}\n")), "ppp");
 }
+
+#[test]
+fn what_you_say_for_a_moment_is_supposed() {
+    let with = |sign: &str| {
+        let text = r"A rotor with the moments $A$, $A$, $C$ about its axis $z$ spins with $\nu$ in axes that turn with $\boldsymbol\Omega$, so that $\boldsymbol\omega = \boldsymbol\Omega + \nu\,\mathbf{k}$. If you say that $\nu = 0$, the first equation is
+
+$$ M_x = A\dot\Omega_x SIGN (C - A)\,\Omega_y\Omega_z $$
+";
+        verdicts(&text.replace("SIGN", sign)).pop()
+    };
+    assert_eq!(with("+"), Some('p'));
+    assert_eq!(with("-"), Some('r'));
+}

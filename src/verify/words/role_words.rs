@@ -178,6 +178,12 @@ pub(super) const SHORTER: &[(&str, &str)] = &[
     ("let us choose", "choose"),
     ("let us set", "set"),
     ("let us define", "define"),
+    ("if you say that", "suppose"),
+    ("if we say that", "suppose"),
+    ("if you set", "set"),
+    ("if you put", "set"),
+    ("if one sets", "set"),
+    ("if one puts", "set"),
     ("let us denote", "denote"),
 ];
 /// Openings that look like an assumption and introduce a claim.
