@@ -144,3 +144,21 @@ $$ I_z\dot r = (I_x - I_y)\,pq + \tau_\psi $$
 ";
     assert_eq!(verdicts(text), "prp");
 }
+
+#[test]
+fn a_rotor_alone_takes_the_moment_that_turns_its_momentum() {
+    let with = |sign: &str| {
+        let text = r"A turbine in a car has the polar moment of inertia $J$ and the constant spin rate $\nu$. Its spin angular momentum is
+
+$$ \mathbf{h} = J\nu\,\mathbf{i} $$
+
+The car turns with $\boldsymbol\Omega = \dot\psi\,\mathbf{k}$, and the bearings deliver
+
+$$ \mathbf{M} = \boldsymbol\Omega\times\mathbf{h} = SIGN J\nu\dot\psi\,\mathbf{j} $$
+";
+        verdicts(&text.replace("SIGN", sign)).pop()
+    };
+    assert_eq!(with(""), Some('p'));
+    assert_ne!(with("-"), Some('p'));
+    assert_ne!(with("-"), Some('a'));
+}

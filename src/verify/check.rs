@@ -223,6 +223,7 @@ impl<'a> Checker<'a> {
         checker.moments_in_words();
         checker.turns_about_fixed_axis();
         checker.wheel_lies_along_axis();
+        checker.rotor_is_alone();
         checker.note_parallel_axes();
         checker.note_cones();
         if let Some(angles) = checker.reading.euler_angles.clone() {

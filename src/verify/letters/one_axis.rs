@@ -69,6 +69,37 @@ impl Reading {
         }
     }
 
+    /// A document that speaks of the momentum of a rotor along its axle, and of no inertia but the number that this has:
+    /// the letter of that is no tensor.
+    pub(crate) fn part_rotor(&mut self) {
+        let of = |quantity: Quantity| move |(_, q): &(&Letter, &Quantity)| **q == quantity;
+        let directed = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            used.vector + used.tensor + used.component + used.double > 0
+        };
+        let rotor = self
+            .quantities
+            .iter()
+            .filter(of(Quantity::RelativeMomentum));
+        let rotor = rotor
+            .filter(|(letter, _)| self.usage.get(letter).vector > 0)
+            .count()
+            == 1;
+        let whole = self.speaks_of(Quantity::Momentum);
+        let parts = self
+            .components
+            .values()
+            .any(|(q, _)| *q == Quantity::Inertia);
+        let moments = self.quantities.iter().filter(of(Quantity::Inertia));
+        let moments: Vec<Letter> = moments.map(|(letter, _)| letter.clone()).collect();
+        if rotor && !whole && !parts && !moments.is_empty() && !moments.iter().any(directed) {
+            for letter in moments {
+                self.quantities.remove(&letter);
+            }
+            self.rotor_alone = true;
+        }
+    }
+
     /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
     pub(crate) fn in_a_plane(&mut self) {
         let turning = |q: &Quantity| {

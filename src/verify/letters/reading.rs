@@ -51,6 +51,8 @@ pub(crate) struct Reading {
     pub(crate) fixed_axis: Option<u8>,
     /// The axis that the only wheel lies along.
     pub(crate) wheel_axis: Option<u8>,
+    /// Whether a rotor is all that has inertia here: of what carries it, none is written.
+    pub(crate) rotor_alone: bool,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
     pub(crate) beginnings: BTreeSet<u32>,
     /// Symbols with what they are at the beginning.
@@ -128,6 +130,7 @@ impl Reading {
         reading.in_a_plane();
         reading.about_fixed_axis(document);
         reading.wheel_along_axis(document);
+        reading.part_rotor();
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
         reading.space_axes =

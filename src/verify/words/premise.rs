@@ -10,7 +10,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::repair::lines;
-use crate::verify::theory::decide::{Decision, decide};
+use crate::verify::theory::decide::{Decision, ROTOR_ALONE, decide};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, variable_fraction};
@@ -179,6 +179,22 @@ impl Checker<'_> {
             Quantity::AngularVelocity,
             axis,
         );
+    }
+
+    /// Of what carries the rotor nothing is said but how it turns: the moment is the one on the rotor.
+    pub(crate) fn rotor_is_alone(&mut self) {
+        if !self.reading.rotor_alone {
+            return;
+        }
+        let entity = self.theory.atoms.quantity(Quantity::Inertia);
+        let parts = (0..6).map(|c| self.theory.atoms.part(entity, c, 0));
+        let preferred: Vec<Variable> = parts.collect();
+        self.theory.assume(Premise {
+            name: ROTOR_ALONE.to_owned(),
+            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
+            preferred,
+            definition: true,
+        });
     }
 
     /// The momentum of the only wheel lies along its axis, where the words name that.

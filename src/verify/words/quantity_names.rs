@@ -30,6 +30,8 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
             "momentum relative to the housing",
             "momentum relative to the carrier",
             "spin momentum",
+            "spin angular momentum",
+            "spin part of the angular momentum",
             "stored momentum",
             "internal momentum",
             "extra momentum",
