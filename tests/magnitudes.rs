@@ -79,3 +79,18 @@ fn a_length_in_metres_is_no_multiple_of_the_mass() {
     let found: Vec<&str> = findings.iter().map(|f| f.verdict.name()).collect();
     assert_eq!(found[2..], ["proved", "refuted"], "{found:?}");
 }
+
+#[test]
+fn a_definition_adds_what_is_of_one_dimension() {
+    let opening = "A rigid body of mass m swings about a horizontal axle P. The centre of mass G is\nat the distance d from P.\n\n    I_P = I_G + m d²\n\nDefine the radius of gyration by I_G = m k². Then\n\n";
+    for (line, verdict) in [
+        ("ℓ = d + k² / d", "accepted"),
+        ("ℓ = d + k / d", "undecided"),
+    ] {
+        let text = format!("{opening}    {line}\n");
+        let (document, _) = read("pendulum.txt", &text, Format::Text);
+        let found = check(&document).findings;
+        let found = found.last().map(|f| f.verdict.name());
+        assert_eq!(found, Some(verdict), "{line}");
+    }
+}

@@ -25,6 +25,7 @@ pub(super) mod given_body;
 pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod gravity_gradient;
+pub(super) mod homogeneity;
 pub(super) mod index;
 pub(super) mod inequality;
 pub(super) mod labelled_space;

@@ -86,6 +86,10 @@ impl Checker<'_> {
                 return true;
             }
         };
+        if role != Role::Assume && value.entries.iter().any(|e| self.is_inhomogeneous(e)) {
+            finding.reason = Some("what is added here is not of one dimension".to_owned());
+            return true;
+        }
         let Some(residuals) = self.bind(entity, place, &value) else {
             return false;
         };

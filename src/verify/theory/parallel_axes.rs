@@ -49,6 +49,17 @@ impl ParallelAxes {
             .collect()
     }
 
+    /// What is a length in the offset of the points.
+    pub(crate) fn distances(self, atoms: &Atoms) -> Vec<Entity> {
+        let offset = self.offset.into_iter().flatten();
+        offset.filter_map(|v| atoms.entity_of(v)).collect()
+    }
+
+    /// The moments or tensors that it relates.
+    pub(crate) fn inertias(self) -> [Entity; 2] {
+        [self.centre, self.other]
+    }
+
     /// Whether an entity is the inertia about the mass centre.
     pub(crate) fn is_centre(self, entity: Entity) -> bool {
         self.centre == entity

@@ -1,0 +1,143 @@
+//! Sums of one kind: in `\ell = d + k/d` with two lengths, a length and a number are added.
+//!
+//! Masses, inertias, rates and times have the dimensions that they have; those of the document's own symbols follow from
+//! the premises, one symbol from one term at a time. What stays unknown fits anything.
+
+use crate::algebra::{Fraction, Polynomial, Rational, Variable};
+use crate::notation::ast::Function;
+use crate::verify::check::Checker;
+use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::quantity::Quantity;
+use std::collections::BTreeMap;
+
+/// Powers of mass, length and time.
+type Powers = [Rational; 3];
+/// What is known of symbols.
+type Known = BTreeMap<Entity, Powers>;
+
+/// Rounds in which dimensions are handed from premise to premise.
+const ROUNDS: usize = 4;
+
+impl Checker<'_> {
+    /// Whether terms of different dimensions are added in a value.
+    pub(crate) fn is_inhomogeneous(&self, value: &Fraction) -> bool {
+        let several = |p: &Polynomial| p.len() > 1;
+        if !several(value.numerator()) && !several(value.denominator()) {
+            return false;
+        }
+        let known = self.dimensions_of_symbols();
+        let mixes = |p: &Polynomial| {
+            let terms = p.terms().iter();
+            let mut all = terms.filter_map(|(m, _)| self.powers_of(m.factors(), &known));
+            let first = all.next();
+            first.is_some_and(|first| all.any(|other| other != first))
+        };
+        mixes(value.numerator()) || mixes(value.denominator())
+    }
+
+    /// The dimensions of symbols, as far as the premises give them.
+    fn dimensions_of_symbols(&self) -> Known {
+        let mut known = Known::new();
+        for pair in self.theory.setting.parallel_axes.iter().flatten() {
+            let lengths = pair.distances(&self.theory.atoms).into_iter();
+            known.extend(lengths.map(|length| (length, powers(0, 1, 0))));
+            known.extend(pair.inertias().map(|inertia| (inertia, powers(1, 2, 0))));
+        }
+        for _ in 0..ROUNDS {
+            let before = known.len();
+            let premises = self.theory.premises().iter();
+            for residual in premises.flat_map(|premise| &premise.residuals) {
+                self.learn_from(residual.numerator(), &mut known);
+            }
+            if known.len() == before {
+                break;
+            }
+        }
+        known
+    }
+
+    /// Learns of the one unknown symbol of a term from another term of the same sum.
+    fn learn_from(&self, sum: &Polynomial, known: &mut Known) {
+        // A number in a sum says nothing of its unit.
+        if sum.terms().iter().any(|(m, _)| m.degree() == 0) {
+            return;
+        }
+        let mut terms = sum.terms().iter();
+        let Some(whole) = terms.find_map(|(m, _)| self.powers_of(m.factors(), known)) else {
+            return;
+        };
+        for (monomial, _) in sum.terms() {
+            let (mut rest, mut unknown) = (whole.clone(), vec![]);
+            for (variable, power) in monomial.factors() {
+                match self.powers_of_variable(variable, known) {
+                    Some(own) => rest = divided(rest, &own, power),
+                    None => unknown.push((variable, power)),
+                }
+            }
+            if let [(variable, power)] = unknown.as_slice()
+                && let Atom::Part { entity, order, .. } = self.theory.atoms.atom(*variable)
+            {
+                let share = Rational::from((1, i64::from(*power)));
+                let own = rest.map(|part| part * share.clone());
+                known.insert(*entity, divided(own, &powers(0, 0, -1), u32::from(*order)));
+            }
+        }
+    }
+
+    fn powers_of(
+        &self,
+        factors: impl Iterator<Item = (Variable, u32)>,
+        known: &Known,
+    ) -> Option<Powers> {
+        let mut below = powers(0, 0, 0);
+        let mut any = false;
+        for (variable, power) in factors {
+            below = divided(below, &self.powers_of_variable(variable, known)?, power);
+            any = true;
+        }
+        any.then(|| below.map(|part| -part))
+    }
+
+    fn powers_of_variable(&self, variable: Variable, known: &Known) -> Option<Powers> {
+        match self.theory.atoms.atom(variable) {
+            Atom::Part { entity, order, .. } => {
+                let own = self.powers_of_quantity(*entity);
+                let own = own.or_else(|| known.get(entity).cloned());
+                own.map(|own| divided(own, &powers(0, 0, 1), u32::from(*order)))
+            }
+            Atom::Kernel {
+                function: Function::Sin | Function::Cos,
+                ..
+            } => Some(powers(0, 0, 0)),
+            _ => None,
+        }
+    }
+
+    fn powers_of_quantity(&self, entity: Entity) -> Option<Powers> {
+        let Owner::Quantity(quantity, _) = &self.theory.atoms.info(entity).owner else {
+            return None;
+        };
+        Some(match quantity {
+            Quantity::Mass => powers(1, 0, 0),
+            Quantity::Time => powers(0, 0, 1),
+            Quantity::Inertia => powers(1, 2, 0),
+            Quantity::AngularVelocity | Quantity::FrameRate => powers(0, 0, -1),
+            Quantity::Momentum => powers(1, 2, -1),
+            Quantity::Moment | Quantity::Energy => powers(1, 2, -2),
+            Quantity::Position => powers(0, 1, 0),
+            _ => return None,
+        })
+    }
+}
+
+fn powers(mass: i64, length: i64, time: i64) -> Powers {
+    [mass, length, time].map(Rational::from)
+}
+
+/// What is left of a dimension that is divided by a power of another.
+fn divided(whole: Powers, own: &Powers, power: u32) -> Powers {
+    let [mass, length, time] = whole;
+    let times = Rational::from(i64::from(power));
+    let [a, b, c] = own.clone().map(|part| part * times.clone());
+    [mass - a, length - b, time - c]
+}
