@@ -9,10 +9,33 @@ type Limits = Option<(Box<Node>, Box<Node>)>;
 impl Parser<'_, '_> {
     /// An integral up to its differential.
     pub(super) fn integral(&mut self, start: usize) -> Node {
+        self.integral_within(start, false)
+    }
+
+    /// The same; inside another integral `dx\,dy` is no element of volume, but the differentials of both.
+    fn integral_within(&mut self, start: usize, nested: bool) -> Node {
         let (lower, upper) = (self.limit(), self.limit());
         let limits: Limits = lower
             .zip(upper)
             .map(|(a, b)| (Box::new(a.1), Box::new(b.1)));
+        if limits.is_some()
+            && let Some(inner) = self.inner_integral()
+        {
+            let before = self.at;
+            self.skip_spaces();
+            let Some((length, _)) = derivative::mark(&self.tokens[self.at..]) else {
+                self.at = before;
+                return inner;
+            };
+            self.at += length;
+            let variable = self.differential_variable();
+            let kind = Kind::Integral {
+                integrand: Box::new(inner),
+                variable: Box::new(variable),
+                limits,
+            };
+            return self.node(kind, start);
+        }
         let Some((at, length)) = self.differential_ahead() else {
             let node = self.error("an integral without a differential");
             self.at = self.tokens.len();
@@ -20,9 +43,8 @@ impl Parser<'_, '_> {
         };
         let inside = &self.tokens[self.at..at];
         self.at = at + length;
-        let variable = self
-            .volume()
-            .unwrap_or_else(|| self.differential_variable());
+        let volume = if nested { None } else { self.volume() };
+        let variable = volume.unwrap_or_else(|| self.differential_variable());
         let integrand = match inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_))) {
             true => Node {
                 kind: Kind::Number(super::product::read_number("1")),
@@ -36,6 +58,19 @@ impl Parser<'_, '_> {
             limits,
         };
         self.node(kind, start)
+    }
+
+    /// The integral right behind the sign and the limits of another: `\int_0^a\!\int_0^b f\,dx\,dy`.
+    fn inner_integral(&mut self) -> Option<Node> {
+        let before = self.at;
+        self.skip_spaces();
+        let start = self.at;
+        if self.peek() == Some(Lexeme::Command("int")) {
+            self.at += 1;
+            return Some(self.integral_within(start, true));
+        }
+        self.at = before;
+        None
     }
 
     fn differential_variable(&mut self) -> Node {

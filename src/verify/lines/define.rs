@@ -42,7 +42,11 @@ impl Checker<'_> {
                 && (self.defines_entries(left, right, finding)
                     || self.defines_power(sides, finding));
         };
-        if self.entities([right]).contains(&entity) || line.continues {
+        // λ₂ = λ₃ are two symbols of one letter.
+        let other = self
+            .new_symbol(right)
+            .is_some_and(|(_, at)| at.is_some() && at != place);
+        if self.entities([right]).contains(&entity) && !other || line.continues {
             return false;
         }
         if role == Role::Claim && self.is_in_doubt(entity) {
@@ -73,6 +77,17 @@ impl Checker<'_> {
             || claimed && self.goes_on_from_a_false_line(right, finding)
         {
             return true;
+        }
+        // `λ₂ = λ₃ = 11μ` gives both, the last first.
+        let chained = other && !rest.is_empty() && self.entities([right]) == [entity];
+        if chained && !self.theory.mentions_part(entity, place) {
+            if !self.defines(&sides[1..], line, role, finding) {
+                return false;
+            }
+            let verdict = finding.verdict.clone();
+            let both = self.accept_definition(&sides[..2], finding);
+            finding.verdict = verdict;
+            return both;
         }
         let value = match self.lowering(Frame::Moving).value(right) {
             Ok(value) => value,

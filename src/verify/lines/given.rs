@@ -7,13 +7,13 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
-use crate::verify::theory::decide::passes_filter;
+use crate::verify::theory::decide::{Equation, passes_filter};
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Quantities that a problem hands over.
 pub(crate) const INPUTS: &[Quantity] = &[
@@ -50,6 +50,7 @@ impl Checker<'_> {
             || self.is_load(sides, read)
             || self.gives_momentum(sides)
             || self.narrows_the_body(sides, read)
+            || self.fills_in_inertia(sides, read)
         {
             return true;
         }
@@ -82,6 +83,17 @@ impl Checker<'_> {
                 || self.is_turn_of_axes(first, last))
         {
             return true;
+        }
+        // `I = ∫ … = Ma²/3` where the integral is twice that.
+        let multiple = |equation: &Equation| {
+            let sides = equation.left.as_scalar().zip(equation.right.as_scalar());
+            sides.is_some_and(|(left, right)| {
+                let ratio = self.theory.normal(left) / self.theory.normal(right);
+                ratio.to_rational().is_some_and(|ratio| !ratio.is_one())
+            })
+        };
+        if read.equations.iter().skip(1).any(multiple) {
+            return false;
         }
         let holds: Vec<bool> = (0..read.equations.len())
             .map(|i| passes_filter(&mut self.theory, &read.equations[i].residual) == Some(true))

@@ -26,6 +26,29 @@ impl Checker<'_> {
             })
     }
 
+    /// `I = μ[[8, -3, -3], …]` where lines before give some of the entries: these agree, and the rest is handed over.
+    pub(crate) fn fills_in_inertia(&mut self, sides: &[Node], read: &Read) -> bool {
+        let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
+            return false;
+        };
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        if self.entities([left]) != [inertia] || equation.left.entries.len() != 9 {
+            return false;
+        }
+        let mut free = false;
+        let (lefts, rests) = (&equation.left.entries, &equation.residual.entries);
+        let agrees = lefts.iter().zip(rests).all(|(left, rest)| {
+            let open =
+                |f: &Fraction| f.as_variable().is_some() || (-f.clone()).as_variable().is_some();
+            let (left, rest) = (self.theory.normal(left), self.theory.normal(rest));
+            free |= open(&left);
+            rest.is_zero() || open(&left)
+        });
+        let written = equation.right.entries.iter().flat_map(Fraction::variables);
+        let own = |v: u32| self.theory.atoms.entity_of(v) == Some(inertia);
+        agrees && free && !written.into_iter().any(own)
+    }
+
     /// Whether a side is made of moments of inertia and rates that nothing determines, more than one: `(C - A)/A`.
     pub(crate) fn is_data_of_inputs(&mut self, side: &Node) -> bool {
         if matches!(inner(side).kind, Kind::Symbol(_)) {

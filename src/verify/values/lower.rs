@@ -194,8 +194,8 @@ impl Lowering<'_> {
                 integrand,
                 variable,
                 limits: Some((from, to)),
-            } if matches!(&variable.kind, Kind::Symbol(s) if s.name == "t") => {
-                self.over_time(node, integrand, (&**from, &**to))
+            } if matches!(&variable.kind, Kind::Symbol(_)) => {
+                self.between(node, integrand, variable, (&**from, &**to))
             }
             Kind::Integral { .. } => Err(trouble(
                 TroubleKind::Unsupported,

@@ -1,4 +1,4 @@
-//! Definite integrals over time, of powers, sines and cosines, and exponentials of t.
+//! Definite integrals over time or another letter, of powers, sines and cosines, and exponentials of it.
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::{Function, Kind, Node};
@@ -27,17 +27,19 @@ struct Parts {
 }
 
 impl Lowering<'_> {
-    /// `\int_a^b f dt` by a primitive of f.
-    pub(crate) fn over_time(
+    /// `\int_a^b f dt` by a primitive of f, over t or any other letter.
+    pub(crate) fn between(
         &mut self,
         node: &Node,
         integrand: &Node,
+        over: &Node,
         (from, to): (&Node, &Node),
     ) -> Lowered {
         let unsupported = || trouble(TroubleKind::Unsupported, node.span, reason::INTEGRAL);
+        let over = self.value(over)?;
+        let time = over.as_scalar().and_then(Fraction::as_variable);
+        let time = time.ok_or_else(unsupported)?;
         let value = self.value(integrand)?;
-        let time = self.theory.atoms.quantity(Quantity::Time);
-        let time = self.theory.atoms.part(time, 0, 0);
         let value = value.as_scalar().ok_or_else(unsupported)?;
         let normal = self.theory.normal(value);
         let below = normal.denominator().clone();

@@ -1,0 +1,44 @@
+//! Tensors of which integrals give some entries and a matrix the rest, and their principal moments.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const CUBE: &str = r"A uniform cube has the mass $M$ and the side $a$. We define $I_{xy} = -\int xy\,dm$.
+
+$$ I_{xx} = \frac{M}{a^3}\int_0^a\!\int_0^a\!\int_0^a (y^2 + z^2)\,dx\,dy\,dz = \frac{2}{3}Ma^2 $$
+
+";
+
+#[test]
+fn integrals_in_integrals_are_evaluated() {
+    assert_eq!(verdicts(CUBE), "aa");
+    let wrong = CUBE.replace("{2}{3}Ma^2", "{1}{3}Ma^2");
+    assert!(!verdicts(&wrong).ends_with(['a', 'p']));
+}
+
+#[test]
+fn a_matrix_hands_over_the_entries_that_are_not_known() {
+    let rest = r"With the abbreviation $\mu = Ma^2/12$,
+
+$$ \mathbf I = \mu\begin{pmatrix} 8 & -3 & -3 \\ -3 & 8 & -3 \\ -3 & -3 & 8 \end{pmatrix} $$
+
+For $\boldsymbol\omega = (\omega, 0, 0)$
+
+$$ L_x = 8\mu\omega $$
+$$ L_y = 3\mu\omega $$
+
+The principal moments are
+
+$$ \lambda_1 = 2\mu $$
+$$ \lambda_2 = \lambda_3 = 11\mu = \frac{11}{12}Ma^2 $$
+$$ \lambda_1 + \lambda_2 + \lambda_3 = 24\mu $$
+$$ \lambda_1 + \lambda_2 + \lambda_3 = 22\mu $$
+";
+    let found = verdicts(&format!("{CUBE}{rest}"));
+    let lines = &found[2..];
+    assert_eq!(&lines[3..5], "pr", "{found}");
+    assert!(!lines[5..8].contains(['r', 'u']), "{found}");
+    assert_eq!(&lines[8..], "r", "{found}");
+}
