@@ -195,3 +195,15 @@ $$ 2\cdot VALUE = TWICE\ \mathrm{kg\,m^2} $$
         with("")
     );
 }
+
+#[test]
+fn numbers_put_in_for_symbols_are_data() {
+    let text = r"The ship turns on a circle:
+
+$$ n = \frac{v}{R} = \frac{10}{100} = 0.1\ \text{rad/s} $$
+
+$$ n = \frac{v}{R} = \frac{20}{100} = 0.2\ \text{rad/s} $$
+";
+    assert_eq!(verdicts(text), ["proved", "refuted"]);
+    assert_eq!(verdicts(&text.replace("= 0.1", "= 0.3"))[0], "refuted");
+}

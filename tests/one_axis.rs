@@ -133,3 +133,23 @@ $$ M_G = 2\,\bar I\,\alpha $$
 ";
     assert_eq!(verdicts(text), "pr");
 }
+
+#[test]
+fn a_number_for_the_angular_velocity_is_about_the_axis_that_is_named() {
+    let text = r"A wheel spins at a constant $\omega$ about the $z$ axis and has the product of inertia $I_{yz}$; $I_{xz} = 0$.
+
+$$ M_x = I_{yz}\omega^2,\qquad M_y = 0 $$
+
+$$ M_x = -I_{yz}\omega^2 $$
+";
+    assert_eq!(verdicts(text), "appr");
+}
+
+#[test]
+fn a_vector_has_no_entry_with_two_indices() {
+    let text = r"A satellite has $\omega_3 = 2$ rad/s and $\omega_{12} = \sqrt{\omega_1^2+\omega_2^2} = 0.1$ rad/s.
+
+$$ \omega_{12}\,\omega_3 = 0.2 $$
+";
+    assert_eq!(verdicts(text), "aap");
+}

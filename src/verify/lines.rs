@@ -37,6 +37,7 @@ pub(super) mod numbers;
 pub(super) mod oscillation;
 pub(super) mod part_energy;
 pub(super) mod points;
+pub(super) mod put_in;
 pub(super) mod role_by_content;
 pub(super) mod signs;
 pub(super) mod small;

@@ -34,7 +34,12 @@ impl Reading {
             .components
             .values()
             .any(|(q, _)| *q == Quantity::AngularVelocity);
-        let axis = sentences(document).iter().find_map(|s| fixed_axis(&s.text));
+        // Where ω is only ever a number, it need not be said that the axis is fixed.
+        let number = letter.as_ref();
+        let number = number.is_some_and(|letter| self.usage.get(letter).vector == 0);
+        let axis = sentences(document)
+            .iter()
+            .find_map(|s| fixed_axis(&s.text, number));
         if let (Some(letter), Some(axis), false) = (letter, axis, others || self.plane) {
             self.usage.components_named.insert(letter, axis);
             self.fixed_axis = Some(axis);
@@ -146,8 +151,9 @@ fn runs(index: &str) -> bool {
     index.len() <= 3 && letters.next().is_some_and(runs) && letters.all(runs)
 }
 
-/// The axis that a sentence has the body turn about, where that is fixed in space, or ω is said to be the rate about it.
-fn fixed_axis(sentence: &str) -> Option<u8> {
+/// The axis that a sentence has the body turn about, where that is fixed in space, or ω is said to be the rate about it,
+/// or is `known` to be.
+fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
     let turns = [
         "turns",
         "rotates",
@@ -164,7 +170,7 @@ fn fixed_axis(sentence: &str) -> Option<u8> {
     let about = &sentence[at + sentence[at..].find("about")? + "about".len()..];
     let near: String = about.chars().take(40).collect();
     let near = near.split([',', ';']).next()?;
-    let fixed = near.contains("fixed") && near.contains("axis");
+    let fixed = near.contains("axis") && (known || near.contains("fixed"));
     // Of a body: a frame may turn as it likes.
     let rate = !sentence.contains("frame")
         && ["velocity ", "speed ", "rate "]

@@ -71,6 +71,9 @@ impl Checker<'_> {
                 return;
             }
             if self.lacks_numbers(sides) {
+                if self.takes_numbers(sides, finding) {
+                    return;
+                }
                 finding.reason = Some("nothing before gives the numbers for this".to_owned());
                 return;
             }

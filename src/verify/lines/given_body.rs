@@ -58,7 +58,9 @@ impl Checker<'_> {
             return false;
         };
         let inputs = |entry: &Fraction| {
-            entry.variables().into_iter().all(|v| {
+            let variables = entry.variables().into_iter();
+            let mut inside = variables.flat_map(|v| self.theory.atoms.with_arguments(v));
+            inside.all(|v| {
                 let owner = self.theory.atoms.owner(v);
                 matches!(owner, Some(Owner::Quantity(q, _)) if INPUTS.contains(q))
             })

@@ -4,7 +4,7 @@ use crate::notation::ast::Symbol;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis};
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 
 /// Labels of a moment that say where it comes from: all that acts.
 pub(crate) const LOADS: &[&str] = &[
@@ -43,6 +43,9 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let known =
         reading.quantities.contains_key(&letter) || reading.components.contains_key(&letter);
     let of_matrix = used.tensor > 0 && used.vector + used.double == 0 && !known;
+    // What ω_12 across the axis 3 is says its definition: a vector has no entry 12.
+    let quantity = reading.quantities.get(&letter);
+    let vector = quantity.is_some_and(|q| q.shape() == Shape::Vector);
     for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
         // Beside axes 1, 2, 3, z is the vertical.
@@ -54,7 +57,7 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.variant.push_str(text);
         } else if let Some(index) = axis(text) {
             sorted.single = Some(index);
-        } else if let Some(pair) = axes(text) {
+        } else if let Some(pair) = axes(text).filter(|_| !vector) {
             sorted.double = Some(pair);
         } else if let Some(pair) = primed_axes(text, &letter, reading) {
             sorted.double = Some(pair);
