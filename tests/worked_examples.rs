@@ -165,3 +165,81 @@ $$ \omega_3(t) = \omega_{3,0} + \frac{\tau_3}{I_a}t $$
     assert_eq!(verdicts(&text.replace("{3,0}", "0")), "aaaa");
     assert_eq!(verdicts(&text.replace("{I_a}t", "{2I_a}t")), "aaar");
 }
+
+#[test]
+fn a_number_turns_about_the_axis_of_its_moment() {
+    let text = r"A thin hoop of mass $M$ and radius $R$ spins about a diameter with angular velocity $\omega$. Its principal moments are
+
+$$ I_1 = I_2 = \frac12MR^2,\qquad I_3 = MR^2 $$
+
+so the kinetic energy is
+
+$$ T = \frac12I_1\omega^2 = \frac14MR^2\omega^2 $$
+
+and $L = I_1\omega = MR^2\omega$.
+";
+    assert_eq!(verdicts(text), "aapr");
+}
+
+#[test]
+fn steady_motions_are_supposed() {
+    let text = r"Suppose the body turns with constant angular velocity about the $z$ axis, $\omega_x = \omega_y = 0$. Then $\dot{\boldsymbol\omega} = 0$.
+";
+    assert_eq!(verdicts(text), "ap");
+    let text = r"In a steady turn $\dot p = \dot q = \dot r = 0$. With the $xz$ plane a plane of symmetry the moments are
+
+$$ L = (I_z - I_y)qr - I_{xz}pq $$
+
+$$ N = (I_x - I_y)pq + I_{xz}qr $$
+";
+    assert_eq!(verdicts(text), "apr");
+}
+
+#[test]
+fn a_flat_body_needs_two_moments() {
+    let text = r"A triangle has
+
+$$ I_{xx} = \frac{mh^2}{6},\qquad I_{yy} = \frac{mb^2}{6} $$
+
+The plate lies in the $xy$ plane, so $I_{zz} = \frac{m(b^2+h^2)}{6}$ and $I_{xz} = 0$.
+
+$$ I_{zz} = \frac{m(b^2+h^2)}{12} $$
+
+For a thin disk $I_3 = 2I_1$.
+";
+    assert_eq!(verdicts(text), "aappra");
+}
+
+#[test]
+fn what_vanishes_under_a_condition_does() {
+    let text = r"The product of inertia in axes turned by $\theta$ about $z$ is
+
+$$ I_{x'y'} = \frac{I_{xx} - I_{yy}}{2}\sin2\theta + I_{xy}\cos2\theta $$
+
+It vanishes for
+
+$$ \tan2\theta = \frac{2I_{xy}}{I_{yy} - I_{xx}} $$
+";
+    assert_eq!(verdicts(text), "aa");
+    assert_eq!(
+        verdicts(&text.replace("I_{yy} - I_{xx}}", "I_{xx} - I_{yy}}")),
+        "ar"
+    );
+}
+
+#[test]
+fn a_load_without_a_letter_stands_in_the_equation() {
+    let text = r"For $I_1=I_2=I_t$ and a small damping torque $-c\omega_1$, $-c\omega_2$ about the transverse axes,
+
+$$ I_t\dot\omega_1 + (I_3 - I_t)\omega_3\omega_2 = -c\,\omega_1 $$
+
+$$ I_t\dot\omega_2 - (I_3 - I_t)\omega_3\omega_1 = -c\,\omega_2 $$
+
+so that
+
+$$ \frac{d}{dt}(\omega_1^2 + \omega_2^2) = -\frac{2c}{I_t}(\omega_1^2 + \omega_2^2) $$
+";
+    assert_eq!(verdicts(text), "aaap");
+    let wrong = text.replace(r"\dot\omega_2 - (I_3", r"\dot\omega_2 + (I_3");
+    assert_eq!(verdicts(&wrong), "aarr");
+}

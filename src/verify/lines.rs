@@ -46,3 +46,4 @@ pub(super) mod squares;
 pub(super) mod steps;
 pub(super) mod summation;
 pub(super) mod trust;
+pub(super) mod vanishes_for;

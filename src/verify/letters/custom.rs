@@ -114,7 +114,8 @@ impl Reading {
         let quaternion = ["x", "y", "z"].iter().all(|name| self.has(name));
         let letter = Letter::plain("w");
         let indexed = self.usage.get(&letter).component > 0;
-        let crossed = self.usage.is_vector(&letter) && indexed && !self.has("omega");
+        let moves = indexed || self.usage.get(&letter).moving;
+        let crossed = self.usage.is_vector(&letter) && moves && !self.has("omega");
         let typed = typewriter && self.has("w") && (indexed || !self.has("omega"));
         if (indexed || !quaternion) && (typed || crossed) && !self.components.contains_key(&letter)
         {

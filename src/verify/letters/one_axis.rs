@@ -1,10 +1,13 @@
 //! Documents of a turn about one fixed axis, in which ω, L, M and I are numbers, or ω alone is.
 
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::attitude_words::sentences;
+use std::collections::BTreeSet;
 
 impl Reading {
     /// Whether the inertia and the rate of turning are only ever numbers, as of a turn about one fixed axis.
@@ -39,10 +42,24 @@ impl Reading {
         let number = number.is_some_and(|letter| self.usage.get(letter).vector == 0);
         let axis = sentences(document)
             .iter()
-            .find_map(|s| fixed_axis(&s.text, number));
+            .find_map(|s| fixed_axis(&s.text, number))
+            .or_else(|| {
+                letter
+                    .as_ref()
+                    .filter(|_| number)
+                    .and_then(|l| self.axis_of_moment(document, l))
+            });
         if let (Some(letter), Some(axis), false) = (letter, axis, others || self.plane) {
             self.usage.components_named.insert(letter, axis);
             self.fixed_axis = Some(axis);
+            let momentum = self.quantities.iter().find_map(|(letter, quantity)| {
+                let used = self.usage.get(letter);
+                let bare = used.bare > 0 && used.component + used.vector == 0;
+                (*quantity == Quantity::Momentum && bare).then(|| letter.clone())
+            });
+            self.usage
+                .components_named
+                .extend(momentum.map(|letter| (letter, axis)));
             let rate = Letter::plain("alpha");
             let called = self.votes_for(&rate, Quantity::AngularAcceleration) > 0;
             if called && self.has_bare("alpha") {
@@ -51,6 +68,39 @@ impl Reading {
                     .insert(rate, (Quantity::AngularAcceleration, axis));
             }
         }
+    }
+
+    /// The axis k of the only moment I_k that a number ω multiplies: of `T = \frac12 I_1\omega^2`.
+    fn axis_of_moment(&self, document: &Document, rate: &Letter) -> Option<u8> {
+        let mut met = BTreeSet::new();
+        let products = lines(document).flat_map(|line| &line.sides);
+        products.for_each(|side| self.moments_beside(side, rate, &mut met));
+        let mut met = met.into_iter();
+        met.next().filter(|_| met.next().is_none())
+    }
+
+    fn moments_beside(&self, node: &Node, rate: &Letter, met: &mut BTreeSet<u8>) {
+        if let Kind::Product(factors) = &node.kind {
+            let symbol = |node: &'_ Node| match &inner(node).kind {
+                Kind::Symbol(symbol) => Some(symbol.clone()),
+                Kind::Power(base, _) => match &inner(base).kind {
+                    Kind::Symbol(symbol) => Some(symbol.clone()),
+                    _ => None,
+                },
+                _ => None,
+            };
+            let all: Vec<Symbol> = factors.iter().filter_map(|f| symbol(&f.node)).collect();
+            let inertia =
+                |s: &&Symbol| self.quantities.get(&Letter::of(s)) == Some(&Quantity::Inertia);
+            if all
+                .iter()
+                .any(|s| Letter::of(s) == *rate && s.subscripts.is_empty())
+            {
+                let labels = all.iter().filter(inertia).flat_map(|s| &s.subscripts);
+                met.extend(labels.filter_map(|label| axis(label)));
+            }
+        }
+        node.each_child(&mut |child| self.moments_beside(child, rate, met));
     }
 
     /// "A wheel along the second body axis with the momentum ⟨h⟩": a number is the component along that axis.

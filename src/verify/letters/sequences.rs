@@ -74,12 +74,20 @@ impl Reading {
                 self.take_components(lower, Quantity::Moment);
             }
         }
-        // Beside p, q, r "the pitching moment is M".
+        // Beside p, q, r "the pitching moment is M"; or lines of roll and yaw alone, `L = …` and `N = …`.
+        let number = |name: &str| {
+            let used = self.usage.get(&Letter::plain(name));
+            used.bare > 0 && used.vector + used.component == 0
+        };
+        let said = |name: &str| self.left_sides.contains(&Letter::plain(name));
+        let pair = ["L", "N"]
+            .into_iter()
+            .all(|name| number(name) && said(name));
         for (component, name) in ["L", "M", "N"].into_iter().enumerate().filter(|_| rates) {
             let letter = Letter::plain(name);
             let used = self.usage.get(&letter);
             let number = used.bare > 0 && used.vector + used.component == 0;
-            if number && self.votes_for(&letter, Quantity::Moment) > 0 {
+            if number && (pair || self.votes_for(&letter, Quantity::Moment) > 0) {
                 let part = (Quantity::Moment, component as u8);
                 self.components.insert(letter, part);
             }

@@ -51,6 +51,7 @@ impl Checker<'_> {
             || self.gives_momentum(sides)
             || self.narrows_the_body(sides, read)
             || self.fills_in_inertia(sides, read)
+            || self.writes_load_out(read)
         {
             return true;
         }

@@ -1,13 +1,13 @@
 //! Lines that hand over what a body is like: the form of its inertia matrix, a relation of its moments.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::INPUTS;
 use crate::verify::lines::line::Read;
-use crate::verify::values::atoms::Owner;
+use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
@@ -84,6 +84,9 @@ impl Checker<'_> {
             return false;
         };
         let said = self.theory.normal(residual);
+        if self.is_ratio_of_moments(&said) {
+            return true;
+        }
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);
         let [x, y, z] = [0, 1, 2].map(|c| self.theory.atoms.value(inertia, c, 0));
         let sums = [
@@ -96,6 +99,34 @@ impl Checker<'_> {
             let own = flat.variables().len() > 1;
             own && ((said.clone() - flat.clone()).is_zero() || (said.clone() + flat).is_zero())
         })
+    }
+
+    /// Whether a difference is that of one moment of inertia and so many times another, `I_3 - 2 I_1`, both free.
+    fn is_ratio_of_moments(&self, said: &Fraction) -> bool {
+        let moment = |v: Variable| {
+            let part = matches!(
+                self.theory.atoms.atom(v),
+                Atom::Part {
+                    component: 0..3,
+                    order: 0,
+                    ..
+                }
+            );
+            part && matches!(
+                self.theory.atoms.owner(v),
+                Some(Owner::Quantity(Quantity::Inertia, _))
+            )
+        };
+        let terms = said.numerator().terms();
+        let [(first, one), (second, other)] = terms else {
+            return false;
+        };
+        let linear = [first, second]
+            .iter()
+            .all(|monomial| monomial.degree() == 1);
+        linear
+            && one.is_negative() != other.is_negative()
+            && said.variables().into_iter().all(moment)
     }
 
     /// Whether a line says so, and its sentence speaks of a flat body.

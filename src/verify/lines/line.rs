@@ -170,7 +170,8 @@ impl Checker<'_> {
         if role == Role::Claim {
             self.tie_new_symbols(&sides, finding);
         }
-        let settled = self.brings_wheels(&sides, finding)
+        let settled = self.vanishes_for(&sides, finding)
+            || self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)

@@ -7,10 +7,11 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::Equation;
-use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::words::torque_free::speaks_of_a_torque;
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -118,6 +119,40 @@ impl Checker<'_> {
             self.loads.extend(new);
         }
         load
+    }
+
+    /// Whether an equation of motion holds but for symbols of the document and rates of turning, where no letter stands
+    /// for a moment: these are what acts, as in `I\dot\omega_1 + … = -c\omega_1`.
+    pub(crate) fn writes_load_out(&mut self, read: &Read) -> bool {
+        if self.writes_moments() || !speaks_of_a_torque(self.whole_text()) {
+            return false;
+        }
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let moments = [0, 1, 2].map(|c| self.theory.atoms.value(moment, c, 0));
+        let moments = moments.map(|moment| self.theory.normal(&moment));
+        let entries: Vec<Fraction> = read.residuals().cloned().collect();
+        entries.iter().all(|entry| {
+            let rest = self.theory.normal(entry);
+            let mut loads = moments
+                .iter()
+                .flat_map(|moment| [rest.clone() - moment.clone(), rest.clone() + moment.clone()]);
+            loads.any(|load| self.is_load_by_rates(&load))
+        })
+    }
+
+    /// Whether a value is made of symbols of the document, one at least, and of how the body turns.
+    fn is_load_by_rates(&self, load: &Fraction) -> bool {
+        let atoms = &self.theory.atoms;
+        let own = |v: &Variable| matches!(atoms.owner(*v), Some(Owner::Symbol(_)));
+        let turns = |v: &Variable| {
+            matches!(atoms.atom(*v), Atom::Part { order: 0, .. })
+                && matches!(
+                    atoms.owner(*v),
+                    Some(Owner::Quantity(Quantity::AngularVelocity, _))
+                )
+        };
+        let variables = load.variables();
+        variables.iter().any(own) && variables.iter().all(|v| own(v) || turns(v))
     }
 
     /// `N = l × W = …`: what acts, and what that comes to.

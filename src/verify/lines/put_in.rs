@@ -32,7 +32,10 @@ impl Checker<'_> {
             }
             let mut data = finding.clone();
             self.accept(&[symbol.clone(), number.clone()], Role::Given, &mut data);
-            if data.verdict != Verdict::Accepted {
+            // What stays without a number could be asked for one again and again.
+            if data.verdict != Verdict::Accepted || !self.has_number(symbol) {
+                let name = self.line_name(finding);
+                self.theory.retain(|premise| premise.name != name);
                 return false;
             }
             let text = self.document.source.slice(symbol.span).trim();

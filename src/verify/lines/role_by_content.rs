@@ -8,6 +8,7 @@ use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::Role;
+use crate::verify::words::book::has_any;
 
 impl Checker<'_> {
     /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
@@ -16,13 +17,16 @@ impl Checker<'_> {
         let [left, rest @ ..] = sides else {
             return role;
         };
-        let still = |side: &Node| {
+        let nothing = |side: &Node| {
             is_zero(side) || matches!(&side.kind, Kind::Symbol(s) if s.name == "const")
         };
-        if !self.displayed && self.constrained && rest.last().is_some_and(still) {
+        if !self.displayed && self.constrained && rest.last().is_some_and(nothing) {
             return Role::Assume;
         }
-        if !self.displayed && self.is_said_to_be_constant(left) && rest.iter().all(is_zero) {
+        let rates = sides.split_last().filter(|(last, _)| is_zero(last));
+        let still = rates
+            .is_some_and(|(_, rates)| rates.iter().all(|rate| self.is_said_to_be_constant(rate)));
+        if !self.displayed && still {
             return Role::Assume;
         }
         if role == Role::Claim || self.firm {
@@ -38,7 +42,7 @@ impl Checker<'_> {
         {
             return Role::Claim;
         }
-        if sides.iter().any(still) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
+        if sides.iter().any(nothing) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
             return role;
         }
         // One triad by another: neither is determined.
@@ -69,7 +73,7 @@ impl Checker<'_> {
     }
 
     /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines; or of ω,
-    /// where the words name such a case and claim nothing.
+    /// where the words name such a case and claim nothing, or suppose "a steady turn".
     fn is_said_to_be_constant(&mut self, left: &Node) -> bool {
         let words = self.sentence.rsplit('⟩').next().unwrap_or_default();
         let words = words.to_lowercase();
@@ -88,11 +92,13 @@ impl Checker<'_> {
             return false;
         };
         let entities = self.entities([&**operand]);
+        let steady = has_any(&words, &["steady", "uniform", "in trim", "equilibrium"]);
+        let case = case || steady;
         let own = |entity| match &self.theory.atoms.info(entity).owner {
-            Owner::Symbol(_) => true,
+            Owner::Symbol(_) => said,
             Owner::Quantity(quantity, _) => case && *quantity == Quantity::AngularVelocity,
         };
-        said && !entities.is_empty() && entities.into_iter().all(own)
+        (said || steady) && !entities.is_empty() && entities.into_iter().all(own)
     }
 
     /// Whether a line only names a moment: "the axes coincide at ⟨t = 0⟩", "(⟨φ = 0⟩ at rest)".

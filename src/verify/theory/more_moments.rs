@@ -89,7 +89,7 @@ impl Checker<'_> {
 
     /// Whether some symbol of the document is the moment of the law: not where its letter always has the label of one
     /// among others, as in `\mathbf T_d`.
-    fn writes_moments(&self) -> bool {
+    pub(crate) fn writes_moments(&self) -> bool {
         let moment = |q: &Quantity| *q == Quantity::Moment;
         let mut parts = self.reading.components.values().map(|(q, _)| q);
         let mut wholes = self.reading.quantities.iter().filter(|(_, q)| moment(q));

@@ -139,7 +139,7 @@ impl Checker<'_> {
     /// Takes what a piece of prose behind expressions, in small letters, calls constant.
     pub(crate) fn constants_in_words(&mut self, text: &str, span: Span) {
         let text = text.trim_start();
-        if SPEED.iter().any(|words| text.contains(words)) {
+        if self.is_steady(text) {
             self.turns_steadily(span);
         }
         let rest = text.trim_start_matches(',').trim_start();
@@ -160,18 +160,34 @@ impl Checker<'_> {
         }
     }
 
-    /// "At constant speed" of a body that turns about one axis.
+    /// Whether words have the body turn steadily: "at constant speed" about one axis, or supposed to have a constant
+    /// angular velocity, for which they give no letter.
+    fn is_steady(&self, text: &str) -> bool {
+        let about_axis = self.reading.fixed_axis.is_some() || self.reading.plane;
+        let vector = "constant angular velocity";
+        let behind = text.find(vector).map(|at| &text[at + vector.len()..]);
+        let unnamed = behind.is_some_and(|rest| rest.contains(|c: char| c.is_alphanumeric()));
+        let of_body =
+            || has_any(text, &["body", "rotor", "it "]) && !has_any(text, &["axes", "frame"]);
+        about_axis && has_any(text, SPEED) || unnamed && supposes(text) && of_body()
+    }
+
     fn turns_steadily(&mut self, span: Span) {
         let axis = self.reading.fixed_axis;
-        let Some(axis) = axis.or(self.reading.plane.then_some(2)) else {
-            return;
+        let axes = match axis.or(self.reading.plane.then_some(2)) {
+            Some(axis) => vec![axis],
+            None => vec![0, 1, 2],
         };
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         let name = "constant speed".to_owned();
+        let rates = axes.iter().map(|&c| self.theory.atoms.value(omega, c, 1));
         let premise = Premise {
             name: name.clone(),
-            residuals: vec![self.theory.atoms.value(omega, axis, 1)],
-            preferred: vec![self.theory.atoms.part(omega, axis, 1)],
+            residuals: rates.collect(),
+            preferred: axes
+                .iter()
+                .map(|&c| self.theory.atoms.part(omega, c, 1))
+                .collect(),
             definition: false,
         };
         if self.theory.assume(premise) == Taken::Solved {

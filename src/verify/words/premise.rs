@@ -44,6 +44,7 @@ impl Checker<'_> {
                 let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
                 self.vanish(&name, Quantity::Inertia, &across)
             }
+            Said::Lamina(a, b) => self.is_flat_body(&name, a, b),
             Said::TorqueFree => self.vanish(&name, Quantity::Moment, &[0, 1, 2]),
         };
         if new {
@@ -85,6 +86,27 @@ impl Checker<'_> {
             let words = Said::Principal.words();
             self.theory.retain(|premise| premise.name != words);
         }
+    }
+
+    /// Assumes of a lamina that the moments about two axes in its plane make up the third, where nothing gives that yet.
+    fn is_flat_body(&mut self, name: &str, a: u8, b: u8) -> bool {
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let across = 3 - a - b;
+        let [third, first, second] = [across, a, b].map(|c| self.theory.atoms.value(inertia, c, 0));
+        if self.theory.normal(&third).as_variable().is_none() {
+            return false;
+        }
+        let premise = Premise {
+            name: name.to_owned(),
+            residuals: vec![third - first - second],
+            preferred: vec![self.theory.atoms.part(inertia, across, 0)],
+            definition: false,
+        };
+        let new = self.theory.assume(premise) == Taken::Solved;
+        if new {
+            self.keep(name, true);
+        }
+        new
     }
 
     /// Whether the document gives the axes an angular velocity of their own.

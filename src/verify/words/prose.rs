@@ -18,6 +18,8 @@ pub(crate) enum Said {
     Principal,
     /// The plane with these two axes is a plane of symmetry: the products across it vanish.
     SymmetryPlane(u8, u8),
+    /// The body is flat and lies in the plane with these two axes: their moments make up the third.
+    Lamina(u8, u8),
     /// No moment acts.
     TorqueFree,
     /// Dots are rates on the body axes.
@@ -35,12 +37,12 @@ impl Said {
             }
             Self::Principal => "principal axes: the products of inertia vanish".to_owned(),
             Self::SymmetryPlane(a, b) => {
-                let name = |i: u8| ["x", "y", "z"][usize::from(i) % 3];
-                format!(
-                    "{}{} is a plane of symmetry: the products across it vanish",
-                    name(a),
-                    name(b)
-                )
+                let [a, b] = [a, b].map(axis_name);
+                format!("{a}{b} is a plane of symmetry: the products across it vanish")
+            }
+            Self::Lamina(a, b) => {
+                let [c, a, b] = [3 - a - b, a, b].map(axis_name);
+                format!("a lamina in the plane {a}{b}: I_{c} = I_{a} + I_{b}")
             }
             Self::TorqueFree => "no torque: ΣM = 0".to_owned(),
             Self::DotsInSpace => "a dot is a rate seen from space".to_owned(),
@@ -176,10 +178,15 @@ pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
     })
 }
 
-/// A plane of symmetry named by words in small letters and a formula: "symmetric with respect to its ⟨xz⟩ plane".
-pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
+fn axis_name(axis: u8) -> &'static str {
+    ["x", "y", "z"][usize::from(axis) % 3]
+}
+
+/// A plane of symmetry named by words in small letters and a formula, "symmetric with respect to its ⟨xz⟩ plane", or the
+/// plane that a flat body lies in.
+pub(crate) fn symmetry_plane(text: &str) -> Vec<Said> {
     if !text.contains("plane") {
-        return None;
+        return vec![];
     }
     let symmetric = [
         "plane of symmetry",
@@ -192,9 +199,17 @@ pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
     ];
     let flat = has_any(text, &["flat", "thin", "lamina", "plate"])
         && has_any(text, &["lies in the", "lying in the", "in the plane"]);
-    if !flat && !has_any(text, &symmetric) {
-        return None;
-    }
+    let named = match flat || has_any(text, &symmetric) {
+        true => named_plane(text),
+        false => None,
+    };
+    let said = |(a, b)| [Said::SymmetryPlane(a, b), Said::Lamina(a, b)];
+    let said = named.into_iter().flat_map(said);
+    said.take(if flat { 2 } else { 1 }).collect()
+}
+
+/// The plane of two axes that a text in small letters names.
+fn named_plane(text: &str) -> Option<(u8, u8)> {
     let planes = [
         ("xz", (0, 2)),
         ("xy", (0, 1)),
@@ -213,7 +228,7 @@ pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
             apart || w[1] == close && w[2].starts_with('⟨')
         };
         if spoken.windows(3).any(equation) {
-            return Some(Said::SymmetryPlane(a, b));
+            return Some((a, b));
         }
     }
     // "The x-z plane", "the x, z plane", "the plane of x and z", "Oxz".
@@ -231,7 +246,7 @@ pub(crate) fn symmetry_plane(text: &str) -> Option<Said> {
     planes
         .iter()
         .find(|(name, _)| named.iter().any(|word| word == name))
-        .map(|&(_, (a, b))| Said::SymmetryPlane(a, b))
+        .map(|(_, plane)| *plane)
 }
 
 /// "From here on the axes 1, 2, 3 are principal."
