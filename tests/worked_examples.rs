@@ -243,3 +243,27 @@ $$ \frac{d}{dt}(\omega_1^2 + \omega_2^2) = -\frac{2c}{I_t}(\omega_1^2 + \omega_2
     let wrong = text.replace(r"\dot\omega_2 - (I_3", r"\dot\omega_2 + (I_3");
     assert_eq!(verdicts(&wrong), "aarr");
 }
+
+#[test]
+fn what_rolls_in_a_plane_has_two_energies() {
+    let text = r"For a ball of mass $m$ and radius $r$, $I = \frac25mr^2$. Rolling without slipping, $v = r\omega$, so
+
+$$ T = \frac12mv^2 + \frac12I\omega^2 = \frac7{10}mv^2 $$
+
+$$ T = \frac75mv^2 $$
+";
+    assert_eq!(verdicts(text), "aapr");
+}
+
+#[test]
+fn coefficients_behind_a_system_are_its_own() {
+    let text = r"Let $x_1 = \omega_1$, $x_2 = \omega_2$, $x_3 = \omega_3$ and $u_i = \tau_i/I_i$. The state equations are
+
+$$ \dot x_1 = a_1x_2x_3 + u_1, \qquad \dot x_2 = -a_2x_3x_1 + u_2 $$
+
+with
+
+$$ a_1 = \frac{I_2 - I_3}{I_1},\quad a_2 = \frac{I_3 - I_1}{I_2} $$
+";
+    assert!(verdicts(text).ends_with("praa"), "{}", verdicts(text));
+}

@@ -220,9 +220,10 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
     let about = &sentence[at + sentence[at..].find("about")? + "about".len()..];
     let near: String = about.chars().take(40).collect();
     let near = near.split([',', ';']).next()?;
-    let fixed = near.contains("axis") && (known || near.contains("fixed"));
     // Of a body: a frame may turn as it likes.
-    let rate = !sentence.contains("frame")
+    let of_body = !sentence.contains("frame");
+    let fixed = near.contains("axis") && (known && of_body || near.contains("fixed"));
+    let rate = of_body
         && ["velocity ", "speed ", "rate "]
             .iter()
             .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));

@@ -322,6 +322,7 @@ pub(super) fn lone(node: &Node) -> Option<&Symbol> {
 fn is_grid(side: &Node) -> bool {
     match &inner(side).kind {
         Kind::Matrix(rows) => rows.len() > 1,
+        Kind::Tuple(entries) => entries.len() == 3,
         Kind::Quotient(above, below) => is_grid(above) && symbols(below).is_empty(),
         Kind::Product(factors) => {
             let grids = factors.iter().filter(|factor| is_grid(&factor.node));

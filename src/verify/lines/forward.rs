@@ -77,10 +77,13 @@ impl<'a> Checker<'a> {
             return;
         };
         let squared = !std::ptr::eq(symbol, left) && matches!(left.kind, Kind::Power(..));
-        if place.is_some() && !squared {
+        // The coefficients a_1, a_2, a_3 are each defined.
+        let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+        if place.is_some() && !squared && !own {
             return;
         }
-        let known = self.known.contains(&entity) || self.theory.mentions_part(entity, place);
+        let known = place.is_none() && self.known.contains(&entity);
+        let known = known || self.theory.mentions_part(entity, place);
         if known || !used.contains(&entity) || line.continues {
             return;
         }

@@ -135,12 +135,17 @@ fn free_index(line: &Line, usage: &Usage) -> Option<(String, Vec<String>)> {
     let indexed: Vec<&Symbol> = all
         .filter(|s| s.subscripts.iter().any(|s| s == "i"))
         .collect();
-    let numbered = |s: &&Symbol| components(s, usage).is_some();
-    if indexed.is_empty() || !indexed.iter().all(numbered) {
-        return None;
-    }
-    let values = components(indexed.first()?, usage)?;
-    Some(("i".into(), values.map(String::from).to_vec()))
+    let mut numbered = indexed.iter().filter_map(|s| components(s, usage));
+    let values = numbered.next()?;
+    // The u_i of `u_i = τ_i/I_i` may be met with this index alone.
+    let alone = |s: &&Symbol| {
+        let met = usage.subscripts.get(&Letter::of(s));
+        met.is_none_or(|met| met.iter().all(|index| index == "i"))
+    };
+    let known = |s: &&Symbol| components(s, usage).is_some() || alone(s);
+    let one_family = numbered.all(|other| other == values);
+    let several = one_family && indexed.iter().all(known);
+    several.then(|| ("i".into(), values.map(String::from).to_vec()))
 }
 
 /// The names of a letter's components in this document.

@@ -259,7 +259,8 @@ impl Checker<'_> {
         let of_a_point = |owner: &Owner| match owner {
             Owner::Quantity(Quantity::Velocity, point) => !matches!(point.as_str(), "" | ANY_POINT),
             Owner::Quantity(quantity, _) => *quantity == Quantity::CentreVelocity,
-            Owner::Symbol(_) => false,
+            // Of a body that rolls in a plane, v is the speed of its centre.
+            Owner::Symbol(key) => self.reading.plane && key.starts_with(['v', 'V']),
         };
         let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
             return;

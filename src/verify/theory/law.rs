@@ -7,7 +7,7 @@ use crate::verify::theory::attitude_law;
 use crate::verify::theory::more_moments::OtherMoments;
 use crate::verify::theory::parallel_axes::{self, ParallelAxes};
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::MAGNITUDE;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
@@ -224,10 +224,19 @@ fn determined(
             let Some(centre) = setting.translation else {
                 return Some(("energy", turning));
             };
-            let velocity = Vector3::from(atoms.vector(centre, 0));
+            let square = match atoms.info(centre).shape {
+                Shape::Scalar => {
+                    let speed = atoms.value(centre, 0, 0);
+                    speed.clone() * speed
+                }
+                _ => {
+                    let velocity = Vector3::from(atoms.vector(centre, 0));
+                    velocity.dot(&velocity)
+                }
+            };
             let mass = atoms.quantity(Mass);
             let mass = atoms.value(mass, 0, 0);
-            Some(("koenig", half * mass * velocity.dot(&velocity) + turning))
+            Some(("koenig", half * mass * square + turning))
         }
         Power => {
             let (omega, moment) = (vector(atoms, AngularVelocity, 0), vector(atoms, Moment, 0));
