@@ -63,6 +63,8 @@ pub(super) struct Checker<'a> {
     pub(super) last_side: Option<Node>,
     /// Whether the sentence derives the line at hand: "hence", "gives".
     pub(super) asserted: bool,
+    /// Whether the words right before the formula at hand say that it was worked out.
+    pub(super) obtained: bool,
     /// Whether the role of the line is in so many words: a mark, "assume", "given".
     pub(super) firm: bool,
     pub(super) picked: bool,
@@ -175,6 +177,7 @@ impl<'a> Checker<'a> {
             proved_as: None,
             last_side: None,
             asserted: false,
+            obtained: false,
             firm: false,
             constrained: false,
             picked: false,

@@ -5,6 +5,7 @@ use crate::notation::ast::{Function, Kind, Line, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::lines::given::is_zero;
 use crate::verify::names;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
@@ -64,7 +65,8 @@ impl Checker<'_> {
             self.claim(sides, &mut tried);
             // What "yields" it and is not understood may have made it false.
             let number = symbols(right).is_empty();
-            let derived = self.asserted && !number && self.known.contains(&entity);
+            let derived = self.asserted && !number && self.known.contains(&entity)
+                || self.obtained && is_zero(right);
             if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
                 *finding = tried;
                 return true;

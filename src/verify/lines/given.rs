@@ -9,7 +9,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::{Equation, passes_filter};
 use crate::verify::values::atoms::{Entity, Owner};
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
@@ -36,6 +36,9 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
+        if self.is_by_own_components(sides) {
+            return false;
+        }
         let mut named = sides.iter().flat_map(symbols);
         let tied = named.any(|symbol| match self.meaning_of(symbol) {
             Meaning::Whole(entity) => self.theory.is_in_relation(entity),
@@ -73,7 +76,7 @@ impl Checker<'_> {
         if number && !zero && !self.asserted && self.is_free_rate(first) {
             return true;
         }
-        let derived = zero && self.asserted && self.displayed;
+        let derived = zero && (self.asserted && self.displayed || self.obtained);
         let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
         if motion || !self.is_free_input(first) || self.is_circular(first, read) {
             return false;
@@ -112,6 +115,27 @@ impl Checker<'_> {
                     && (left, right) != (Some(false), Some(false)))
                 || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
         })
+    }
+
+    /// Whether a vector is written out by its own components, of which nothing is handed over.
+    fn is_by_own_components(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let Meaning::Whole(entity) = self.meaning_of(symbol) else {
+            return false;
+        };
+        let met: Vec<Meaning> = symbols(right)
+            .into_iter()
+            .map(|s| self.meaning_of(s))
+            .collect();
+        let own = |m: &Meaning| matches!(m, Meaning::Component(e, _) if *e == entity);
+        let unit = |m: &Meaning| matches!(m, Meaning::UnitVector(_));
+        self.theory.atoms.info(entity).shape == Shape::Vector
+            && matches!(inner(right).kind, Kind::Sum(_))
+            && met.iter().all(|m| own(m) || unit(m))
+            && met.iter().any(own)
     }
 
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it

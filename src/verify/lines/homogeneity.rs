@@ -4,10 +4,12 @@
 //! the premises, one symbol from one term at a time. What stays unknown fits anything.
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
-use crate::notation::ast::Function;
+use crate::notation::ast::{Function, Node};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::{Finding, Verdict};
 use std::collections::BTreeMap;
 
 /// Powers of mass, length and time.
@@ -19,6 +21,33 @@ type Known = BTreeMap<Entity, Powers>;
 const ROUNDS: usize = 4;
 
 impl Checker<'_> {
+    /// Leaves open what was taken in and has terms of different dimensions: an ω that is given where ω̇ was meant. What
+    /// it says is forgotten.
+    pub(crate) fn withhold_inhomogeneous(&mut self, sides: &[Node], finding: &mut Finding) {
+        if finding.verdict != Verdict::Accepted || sides.len() < 2 {
+            return;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return;
+        };
+        // A constant may have any unit, and so may a coefficient where some quantity is a bare number.
+        let number = |entry: &Fraction| {
+            let mut terms = entry.numerator().terms().iter();
+            terms.any(|(monomial, _)| monomial.degree() == 0)
+        };
+        let name = self.line_name(finding);
+        let others = self.theory.premises().iter().filter(|p| p.name != name);
+        if read.residuals().any(number) || others.flat_map(|p| &p.residuals).any(number) {
+            return;
+        }
+        if read.residuals().any(|entry| self.is_inhomogeneous(entry)) {
+            self.theory.retain(|premise| premise.name != name);
+            finding.verdict = Verdict::Undecided;
+            finding.remarks.clear();
+            finding.reason = Some("its terms are measured in different units".to_owned());
+        }
+    }
+
     /// Whether terms of different dimensions are added in a value.
     pub(crate) fn is_inhomogeneous(&self, value: &Fraction) -> bool {
         let several = |p: &Polynomial| p.len() > 1;

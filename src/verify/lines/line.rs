@@ -44,6 +44,7 @@ impl Checker<'_> {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
         self.measure(&line.sides, &mut finding);
+        self.withhold_inhomogeneous(&line.sides, &mut finding);
         self.leave_hypothesis(&line.sides, &mut finding);
         self.withhold_value(line, &mut finding);
         self.withhold_false_value(line, &mut finding);
@@ -171,6 +172,7 @@ impl Checker<'_> {
             self.tie_new_symbols(&sides, finding);
         }
         let settled = self.vanishes_for(&sides, finding)
+            || self.slips_in_unnamed_law(&sides, finding)
             || self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
@@ -334,6 +336,11 @@ impl Checker<'_> {
         let spatial = all_in_space(sides, &self.reading);
         let mut first = self.read_on(sides, Frame::Moving, spatial)?;
         first.to_order = self.keep_order(&mut first.equations);
+        if first.ambiguous && sides.iter().any(|side| self.has_rate_of_axis(side)) {
+            let mut seen = self.read(sides, Frame::Space)?;
+            seen.to_order = self.keep_order(&mut seen.equations);
+            return Ok(vec![seen]);
+        }
         if !first.ambiguous || self.dots == Some(Frame::Moving) {
             return Ok(vec![first]);
         }

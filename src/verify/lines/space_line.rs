@@ -5,17 +5,30 @@
 //! letters. What the document supposes on one set of axes is not known on the other, unless it says that a vector
 //! vanishes.
 
-use crate::notation::ast::{Line, Node};
+use crate::notation::ast::{Kind, Line, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
 use crate::verify::theory::Premise;
 use crate::verify::theory::law::Axes;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
 impl Checker<'_> {
+    /// Whether the rate of a unit vector of the axes stands in a node: it is seen from space, or it would be zero.
+    pub(crate) fn has_rate_of_axis(&mut self, node: &Node) -> bool {
+        if let Kind::TimeDerivative { operand, .. } = &node.kind
+            && let Kind::Symbol(symbol) = &inner(operand).kind
+        {
+            return matches!(self.meaning_of(symbol), Meaning::UnitVector(_));
+        }
+        let mut children = node.children().into_iter();
+        children.any(|child| self.has_rate_of_axis(child))
+    }
+
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
     pub(crate) fn line(&mut self, line: &Line, role: Role) {
         if self.reading.space_axes.is_none() {

@@ -1,6 +1,6 @@
 //! Moments that act beside the one that the law names: `J\dot\omega + \omega\times J\omega = \tau + \tau_d`.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Monomial, Variable};
 use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -8,7 +8,9 @@ use crate::verify::letters::usage::axis;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::subscript::{LOADS, POINTS};
+use crate::verify::verdict::Finding;
 use num_traits::{One, Zero};
+use std::collections::BTreeSet;
 
 /// Moments that may act beside the one that the law names.
 const MOST: usize = 4;
@@ -16,6 +18,14 @@ const MOST: usize = 4;
 /// Vectors of the document that act as moments beside the one of the law, each with whether it is taken off.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct OtherMoments([Option<(Entity, bool)>; MOST]);
+
+/// The terms of Euler's equation, I ω̇ + ω × I ω = M.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum TermOfLaw {
+    Rate,
+    Turning,
+    Load,
+}
 
 impl OtherMoments {
     /// A component of what they come to together.
@@ -85,6 +95,69 @@ impl Checker<'_> {
             self.known.insert(entity);
         }
         self.theory.set(|setting| setting.other_moments = all);
+    }
+
+    /// Leaves open what has the form of Euler's equation for a vector that nothing names, and is not that equation:
+    /// as the moment it has a slip, and a definition of anything else it is not.
+    pub(crate) fn slips_in_unnamed_law(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let entities = self.entities(sides).into_iter();
+        let new: Vec<Entity> = entities.filter(|&e| self.may_be_a_moment(e)).collect();
+        let [load] = new[..] else { return false };
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        let kinds: Option<BTreeSet<TermOfLaw>> = read
+            .residuals()
+            .flat_map(|entry| entry.numerator().terms())
+            .map(|(term, _)| self.term_of_law(term, load))
+            .collect();
+        let slips = kinds.is_some_and(|kinds| kinds.len() == 3)
+            && read
+                .residuals()
+                .any(|entry| !self.holds_as_moment(entry, load));
+        if slips {
+            let name = &self.theory.atoms.info(load).latex;
+            finding.reason = Some(format!("`{name}` is no moment by Euler's equation"));
+        }
+        slips
+    }
+
+    /// Whether an entry vanishes with the moment in place of a vector.
+    fn holds_as_moment(&mut self, entry: &Fraction, load: Entity) -> bool {
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let mut value = entry.clone();
+        for component in 0..3 {
+            let own = self.theory.atoms.part(load, component, 0);
+            if let Some(factor) = coefficient(entry, own) {
+                let acts = self.theory.atoms.value(moment, component, 0);
+                value += factor * (acts - variable_fraction(own));
+            }
+        }
+        self.theory.normal(&value).is_zero()
+    }
+
+    fn term_of_law(&self, term: &Monomial, load: Entity) -> Option<TermOfLaw> {
+        let (mut inertia, mut rate, mut turning, mut own) = (0, 0, 0, 0);
+        for (variable, exponent) in term.factors() {
+            let Atom::Part { entity, order, .. } = *self.theory.atoms.atom(variable) else {
+                return None;
+            };
+            let count = match (&self.theory.atoms.info(entity).owner, order) {
+                _ if entity == load => &mut own,
+                (Owner::Quantity(Quantity::Inertia, _), 0) => &mut inertia,
+                (Owner::Quantity(Quantity::AngularVelocity, _), 0) => &mut turning,
+                (Owner::Quantity(Quantity::AngularVelocity, _), 1)
+                | (Owner::Quantity(Quantity::AngularAcceleration, _), 0) => &mut rate,
+                _ => return None,
+            };
+            *count += exponent;
+        }
+        match (inertia, rate, turning, own) {
+            (0, 0, 0, 1) => Some(TermOfLaw::Load),
+            (1, 1, 0, 0) => Some(TermOfLaw::Rate),
+            (1, 0, 2, 0) => Some(TermOfLaw::Turning),
+            _ => None,
+        }
     }
 
     /// Whether some symbol of the document is the moment of the law: not where its letter always has the label of one

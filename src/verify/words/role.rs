@@ -181,6 +181,25 @@ impl Words {
         self.has(Kind::Claim)
     }
 
+    /// Whether the last of them work the formula out: "from (3) we get ⟨…⟩".
+    pub(crate) fn obtain(&self) -> bool {
+        let ends = [
+            "we get ",
+            "we obtain ",
+            "we find ",
+            "it follows that ",
+            "yields ",
+        ];
+        ends.iter().any(|words| self.text.ends_with(words))
+    }
+
+    /// Whether they expand equations in what is small, and nothing stands between: "to first order ⟨…⟩".
+    pub(crate) fn expand(&self) -> bool {
+        ["to first order ", "to the first order "]
+            .iter()
+            .any(|words| self.text.ends_with(words))
+    }
+
     /// Whether they assume what follows in so many words.
     pub(crate) fn assume(&self) -> bool {
         let last = self.last(Kind::Suppose).max(self.last(Kind::Given));

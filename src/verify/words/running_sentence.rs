@@ -66,7 +66,10 @@ impl Checker<'_> {
             false => words.role(&self.sentence),
         };
         let closed = self.sentence.trim_end().strip_suffix(',');
-        let clause = display && closed.is_some_and(ends_with_condition);
+        let said = self.sentence.trim();
+        let opened = ["With ", "For "].iter().any(|word| said.starts_with(word));
+        let clause =
+            display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,
@@ -78,6 +81,7 @@ impl Checker<'_> {
         let words = Words::of(&self.sentence);
         let speak = words.speak();
         self.asserted = speak && words.derive();
+        self.obtained = speak && words.obtain() || display && words.expand();
         self.constrained = speak && words.constrain();
         self.firm = self.mark.is_some() || speak && words.assume();
         self.picked = words.pick();

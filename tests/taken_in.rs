@@ -1,0 +1,77 @@
+//! What is false is not taken in as given, assumed or defined, only because it could be; a true line beside it is proved.
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+use outcome::verdicts;
+
+const SPIN_UP: &str = "A body with principal moments $I_1 = I_2 = I_t$ and $I_3 = I_a$ is spun up by a torque $\\tau_3$ \
+    about the symmetry axis, $\\tau_1 = \\tau_2 = 0$:\n";
+
+fn last(text: &str) -> char {
+    verdicts(text).chars().last().unwrap_or('-')
+}
+
+#[test]
+fn a_rate_is_not_given_by_what_has_the_units_of_its_derivative() {
+    let line = |left: &str| {
+        let right = "\\frac{I_t - I_a}{I_t}\\omega_3\\omega_2";
+        last(&format!("{SPIN_UP}$$\n{left} = {right}\n$$\n"))
+    };
+    assert_eq!(line("\\dot\\omega_1"), 'p');
+    assert_eq!(line("\\omega_1"), 'u');
+}
+
+#[test]
+fn a_vector_is_not_given_by_its_own_components() {
+    let line = |third: &str| {
+        last(&format!(
+            "For any vector\n$$\\vec{{A}} = A_x\\hat\\imath + A_y\\hat\\jmath + {third}\\hat k$$\n"
+        ))
+    };
+    assert_eq!(line("A_z"), 'p');
+    assert!(!"ap".contains(line("A_x")));
+}
+
+#[test]
+fn unit_vectors_whose_rates_are_written_turn() {
+    let line = |last_rate: &str| {
+        last(&format!(
+            "Let $\\vec A = A_x\\hat\\imath + A_y\\hat\\jmath + A_z\\hat k$ be a vector. Then\n$$\n\\frac{{d\\vec A}}{{dt}} = \
+             \\dot A_x\\hat\\imath + \\dot A_y\\hat\\jmath + \\dot A_z\\hat k + A_x\\frac{{d\\hat\\imath}}{{dt}} + \
+             A_y\\frac{{d\\hat\\jmath}}{{dt}}{last_rate}\n$$\n"
+        ))
+    };
+    assert_eq!(line(" + A_z\\frac{d\\hat k}{dt}"), 'p');
+    assert_eq!(line(""), 'r');
+}
+
+#[test]
+fn a_rate_that_was_worked_out_to_vanish_is_no_assumption() {
+    let line = |rate: &str| {
+        last(&format!(
+            "A body with $I_1 = I_2 = A$ and $I_3 = C$ turns freely on principal axes without torque. From the third \
+             equation we get ${rate} = 0$.\n"
+        ))
+    };
+    assert_eq!(line("\\dot\\omega_3"), 'p');
+    assert!(!"ap".contains(line("\\omega_3")));
+}
+
+#[test]
+fn what_is_like_the_equation_of_motion_defines_nothing_else() {
+    let line = |right: &str| {
+        last(&format!(
+            "# Newton-Euler\n\n$$\n\\mathbf{{n}} = {right}\n$$\n"
+        ))
+    };
+    assert_eq!(
+        line("I\\boldsymbol{\\alpha} + \\boldsymbol{\\omega}\\times I\\boldsymbol{\\omega}"),
+        'p'
+    );
+    for slip in [
+        "I\\boldsymbol{\\alpha} - \\boldsymbol{\\omega}\\times I\\boldsymbol{\\omega}",
+        "2I\\boldsymbol{\\alpha} + \\boldsymbol{\\omega}\\times I\\boldsymbol{\\omega}",
+    ] {
+        assert_eq!(line(slip), 'u', "{slip}");
+    }
+}
