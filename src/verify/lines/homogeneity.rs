@@ -7,6 +7,7 @@ use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::{Function, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Verdict};
@@ -24,7 +25,9 @@ impl Checker<'_> {
     /// Leaves open what was taken in and has terms of different dimensions: an ω that is given where ω̇ was meant. What
     /// it says is forgotten.
     pub(crate) fn withhold_inhomogeneous(&mut self, sides: &[Node], finding: &mut Finding) {
-        if finding.verdict != Verdict::Accepted || sides.len() < 2 {
+        // Of a chain of zeros each is zero.
+        let zeros = sides.len() > 2 && sides.last().is_some_and(is_zero);
+        if finding.verdict != Verdict::Accepted || sides.len() < 2 || zeros {
             return;
         }
         let Ok(read) = self.read(sides, Frame::Moving) else {
