@@ -75,3 +75,15 @@ fn what_is_like_the_equation_of_motion_defines_nothing_else() {
         assert_eq!(line(slip), 'u', "{slip}");
     }
 }
+
+#[test]
+fn a_body_at_rest_may_begin_to_turn() {
+    let line = |rate: &str| {
+        last(&format!(
+            "A body turns about its principal axes with moments of inertia $I_x, I_y, I_z$ under the moments $M_x, M_y, \
+             M_z$. Without rates ($\\omega_x = \\omega_y = \\omega_z = 0$) the response to the controls is\n$$\n{rate} = M_x\n$$\n"
+        ))
+    };
+    assert_eq!(line("I_x\\dot\\omega_x"), 'p');
+    assert!(!"ap".contains(line("2I_x\\dot\\omega_x")));
+}

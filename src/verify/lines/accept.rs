@@ -93,6 +93,11 @@ impl Checker<'_> {
                 .collect();
             self.mark_instant(&name, &left.unwrap_or_default(), &first.right.entries);
         }
+        if let Some(last) = read.equations.last() {
+            let left = read.equations.iter().flat_map(|e| &e.left.entries);
+            let left: Option<Vec<Variable>> = left.map(Fraction::as_variable).collect();
+            self.mark_rest(&name, &left.unwrap_or_default(), &last.right.entries);
+        }
         match self.theory.assume(Premise {
             name: name.clone(),
             residuals,

@@ -170,9 +170,41 @@ impl Checker<'_> {
         }
     }
 
+    /// ω = 0 is how a body stands at an instant: one that never turned would have no motion to speak of.
+    pub(crate) fn mark_rest(&mut self, name: &str, left: &[Variable], right: &[Fraction]) {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let part = |c| self.theory.atoms.part(omega, c, 0);
+        let whole = [0, 1, 2].map(part);
+        let all = whole.iter().all(|v| left.contains(v)) && left.len() == whole.len();
+        if all && right.iter().all(Zero::is_zero) {
+            self.theory.instants.insert(name.to_owned());
+        }
+    }
+
+    /// Whether a line speaks of the ω̇ of a body at rest, of which nothing is left if it stays so.
+    fn would_begin_to_turn(&mut self, sides: &[Node]) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let at_rest = (0..3).all(|c| {
+            let rate = self.theory.atoms.value(omega, c, 0);
+            self.theory.normal(&rate).is_zero()
+        });
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        let rates = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 1));
+        at_rest
+            && read.equations.iter().any(|equation| {
+                let sides = [&equation.left, &equation.right].into_iter();
+                let mut met = sides
+                    .flat_map(|side| &side.entries)
+                    .flat_map(Fraction::variables);
+                met.any(|variable| rates.contains(&variable))
+            })
+    }
+
     /// Whether a line holds if what is given in numbers stays as it is.
     pub(crate) fn holds_still(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        if self.theory.instants.is_empty() {
+        if self.theory.instants.is_empty() || self.would_begin_to_turn(sides) {
             return false;
         }
         let instants = std::mem::take(&mut self.theory.instants);
