@@ -6,20 +6,24 @@ use crate::notation::token::Lexeme;
 
 type Limits = Option<(Box<Node>, Box<Node>)>;
 
+/// Integrals that stand inside one: over a volume there are two.
+const INSIDE: usize = 2;
+
 impl Parser<'_, '_> {
     /// An integral up to its differential.
     pub(super) fn integral(&mut self, start: usize) -> Node {
-        self.integral_within(start, false)
+        self.integral_within(start, 0)
     }
 
-    /// The same; inside another integral `dx\,dy` is no element of volume, but the differentials of both.
-    fn integral_within(&mut self, start: usize, nested: bool) -> Node {
+    /// The same inside so many others; inside another integral `dx\,dy` is no element of volume, but the differentials of both.
+    fn integral_within(&mut self, start: usize, others: usize) -> Node {
         let (lower, upper) = (self.limit(), self.limit());
         let limits: Limits = lower
             .zip(upper)
             .map(|(a, b)| (Box::new(a.1), Box::new(b.1)));
         if limits.is_some()
-            && let Some(inner) = self.inner_integral()
+            && others < INSIDE
+            && let Some(inner) = self.inner_integral(others + 1)
         {
             let before = self.at;
             self.skip_spaces();
@@ -43,7 +47,7 @@ impl Parser<'_, '_> {
         };
         let inside = &self.tokens[self.at..at];
         self.at = at + length;
-        let volume = if nested { None } else { self.volume() };
+        let volume = if others > 0 { None } else { self.volume() };
         let variable = volume.unwrap_or_else(|| self.differential_variable());
         let integrand = match inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_))) {
             true => Node {
@@ -61,13 +65,13 @@ impl Parser<'_, '_> {
     }
 
     /// The integral right behind the sign and the limits of another: `\int_0^a\!\int_0^b f\,dx\,dy`.
-    fn inner_integral(&mut self) -> Option<Node> {
+    fn inner_integral(&mut self, others: usize) -> Option<Node> {
         let before = self.at;
         self.skip_spaces();
         let start = self.at;
         if self.peek() == Some(Lexeme::Command("int")) {
             self.at += 1;
-            return Some(self.integral_within(start, true));
+            return Some(self.integral_within(start, others));
         }
         self.at = before;
         None
