@@ -2,10 +2,9 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
-use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::values::figures::is_number;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use std::slice::from_ref;
 
 /// Symbols that one formula may get numbers for.
 const MOST: usize = 12;
@@ -27,13 +26,13 @@ impl Checker<'_> {
         put_in.truncate(MOST);
         let mut names = vec![];
         for (symbol, number) in put_in {
-            if self.has_number(symbol) {
+            if self.is_in_numbers(from_ref(symbol)) {
                 continue;
             }
             let mut data = finding.clone();
             self.accept(&[symbol.clone(), number.clone()], Role::Given, &mut data);
             // What stays without a number could be asked for one again and again.
-            if data.verdict != Verdict::Accepted || !self.has_number(symbol) {
+            if data.verdict != Verdict::Accepted || !self.is_in_numbers(from_ref(symbol)) {
                 let name = self.line_name(finding);
                 self.theory.retain(|premise| premise.name != name);
                 return false;
@@ -48,16 +47,6 @@ impl Checker<'_> {
         let said = format!("{} taken from the numbers put in", names.join(", "));
         finding.remarks.push(said);
         true
-    }
-
-    fn has_number(&mut self, symbol: &Node) -> bool {
-        let value = self.lowering(Frame::Moving).value(symbol);
-        value.is_ok_and(|value| {
-            value.entries.iter().all(|entry| {
-                let normal = self.theory.normal(entry);
-                is_number(&self.theory.atoms, &normal)
-            })
-        })
     }
 }
 

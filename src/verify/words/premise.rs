@@ -208,15 +208,7 @@ impl Checker<'_> {
         if !self.reading.rotor_alone {
             return;
         }
-        let entity = self.theory.atoms.quantity(Quantity::Inertia);
-        let parts = (0..6).map(|c| self.theory.atoms.part(entity, c, 0));
-        let preferred: Vec<Variable> = parts.collect();
-        self.theory.assume(Premise {
-            name: ROTOR_ALONE.to_owned(),
-            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
-            preferred,
-            definition: true,
-        });
+        self.are_none(ROTOR_ALONE, Quantity::Inertia, 0..6);
     }
 
     /// The momentum of the only wheel lies along its axis, where the words name that.
@@ -233,9 +225,13 @@ impl Checker<'_> {
 
     /// The components of a vector across an axis vanish by what it is.
     fn lies_along(&mut self, name: &str, vector: Quantity, axis: u8) {
-        let entity = self.theory.atoms.quantity(vector);
-        let across = (0..3).filter(|&c| c != axis);
-        let parts = across.map(|c| self.theory.atoms.part(entity, c, 0));
+        self.are_none(name, vector, (0..3).filter(|&c| c != axis));
+    }
+
+    /// Components of a quantity are zero by what it is.
+    fn are_none(&mut self, name: &str, quantity: Quantity, components: impl Iterator<Item = u8>) {
+        let entity = self.theory.atoms.quantity(quantity);
+        let parts = components.map(|c| self.theory.atoms.part(entity, c, 0));
         let preferred: Vec<Variable> = parts.collect();
         self.theory.assume(Premise {
             name: name.to_owned(),
