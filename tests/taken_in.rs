@@ -87,3 +87,49 @@ fn a_body_at_rest_may_begin_to_turn() {
     assert_eq!(line("I_x\\dot\\omega_x"), 'p');
     assert!(!"ap".contains(line("2I_x\\dot\\omega_x")));
 }
+
+#[test]
+fn a_moment_of_inertia_has_its_own_integral() {
+    let text = |line: &str| verdicts(&format!("The moments of inertia are\n\n$$ {line} $$\n"));
+    assert_eq!(text(r"I_{xx} = \int (y^2 + z^2)\,dm"), "p");
+    assert_eq!(text(r"I_{xx} = \int (y^2 - z^2)\,dm"), "r");
+    assert_eq!(text(r"I_{xy} = 2\int xy\,dm"), "r");
+    assert_eq!(text(r"I_{xz} = \int xy\,dm"), "r");
+    assert_eq!(text(r"I_{xx} = \int y^2\,dm"), "a");
+    assert_eq!(text(r"I_{xx} = \int x^2\,dm"), "u");
+}
+
+#[test]
+fn both_sides_zero_is_no_proof() {
+    let text = |line: &str| {
+        verdicts(&format!(
+            "The body floats freely, so assume $\\vec\\tau = 0$.\nAbout a principal axis $3$ with $\\omega_1 = \\omega_2 = 0$ we have ${line}$.\n"
+        ))
+    };
+    assert_eq!(text(r"\tau_3 = I_3\dot\omega_3"), "aap");
+    assert_eq!(text(r"\tau_3 = 2I_3\dot\omega_3"), "aau");
+    assert_eq!(text(r"\tau_3 = I_1\dot\omega_3"), "aau");
+}
+
+#[test]
+fn a_small_moment_is_of_first_order() {
+    let text = |line: &str| {
+        verdicts(&format!(
+            "The body has the principal moments $I_x$, $I_y$, $I_z$.\n\n$$ I_x\\dot p = (I_y - I_z)qr + \\tau_\\phi $$\n$$ I_y\\dot q = (I_z - I_x)pr + \\tau_\\theta $$\n$$ I_z\\dot r = (I_x - I_y)pq + \\tau_\\psi $$\n\nKinematics with yaw-pitch-roll angles $\\psi, \\theta, \\phi$:\n\n$$ p = \\dot\\phi - \\dot\\psi\\sin\\theta $$\n\nAll angles and rates are small. Products of rates are dropped:\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(text(r"I_x\ddot\phi = \tau_\phi"), "ppppp");
+    assert_eq!(text(r"I_x\ddot\phi = 2\tau_\phi"), "ppppr");
+    assert_eq!(text(r"I_y\ddot\phi = \tau_\phi"), "ppppr");
+}
+
+#[test]
+fn a_moment_twice_on_the_diagonal_is_a_slip_beside_the_other() {
+    let tensor = |first: &str| {
+        verdicts(&format!(
+            "The momentum is\n\n$$ \\begin{{bmatrix}} L_x \\\\ L_y \\\\ L_z \\end{{bmatrix}} = \\begin{{bmatrix}} {first} & -I_{{xy}} & -I_{{xz}} \\\\ -I_{{xy}} & I_{{yy}} & -I_{{yz}} \\\\ -I_{{xz}} & -I_{{yz}} & I_{{zz}} \\end{{bmatrix}}\\begin{{bmatrix}} \\omega_x \\\\ \\omega_y \\\\ \\omega_z \\end{{bmatrix}} $$\n\nand so $L_x = I_{{xx}}\\omega_x - I_{{xy}}\\omega_y - I_{{xz}}\\omega_z$.\n"
+        ))
+    };
+    assert_eq!(tensor("I_{xx}"), "pp");
+    assert_eq!(tensor("I_{yy}"), "rp");
+}

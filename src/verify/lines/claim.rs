@@ -29,9 +29,10 @@ impl Checker<'_> {
                 return;
             }
         };
-        let mut failed = None;
+        let (mut failed, mut emptied) = (None, false);
         for read in readings {
             match decide(&mut self.theory, &read.equations) {
+                Decision::True(_) if self.is_emptied(&read) => emptied = true,
                 Decision::True(proof) => {
                     self.note_written_out(sides, &read);
                     self.proved(&read, proof, finding);
@@ -41,6 +42,10 @@ impl Checker<'_> {
                 }
                 other => failed = failed.or(Some((read, other))),
             }
+        }
+        if emptied {
+            finding.reason = Some(reason::EMPTIED.to_owned());
+            return;
         }
         if let Some((read, decision)) = failed {
             if matches!(decision, Decision::False(_))

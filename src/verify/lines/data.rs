@@ -212,7 +212,9 @@ impl Checker<'_> {
         let mut holds = false;
         if steady && let Ok(readings) = self.readings(sides) {
             for read in readings {
-                if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
+                if let Decision::True(proof) = decide(&mut self.theory, &read.equations)
+                    && !self.is_emptied(&read)
+                {
                     self.proved(&read, proof, finding);
                     finding
                         .remarks

@@ -36,7 +36,7 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
-        if self.is_by_own_components(sides) {
+        if self.is_by_own_components(sides) || self.integrates_another(sides) {
             return false;
         }
         let mut named = sides.iter().flat_map(symbols);

@@ -287,6 +287,12 @@ impl Checker<'_> {
         let sides = [&equation.right, &equation.left];
         let shown = sides.into_iter().find(|side| !side.is_zero())?;
         let order = shown.entries.iter().map(|entry| self.order(entry)).max()?;
+        // What is said to vanish does so to the order to which it is written.
+        let vanishes = equation.left.is_zero() || equation.right.is_zero();
+        let order = match vanishes {
+            true => order,
+            false => self.lowest_order(equation, order),
+        };
         let entries = equation.residual.entries.iter();
         let whole: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
         if order > HIGHEST || !whole.iter().any(|entry| self.has_small(entry)) {
@@ -304,6 +310,17 @@ impl Checker<'_> {
         equation.right = equation.right.plus(&higher, false).ok()?;
         equation.residual = equation.residual.plus(&higher, true).ok()?;
         Some(())
+    }
+
+    /// The first order, from one on, to which anything is left of the sides: a moment that turns a body through small
+    /// angles is small itself.
+    fn lowest_order(&mut self, equation: &Equation, from: u32) -> u32 {
+        let sides = [&equation.left, &equation.right].into_iter();
+        let sides = sides.flat_map(|side| &side.entries);
+        let whole: Vec<Fraction> = sides.map(|entry| self.theory.normal(entry)).collect();
+        let mut left_over =
+            (from..=HIGHEST).filter(|&order| whole.iter().any(|w| !self.low(w, order).is_zero()));
+        left_over.next().unwrap_or(from)
     }
 
     /// The terms up to an order in the small symbols.

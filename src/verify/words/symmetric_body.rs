@@ -4,7 +4,7 @@
 use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
-use crate::verify::letters::usage::{Letter, Usage, inner};
+use crate::verify::letters::usage::{Letter, Usage, inner, symbols};
 use crate::verify::words::book::{Book, lowered};
 use crate::verify::words::moments_in_words::NamedMoment;
 use std::sync::LazyLock;
@@ -52,13 +52,13 @@ static SYMMETRIC: LazyLock<Book> =
 
 /// The moments that stand for several components, each with those.
 pub(crate) fn equal_moments(document: &Document, usage: &Usage) -> Vec<NamedMoment> {
-    listed(document)
+    listed(document, usage)
         .or_else(|| unwritten(document, usage).map(|moment| vec![moment]))
         .unwrap_or_default()
 }
 
 /// Three moments in a row of which two are one: a list behind the word, a tuple, a diagonal.
-fn listed(document: &Document) -> Option<Vec<NamedMoment>> {
+fn listed(document: &Document, usage: &Usage) -> Option<Vec<NamedMoment>> {
     let mut run: Vec<(&Symbol, Span)> = vec![];
     let mut named = false;
     for item in &document.items {
@@ -79,8 +79,9 @@ fn listed(document: &Document) -> Option<Vec<NamedMoment>> {
                         Row::Expression(node) => vec![node],
                         Row::Unreadable { .. } => vec![],
                     };
-                    if let Some(found) = nodes.iter().find_map(|node| diagonal(node)) {
-                        return Some(found);
+                    let found = nodes.iter().find_map(|node| diagonal(node));
+                    if found.is_some() && !slips(found.iter().flatten(), document, usage) {
+                        return found;
                     }
                     let lone = match nodes.as_slice() {
                         [node] if !matches!(row, Row::Line(_)) && named => list(node),
@@ -99,6 +100,54 @@ fn listed(document: &Document) -> Option<Vec<NamedMoment>> {
     None
 }
 
+/// Whether the third moment, whose place one of two on a diagonal takes, is written elsewhere, and nothing says that
+/// two are equal: that is a slip of the pen.
+fn slips<'m>(
+    mut moments: impl Iterator<Item = &'m NamedMoment>,
+    document: &Document,
+    usage: &Usage,
+) -> bool {
+    let Some(pair) = moments.find(|moment| moment.components.len() == 2) else {
+        return false;
+    };
+    let [index] = pair.symbol.subscripts.as_slice() else {
+        return false;
+    };
+    let all = [["1", "2", "3"], ["x", "y", "z"], ["xx", "yy", "zz"]];
+    let Some(indices) = all.iter().find(|indices| indices.contains(&index.as_str())) else {
+        return false;
+    };
+    let of_pair = |other: &&str| {
+        pair.components
+            .iter()
+            .any(|&c| indices[usize::from(c)] == *other)
+    };
+    let Some(other) = indices
+        .iter()
+        .copied()
+        .filter(of_pair)
+        .find(|other| other != index)
+    else {
+        return false;
+    };
+    let letter = Letter::of(&pair.symbol);
+    let lone = |side: &Node, index: &str| matches!(&inner(side).kind, Kind::Symbol(s) if Letter::of(s) == letter && s.subscripts == [index]);
+    let equal = |item: &Item| match item {
+        Item::Formula(formula) => formula.rows.iter().any(|row| {
+            let sides = match row {
+                Row::Line(line) => line.sides.as_slice(),
+                _ => &[],
+            };
+            [index, other]
+                .iter()
+                .all(|index| sides.iter().any(|side| lone(side, index)))
+        }),
+        Item::Prose { text, .. } | Item::Heading { text, .. } => SYMMETRIC.is_in(&lowered(text)),
+        _ => false,
+    };
+    usage.has_index(&letter, other) && !document.items.iter().any(equal)
+}
+
 /// The symbols of a list, or the one that a node is.
 fn list(node: &Node) -> Vec<&Symbol> {
     match &inner(node).kind {
@@ -115,11 +164,11 @@ fn diagonal(node: &Node) -> Option<Vec<NamedMoment>> {
         Kind::Matrix(rows) if rows.len() == 3 && rows.iter().all(|row| row.len() == 3) => {
             let entries = rows.iter().enumerate().flat_map(|(r, row)| {
                 let row = row.iter().enumerate();
-                row.map(move |(c, entry)| (r == c, list(entry)))
+                row.map(move |(c, entry)| (r == c, entry))
             });
             let (on, off): (Vec<_>, Vec<_>) = entries.partition(|(on, _)| *on);
-            match off.iter().all(|(_, symbols)| symbols.is_empty()) {
-                true => on.into_iter().flat_map(|(_, symbols)| symbols).collect(),
+            match off.iter().all(|(_, entry)| symbols(entry).is_empty()) {
+                true => on.into_iter().flat_map(|(_, entry)| list(entry)).collect(),
                 false => vec![],
             }
         }
