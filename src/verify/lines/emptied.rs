@@ -3,7 +3,7 @@
 use crate::verify::check::Checker;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::{passes_filter, reached};
-use crate::verify::theory::{Name, Theory};
+use crate::verify::theory::{Name, Taken, Theory};
 use crate::verify::values::value::Value;
 use std::collections::BTreeSet;
 
@@ -27,20 +27,44 @@ impl Checker<'_> {
             .into_iter()
             .filter(|name| premises.contains(name))
             .collect();
+        let left_out = theory.left_out.clone();
+        let holds = |theory: &mut Theory| {
+            !all_vanish(theory, &sides)
+                && read
+                    .equations
+                    .iter()
+                    .all(|e| passes_filter(theory, &e.residual) == Some(true))
+        };
         let one = met.iter().map(|name| BTreeSet::from([name.clone()]));
         let trials: Vec<BTreeSet<Name>> = one.chain([met.iter().cloned().collect()]).collect();
         !met.is_empty()
             && !trials.into_iter().any(|mut names| {
-                names.extend(theory.left_out.iter().cloned());
-                theory.without(names, |theory| {
-                    !all_vanish(theory, &sides)
-                        && read
-                            .equations
-                            .iter()
-                            .all(|e| passes_filter(theory, &e.residual) == Some(true))
-                })
+                names.extend(left_out.iter().cloned());
+                theory.without(names, holds)
             })
+            && !met
+                .iter()
+                .any(|name| holds_without_a_part(theory, name, &holds))
     }
+}
+
+/// Whether something holds without one of the equations of a premise: of `ω_y = ω_z = 0`, each alone.
+fn holds_without_a_part(
+    theory: &Theory,
+    name: &Name,
+    holds: &impl Fn(&mut Theory) -> bool,
+) -> bool {
+    let Some(premise) = theory.premises().iter().find(|p| p.name == *name).cloned() else {
+        return false;
+    };
+    premise.residuals.len() > 1
+        && (0..premise.residuals.len()).any(|i| {
+            let mut rest = premise.clone();
+            rest.residuals.remove(i);
+            let mut less = theory.clone();
+            less.retain(|premise| premise.name != *name);
+            less.assume(rest) != Taken::Contradiction && holds(&mut less)
+        })
 }
 
 fn all_vanish(theory: &mut Theory, sides: &[Value]) -> bool {
