@@ -54,3 +54,10 @@ fn a_disturbed_spin_is_linearised() {
         r"I_1 I_2\,\delta\ddot\omega_1 \approx (I_2 - I_3)(I_3 - I_1)\,\Omega^2\,\delta\omega_1";
     assert_eq!(disturbed(second), "p");
 }
+
+#[test]
+fn a_case_of_small_angles_assumes_no_equation() {
+    let text = "A body turns about a fixed axis with $\\ddot\\theta = -c\\,\\sin\\theta$. For small angles,\n\n\
+                $$ \\ddot\\theta + 2c\\,\\theta = 0 $$\n";
+    assert!(!verdicts(text).ends_with(['p', 'a']), "{}", verdicts(text));
+}

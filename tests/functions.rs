@@ -87,3 +87,37 @@ $$ \det P_1 = 1 SIGN h^2\nu^2 $$
     assert_eq!(with(r"\sin\nu t", "-"), "apar");
     assert!(with(r"-\sin\nu t", "+").contains('r'));
 }
+
+#[test]
+fn a_regressor_of_several_arguments_may_be_defined_behind() {
+    let text = |power: &str| {
+        format!(
+            r"Along principal axes the parameters are collected in
+
+$$ p = \begin{{bmatrix}} I_1 & I_2 & I_3 \end{{bmatrix}}^T, \qquad D(\omega) = \mathrm{{diag}}(\omega_1, \omega_2, \omega_3). $$
+
+The torque is linear in $p$,
+
+$$ \tau = I\dot\omega + \omega\times I\omega = Y(\omega, \dot\omega)\,p $$
+
+$$ Y(\omega, \dot\omega) = D(\dot\omega) + [\omega]_\times D(\omega) $$
+
+$$ \frac{{\partial\tau}}{{\partial\dot\omega}} = I, \qquad \frac{{\partial\tau}}{{\partial\omega}} = [\omega]_\times I {power} [I\omega]_\times $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "aapapp");
+    assert_eq!(verdicts(&text("+")), "aapapr");
+}
+
+#[test]
+fn a_function_of_the_momentum_is_derived_in_it() {
+    let text = |sign: &str| {
+        format!(
+            "A free body has the angular momentum $L = I\\omega$. Define $f(L) = L\\times I^{{-1}}L$. Its Jacobian is\n\n\
+             $$ \\frac{{\\partial f}}{{\\partial L}} = [L]_\\times I^{{-1}} {sign} [\\omega]_\\times $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "pap");
+    assert_eq!(verdicts(&text("+")), "par");
+}

@@ -116,3 +116,15 @@ $$ \lambda^2 = \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 BELOW}\,n^2 $$
     assert_eq!(with("I_3"), Some('a'));
     assert_eq!(with("I_2"), Some('r'));
 }
+
+#[test]
+fn a_moment_of_inertia_made_of_lengths_alone_lacks_the_mass() {
+    let text = |mass: &str| {
+        format!(
+            "The shapes have the mass $m$. A ball of radius $r$ has $I_{{ball}} = \\frac{{2}}{{5}}mr^2$, a plate with the sides $a$ and $b$ \
+             has $I_{{plate}} = \\frac{{1}}{{12}}{mass}(a^2 + b^2)$ about its normal.\n"
+        )
+    };
+    assert_eq!(verdicts(&text("m")), "aa");
+    assert_eq!(verdicts(&text("")), "ar");
+}

@@ -83,3 +83,17 @@ fn two_labels_tell_the_axes_apart_without_any_mark() {
     assert_eq!(verdicts(&text("Q J_b Q^T")), "pppp");
     assert_eq!(verdicts(&text("Q^T J_b Q")), "rppp");
 }
+
+#[test]
+fn a_label_of_the_world_on_the_inertia_alone_tells_nothing_apart() {
+    let text = |sign: &str| {
+        format!(
+            "The rotation matrix $R$ takes body components to world components. The inertia on body axes is $J_b$. The matrix obeys $\\dot R = [\\omega]_\\times R$ with $\\omega$ on world axes.\n\n\
+             $$ J_w = R\\,J_b\\,R^T $$\n\n$$ J_w\\dot\\omega {sign} \\omega\\times J_w\\omega = \\tau $$\n\n\
+             # Step\n\nWe solve it on body axes. With $e(\\omega) = J_b\\omega + h\\,\\omega\\times J_b\\omega$,\n\n\
+             $$ \\frac{{\\partial e}}{{\\partial\\omega}} = J_b + h([\\omega]_\\times J_b - [J_b\\omega]_\\times) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "pppap");
+    assert_eq!(verdicts(&text("-")), "pprap");
+}

@@ -162,3 +162,16 @@ $$ \mathbf{M} = \boldsymbol\Omega\times\mathbf{h} = SIGN J\nu\dot\psi\,\mathbf{j
     assert_ne!(with("-"), Some('p'));
     assert_ne!(with("-"), Some('a'));
 }
+
+#[test]
+fn a_rate_of_the_wheels_in_a_sum_is_seen_from_their_carrier() {
+    let text = |gyro: &str| {
+        format!(
+            "A satellite carries wheels; $\\mathbf h$ is the angular momentum of the wheels relative to it. The torque is\n\n\
+             $$ \\mathbf M = \\mathbf I\\dot{{\\boldsymbol\\omega}} + \\dot{{\\mathbf h}} + \\boldsymbol\\omega\\times({gyro}) $$\n"
+        )
+    };
+    let both = r"\mathbf I\boldsymbol\omega + \mathbf h";
+    assert_eq!(verdicts(&text(both)), "p");
+    assert_eq!(verdicts(&text(r"\mathbf I\boldsymbol\omega")), "r");
+}

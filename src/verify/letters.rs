@@ -33,3 +33,4 @@ pub(super) mod two_points;
 pub(super) mod usage;
 pub(super) mod votes;
 pub(super) mod wholes;
+pub(super) mod world_labels;

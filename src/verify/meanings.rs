@@ -8,6 +8,7 @@ use crate::verify::letters::raised_labels::lower_labels;
 use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
+use crate::verify::letters::world_labels::drop_world_labels;
 use crate::verify::lines::index::written_out;
 use crate::verify::lines::trust::{unexplained, withhold};
 use crate::verify::reason;
@@ -19,6 +20,7 @@ pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
     lower_labels(&mut document);
     lower_steps(&mut document);
+    drop_world_labels(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
     let document = &document;

@@ -11,6 +11,7 @@ pub(super) mod lower;
 pub(super) mod matrix;
 pub(super) mod operators;
 pub(super) mod own_symbol;
+pub(super) mod partial;
 pub(super) mod quantity;
 pub(super) mod rate;
 pub(super) mod spatial;

@@ -43,6 +43,8 @@ pub(crate) struct Reading {
     pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
     pub(crate) apart: BTreeSet<Letter>,
+    /// Letters that words call a length.
+    pub(crate) lengths: BTreeSet<Letter>,
     /// Vectors from one point to another that are no position: their rate is the difference of two velocities.
     pub(crate) arms: BTreeSet<Letter>,
     /// Whether the body turns about one fixed axis, z, and its ω, L, M and I are numbers.

@@ -29,6 +29,7 @@ impl Usage {
             {
                 let used = self.letters.entry(Letter::of(symbol)).or_default();
                 match columns {
+                    1 if is_long(&pair[1]) => {}
                     1 => used.vector += 1,
                     _ => used.tensor += 1,
                 }
@@ -266,6 +267,17 @@ impl Usage {
             .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
+    }
+}
+
+/// Whether a side lists more numbers than a vector or a quaternion has.
+fn is_long(side: &Node) -> bool {
+    match &inner(side).kind {
+        Kind::Transpose(row) => {
+            matches!(&inner(row).kind, Kind::Matrix(rows) if rows.iter().any(|row| row.len() > 4))
+        }
+        Kind::Matrix(rows) => rows.len() > 4,
+        _ => false,
     }
 }
 

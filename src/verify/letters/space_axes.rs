@@ -6,7 +6,9 @@ use crate::notation::document::Document;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::attitude_words::{rate_in_space, sentences};
+use crate::verify::values::spatial::{LETTERS, WORDS};
+use crate::verify::words::attitude_words::{SPACE as WORDS_OF_SPACE, rate_in_space, sentences};
+use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// Labels of the body's axes, beside the one that the document writes on its tensor.
@@ -21,6 +23,33 @@ pub(crate) struct SpaceAxes {
     pub label: String,
     /// Whether the line that is being read speaks of the body's axes, so that plain letters are turned.
     pub beside_body: bool,
+    /// Whether the section works on the body's axes, plain letters and all.
+    pub left: bool,
+}
+
+/// Words of a sentence that turns to the body's axes: "we solve it on body axes".
+const ON_BODY: &[&str] = &[
+    "on body axes",
+    "on the body axes",
+    "in body axes",
+    "in the body frame",
+    "in body coordinates",
+];
+
+/// Whether a sentence in small letters says that what follows stands on the body's axes.
+pub(crate) fn turns_to_body(sentence: &str) -> bool {
+    let works = has_any(
+        sentence,
+        &[
+            "we solve",
+            "we work",
+            "we now",
+            "now we",
+            "we turn",
+            "we integrate",
+        ],
+    );
+    works && has_any(sentence, ON_BODY) && !has_any(sentence, WORDS_OF_SPACE)
 }
 
 impl SpaceAxes {
@@ -41,6 +70,7 @@ impl SpaceAxes {
             label: labelled.subscripts.concat().trim().to_owned(),
             inertia: tensor.map(|(plain, _)| Letter::of(plain)),
             beside_body: false,
+            left: false,
         };
         // Where ω wears no label, words may put it on the body's axes all the same.
         let mut all = lines(document)
@@ -100,6 +130,31 @@ impl SpaceAxes {
         let mut all = sides.iter().flat_map(symbols);
         all.any(|symbol| self.without_label(symbol).is_some())
     }
+}
+
+/// The letter of a tensor that is turned from the body's axes to those of the world, and its labels there and here:
+/// `I_w = R I_b R^T`.
+pub(crate) fn turned_labels(document: &Document) -> Option<(String, String, String)> {
+    lines(document).find_map(|line| {
+        let [left, right] = line.sides.as_slice() else {
+            return None;
+        };
+        let Kind::Symbol(world) = &inner(left).kind else {
+            return None;
+        };
+        let Kind::Product(factors) = &inner(right).kind else {
+            return None;
+        };
+        let opens = !matches!(factors.first()?.node.kind, Kind::Transpose(_));
+        let (_, body) = turned(right).filter(|_| opens)?;
+        let labels = [world, body].map(|symbol| symbol.subscripts.concat().trim().to_owned());
+        let [there, here] = labels;
+        let told = BODY.contains(&here.as_str())
+            && (WORDS.contains(&there.as_str()) || LETTERS.contains(&there.as_str()));
+        let same = Letter::of(world) == Letter::of(body);
+        (told && same && [world, body].into_iter().all(is_label))
+            .then(|| (world.name.clone(), there, here))
+    })
 }
 
 /// Whether a line of a document writes a tensor as one that is turned: `I = R I_b R^T`.

@@ -5,7 +5,9 @@ use crate::verify::letters::naming::{jacobian_named, named_letters};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::legend::{in_a_legend, listed_apart, names_a_size, names_wheel_speeds};
+use crate::verify::words::legend::{
+    in_a_legend, listed_apart, names_a_length, names_a_size, names_wheel_speeds,
+};
 use crate::verify::words::phrases::{
     apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
     speaks_of_wheels,
@@ -81,6 +83,9 @@ impl Reading {
                     let rows = formula.rows.iter();
                     self.apart
                         .extend(rows.filter_map(|row| jacobian_named(row, called)));
+                    if names_a_length(&before) {
+                        self.lengths.extend(named.iter().cloned());
+                    }
                     if names_a_size(&before) {
                         self.apart.extend(named.iter().cloned());
                     }

@@ -60,6 +60,9 @@ impl Checker<'_> {
         self.level = level;
         self.end_small_turns();
         self.end_orders(level);
+        if let Some(axes) = &mut self.reading.space_axes {
+            axes.left = false;
+        }
         let before = std::mem::take(&mut self.cases);
         self.cases.section = before.section + 1;
         self.cases.named = before.named;

@@ -1,8 +1,9 @@
 //! Symbols that are used before they are defined: "$\dot\omega_1 = -k\,\omega_2$, where $k = …$".
 
 use crate::notation::ast::{Kind, Line, Node};
-use crate::notation::document::{Item, Row};
+use crate::notation::document::{Formula, Item, Row};
 use crate::verify::check::Checker;
+use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::verdict::{Finding, Role};
@@ -55,8 +56,18 @@ impl<'a> Checker<'a> {
         if used.is_empty() {
             return;
         }
-        for line in lines_behind(&self.document.items[at + 1..]) {
+        let behind = &self.document.items[at + 1..];
+        for line in lines_behind(behind) {
             self.defined_behind(line, &used);
+        }
+        // What a function of several arguments is, no use of it tells: `τ = Y(ω, \dot ω) θ`, and then a line `Y(…) = …`.
+        let sides = lines_of(formula).flat_map(|line| &line.sides);
+        let called: Vec<(&str, usize)> = sides.flat_map(calls).collect();
+        for line in next_lines(behind).filter(|_| !called.is_empty()) {
+            let left = line.sides.first().and_then(call);
+            if left.is_some_and(|left| called.contains(&left)) {
+                self.defined_behind(line, &used);
+            }
         }
     }
 
@@ -132,6 +143,40 @@ impl<'a> Checker<'a> {
     }
 }
 
+fn lines_of(formula: &Formula) -> impl Iterator<Item = &Line> {
+    formula.rows.iter().filter_map(|row| match row {
+        Row::Line(line) => Some(line),
+        _ => None,
+    })
+}
+
+/// Functions of several arguments that are called, and of how many.
+fn calls(node: &Node) -> Vec<(&str, usize)> {
+    let inside = node.children().into_iter().flat_map(calls);
+    call(node).into_iter().chain(inside).collect()
+}
+
+fn call(node: &Node) -> Option<(&str, usize)> {
+    let Kind::Call(head, arguments) = &node.kind else {
+        return None;
+    };
+    let name = symbols(head).first()?.name.as_str();
+    (arguments.len() > 1).then_some((name, arguments.len()))
+}
+
+/// The lines of the next formulas of a section.
+fn next_lines(items: &[Item]) -> impl Iterator<Item = &Line> {
+    let section = items
+        .iter()
+        .take(FARTHEST)
+        .take_while(|item| !matches!(item, Item::Heading { .. }));
+    let formulas = section.filter_map(|item| match item {
+        Item::Formula(formula) => Some(formula),
+        _ => None,
+    });
+    formulas.flat_map(lines_of)
+}
+
 /// The lines of the clause that opens behind a formula with "where" or "with".
 fn lines_behind(items: &[Item]) -> Vec<&Line> {
     let mut lines = vec![];
@@ -151,10 +196,7 @@ fn lines_behind(items: &[Item]) -> Vec<&Line> {
                 }
             }
             Item::Formula(formula) if open => {
-                lines.extend(formula.rows.iter().filter_map(|row| match row {
-                    Row::Line(line) => Some(line),
-                    _ => None,
-                }));
+                lines.extend(lines_of(formula));
             }
             Item::Formula(_) => break,
         }

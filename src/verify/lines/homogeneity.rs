@@ -4,13 +4,15 @@
 //! the premises, one symbol from one term at a time. What stays unknown fits anything.
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
-use crate::notation::ast::{Function, Node};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
-use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::verdict::{Diagnosis, Finding, Verdict};
+use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// Powers of mass, length and time.
@@ -48,6 +50,36 @@ impl Checker<'_> {
             finding.verdict = Verdict::Undecided;
             finding.remarks.clear();
             finding.reason = Some("its terms are measured in different units".to_owned());
+            self.misses_the_mass(sides, finding);
+        }
+    }
+
+    /// Refutes `I_{rod} = \ell^2/12` beside a mass m: a moment of inertia by nothing but lengths.
+    fn misses_the_mass(&mut self, sides: &[Node], finding: &mut Finding) {
+        let [left, right] = sides else { return };
+        let [whole, made_of] = [left, right].map(|side| self.entities([side]));
+        let inertia = |owner: &Owner| match owner {
+            Owner::Quantity(quantity, _) => *quantity == Quantity::Inertia,
+            Owner::Symbol(key) => self.is_moment_of_inertia(key),
+        };
+        let length = |owner: &Owner| matches!(owner, Owner::Symbol(key) if self.is_length(key));
+        let owner = |entity: &Entity| self.theory.atoms.info(*entity).owner.clone();
+        let alone = matches!(inner(left).kind, Kind::Symbol(_));
+        let missing = alone
+            && self.reading.speaks_of(Quantity::Mass)
+            && !made_of.is_empty()
+            && whole.iter().map(owner).all(|owner| inertia(&owner))
+            && made_of.iter().map(owner).all(|owner| length(&owner));
+        let of_unit = ["unit mass", "per mass", "divided by the mass"];
+        if missing && !has_any(self.whole_text(), &of_unit) {
+            finding.verdict = Verdict::Refuted;
+            finding.diagnosis = Some(Diagnosis {
+                kind: "dimension",
+                message: "a moment of inertia is a mass times the square of a length: the mass is missing"
+                    .to_owned(),
+                suggestion: None,
+                place: Some(right.span),
+            });
         }
     }
 
@@ -145,9 +177,30 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether words call a number of the document a length: the a of "edges ⟨a⟩ and ⟨b⟩".
+    fn is_length(&self, key: &str) -> bool {
+        let name = key.strip_suffix(" Scalar");
+        name.is_some_and(|name| self.reading.lengths.contains(&Letter::plain(name)))
+    }
+
+    /// Whether a number of the document has the letter of the inertia and a label of its own: I_{box}.
+    fn is_moment_of_inertia(&self, key: &str) -> bool {
+        let name = key
+            .strip_suffix(" Scalar")
+            .and_then(|key| key.split_once(' '));
+        name.is_some_and(|(letter, label)| {
+            let quantity = self.reading.quantities.get(&Letter::plain(letter));
+            quantity == Some(&Quantity::Inertia) && label.chars().all(char::is_alphabetic)
+        })
+    }
+
     fn powers_of_quantity(&self, entity: Entity) -> Option<Powers> {
-        let Owner::Quantity(quantity, _) = &self.theory.atoms.info(entity).owner else {
-            return None;
+        let info = self.theory.atoms.info(entity);
+        let quantity = match &info.owner {
+            Owner::Quantity(quantity, _) => quantity,
+            Owner::Symbol(key) if self.is_length(key) => return Some(powers(0, 1, 0)),
+            Owner::Symbol(key) if self.is_moment_of_inertia(key) => &Quantity::Inertia,
+            Owner::Symbol(_) => return None,
         };
         Some(match quantity {
             Quantity::Mass => powers(1, 0, 0),

@@ -342,10 +342,16 @@ impl Checker<'_> {
             seen.to_order = self.keep_order(&mut seen.equations);
             return Ok(vec![seen]);
         }
-        if !first.ambiguous || self.dots == Some(Frame::Moving) {
+        let wheels = self.dots.is_none() && sides.iter().any(|side| self.adds_rate_of_wheels(side));
+        if !first.ambiguous || wheels || self.dots == Some(Frame::Moving) {
             return Ok(vec![first]);
         }
-        let mut second = self.read(sides, Frame::Space)?;
+        // Where it makes no sense seen from space, it is not meant so: ∂M/∂\dot ω.
+        let mut second = match self.read(sides, Frame::Space) {
+            Ok(read) => read,
+            Err(_) if self.dots.is_none() => return Ok(vec![first]),
+            Err(trouble) => return Err(trouble),
+        };
         second.to_order = self.keep_order(&mut second.equations);
         if self.dots == Some(Frame::Space) {
             return Ok(vec![second]);

@@ -29,6 +29,31 @@ impl Checker<'_> {
         children.any(|child| self.has_rate_of_axis(child))
     }
 
+    /// Whether the rate of the momentum of wheels is a term of a sum: there it is what their motors do, seen from the
+    /// body that carries them.
+    pub(crate) fn adds_rate_of_wheels(&mut self, node: &Node) -> bool {
+        let Kind::Sum(terms) = &node.kind else {
+            let mut children = node.children().into_iter();
+            return children.any(|child| self.adds_rate_of_wheels(child));
+        };
+        let wheels = Owner::Quantity(Quantity::RelativeMomentum, String::new());
+        terms.iter().any(|term| {
+            let Kind::TimeDerivative {
+                operand,
+                frame: None,
+                ..
+            } = &inner(&term.node).kind
+            else {
+                return self.adds_rate_of_wheels(&term.node);
+            };
+            let entities = self.entities([&**operand]);
+            matches!(inner(operand).kind, Kind::Symbol(_))
+                && entities
+                    .iter()
+                    .all(|e| self.theory.atoms.info(*e).owner == wheels)
+        })
+    }
+
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
     pub(crate) fn line(&mut self, line: &Line, role: Role) {
         if self.reading.space_axes.is_none() {
@@ -38,8 +63,8 @@ impl Checker<'_> {
         let sides: Vec<Node> = before.into_iter().chain(line.sides.clone()).collect();
         let axes = self.reading.space_axes.as_mut();
         let beside_body = axes.is_some_and(|axes| {
-            axes.beside_body = axes.labels_any(&sides);
-            axes.beside_body
+            axes.beside_body = axes.labels_any(&sides) && !axes.left;
+            axes.beside_body || axes.left
         });
         let label = self.reading.space_axes.as_ref().filter(|_| beside_body);
         self.theory.atoms.body_label = label.map(|axes| axes.label.clone());

@@ -2,10 +2,13 @@
 
 use crate::algebra::{Fraction, Rational};
 use crate::notation::ast::{Function, Kind, Node};
+use crate::verify::letters::usage::inner;
 use crate::verify::reason;
 use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::Atom;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind, constant};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::meaning;
 use crate::verify::values::value::Value;
 use num_traits::{One, Zero};
 
@@ -124,11 +127,20 @@ impl Lowering<'_> {
                 continue;
             }
             let by = self.value(variable)?;
-            // The moment is held fixed beside the angular velocity: ω̇ is what follows from both.
+            if variables.len() == 1
+                && let Some(slope) = self.slope_of_function(operand, &by)
+            {
+                return Ok(slope);
+            }
+            // The moment is held fixed beside the angular velocity, as ω̇ is what follows from both; not where the moment
+            // itself is derived.
             let dynamics = self.theory.setting.dynamics;
             let left_out = self.theory.leave_out_point(&by);
-            self.theory
-                .set(|setting| setting.dynamics = Dynamics::Forward);
+            let held = match self.is_moment(operand) {
+                true => Dynamics::Inverse,
+                false => Dynamics::Forward,
+            };
+            self.theory.set(|setting| setting.dynamics = held);
             let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
             let result = places.map(|places| {
                 let free = places.iter().all(|&p| self.theory.rule(p).is_none());
@@ -150,6 +162,14 @@ impl Lowering<'_> {
             }
         }
         Ok(value)
+    }
+
+    fn is_moment(&mut self, operand: &Node) -> bool {
+        let Kind::Symbol(symbol) = &inner(operand).kind else {
+            return false;
+        };
+        let entity = meaning(symbol, self.reading, &mut self.theory.atoms).entity();
+        entity == Some(self.theory.atoms.quantity(Quantity::Moment))
     }
 
     /// Rows are the entries of the value, columns the variables; a gradient of a scalar is a column. `None` where an

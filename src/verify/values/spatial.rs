@@ -11,11 +11,11 @@ use crate::verify::values::symbol::{Meaning, meaning};
 use crate::verify::values::value::Value;
 
 /// Words and abbreviations for axes of fixed orientation, wherever they stand.
-const WORDS: &[&str] = &[
+pub(crate) const WORDS: &[&str] = &[
     "in", "inertial", "space", "spatial", "fixed", "lab", "world", "inert",
 ];
 /// Letters for them, where the document speaks of an attitude.
-const LETTERS: &[&str] = &["s", "S", "n", "N", "i", "I", "w", "W", "e", "E"];
+pub(crate) const LETTERS: &[&str] = &["s", "S", "n", "N", "i", "I", "w", "W", "e", "E"];
 
 /// A symbol without the label that puts it on space axes; `None` where it has none.
 pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol> {

@@ -3,6 +3,7 @@
 use crate::notation::ast::Symbol;
 use crate::verify::letters::attitude_reading::Part;
 use crate::verify::letters::reading::Reading;
+use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::usage::Letter;
 use crate::verify::values::about_point::about_a_point;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
@@ -60,11 +61,15 @@ pub(crate) fn meaning(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> 
 }
 
 fn on_axes(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
-    let Some(axes) = reading.space_axes.as_ref().filter(|a| a.beside_body) else {
+    let on_body = |a: &&SpaceAxes| a.beside_body || a.left;
+    let Some(axes) = reading.space_axes.as_ref().filter(on_body) else {
         return as_written(symbol, reading, atoms);
     };
     if let Some(bare) = axes.without_label(symbol) {
         return as_written(&bare, reading, atoms);
+    }
+    if axes.left {
+        return as_written(symbol, reading, atoms);
     }
     match reading.quantities.get(&Letter::of(symbol)) {
         Some(Quantity::Attitude) => as_written(symbol, reading, atoms),

@@ -24,7 +24,7 @@ pub(crate) enum Way {
 }
 
 /// Words for axes of fixed orientation.
-const SPACE: &[&str] = &[
+pub(crate) const SPACE: &[&str] = &[
     "space",
     "spatial",
     "inertial",

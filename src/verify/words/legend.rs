@@ -46,6 +46,33 @@ pub(crate) fn names_a_size(before: &str) -> bool {
     last.is_some_and(|word| SIZES.contains(&word))
 }
 
+/// What is measured as a length.
+const LENGTHS: &[&str] = &[
+    "length",
+    "lengths",
+    "height",
+    "width",
+    "thickness",
+    "radius",
+    "radii",
+    "diameter",
+    "side",
+    "sides",
+    "edge",
+    "edges",
+    "distance",
+];
+
+/// Whether the last words before a symbol, or before the list that it stands in, call it a length: "edges ⟨, ⟨ and ⟨".
+pub(crate) fn names_a_length(before: &str) -> bool {
+    let words = before.split_whitespace().rev();
+    let word = |word: &&str| !matches!(word.trim_matches(['⟨', ',']), "" | "and");
+    words
+        .map(|word| word.trim_end_matches(['⟨', ',']))
+        .find(|last| word(last))
+        .is_some_and(|last| LENGTHS.contains(&last))
+}
+
 /// Whether the words behind a symbol call it the speeds of wheels.
 pub(crate) fn names_wheel_speeds(text: &str) -> bool {
     let clause = text.split(['.', ';', ',']).next().unwrap_or_default();

@@ -141,8 +141,22 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
 /// a display; over a formula right behind the words, only its list goes on: "the moments ⟨, ⟨ and ".
 pub(crate) fn reaches(text: &str, display: bool) -> bool {
     // "No torque along ⟨e⟩": a direction.
-    let along = ["along", "along the axis", "perpendicular to", "parallel to"];
-    if !display && along.iter().any(|words| text.trim_end().ends_with(words)) {
+    // "The momentum is linear in ⟨x⟩": what it is made of.
+    let related = [
+        "along",
+        "along the axis",
+        "perpendicular to",
+        "parallel to",
+        "linear in",
+        "quadratic in",
+        "in terms of",
+        "depends on",
+        "depend on",
+        "function of",
+        "functions of",
+        "proportional to",
+    ];
+    if !display && related.iter().any(|words| text.trim_end().ends_with(words)) {
         return false;
     }
     let separators = ["", "and", "or", "&", "/"];

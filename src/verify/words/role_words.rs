@@ -249,6 +249,7 @@ pub(super) const NO_ROLE: &[&str] = &[
     "for later",
     "for comparison",
     "for free",
+    "for small",
     "for axes",
     "for principal",
     "with one",

@@ -3,6 +3,7 @@
 use crate::notation::document::Formula;
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::letters::space_axes::turns_to_body;
 use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
 use crate::verify::words::prose::{said, symmetry_plane};
@@ -36,6 +37,9 @@ impl Checker<'_> {
         self.sentence.push_str(text);
         if speaks {
             let whole = lowered(&self.sentence);
+            if let Some(axes) = &mut self.reading.space_axes {
+                axes.left |= turns_to_body(&whole);
+            }
             for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
                 self.take(said, span);
             }

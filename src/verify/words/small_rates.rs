@@ -50,6 +50,16 @@ const SOME: &[&str] = &[
     "lateral",
 ];
 
+/// Words that take the angles of a document small.
+const FOR_SMALL: &[&str] = &[
+    "for small angles",
+    "for small oscillations",
+    "for small swings",
+    "for small tilts",
+    "for small deflections",
+    "for small motions",
+];
+
 /// Whether a sentence calls every rate of turning small, or drops the products of any two.
 fn calls_rates_small(sentence: &str) -> bool {
     let called = RATES.iter().any(|noun| {
@@ -101,6 +111,11 @@ impl Checker<'_> {
     /// Notes rates and angles that the words call small as a whole; equations are then taken to first order in them.
     pub(crate) fn note_small_rates(&mut self, text: &str) {
         let text = text.replace('\n', " ");
+        // "For small angles, ⟨\ddot θ + … = 0⟩."
+        if FOR_SMALL.iter().any(|words| text.contains(words)) {
+            self.linear = true;
+            self.call_angles_small();
+        }
         for sentence in text
             .split(['.', ';'])
             .filter(|s| s.contains("rates") || s.contains("velocities"))

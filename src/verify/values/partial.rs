@@ -1,0 +1,53 @@
+//! Derivatives of functions in what laws determine: ∂f/∂Π of `f(Π) = Π × I⁻¹Π`, where Π is Iω besides.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::verify::letters::usage::{inner, symbols};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::lower::{Lowering, substituted};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+
+impl Lowering<'_> {
+    /// The Jacobian of a function that the document defined, in its own parameter; `None` where the operand is none, or
+    /// has in it what changes along with the parameter.
+    pub(crate) fn slope_of_function(&mut self, operand: &Node, by: &Value) -> Option<Value> {
+        let Kind::Symbol(_) = &inner(operand).kind else {
+            return None;
+        };
+        let name = &symbols(operand).first()?.name;
+        let function = self.functions.get(name)?.clone();
+        let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
+        let places = places.filter(|places| *places == function.parameter)?;
+        let free: Vec<u32> = (0..places.len())
+            .map(|i| {
+                let latex = format!("\\text{{(parameter {})}}", i + 1);
+                self.theory.atoms.special(Atom::Opaque { latex })
+            })
+            .collect();
+        let image = |from: &[u32], to: &[u32], v: u32| {
+            let place = from.iter().position(|&p| p == v);
+            variable_fraction(place.map_or(v, |i| to[i]))
+        };
+        let there = |v: u32| image(&places, &free, v);
+        let value = function.value.map(|entry| substituted(entry, &there));
+        let value = value.map(|entry| self.theory.normal(entry));
+        let normals: Vec<Fraction> = by.entries.iter().map(|e| self.theory.normal(e)).collect();
+        let moves = |v: &u32| {
+            let owner = self.theory.atoms.owner(*v);
+            !matches!(owner, Some(Owner::Quantity(Quantity::Inertia, _)))
+        };
+        let along: Vec<u32> = normals
+            .iter()
+            .flat_map(Fraction::variables)
+            .filter(moves)
+            .collect();
+        let mut met = value.entries.iter().flat_map(Fraction::variables);
+        if met.any(|v| along.contains(&v)) {
+            return None;
+        }
+        let jacobian = self.jacobian(&value, &free)?;
+        let back = |v: u32| image(&free, &places, v);
+        Some(jacobian.map(|entry| substituted(entry, &back)))
+    }
+}
