@@ -21,6 +21,7 @@ pub(super) const NO_WITNESS: &str =
 pub(super) const NO_VALUES: &str = "no values could be put in";
 pub(super) const NO_PROOF_IN_NUMBERS: &str = "equal to the digits shown, and no proof was found";
 pub(super) const GROWN: &str = "the numbers grew beyond what is computed";
+pub(super) const MIXED: &str = "what is added here is not of one dimension";
 pub(super) const BUDGET: &str =
     "budget: equal in every trial, and the proof grew beyond the terms allowed";
 

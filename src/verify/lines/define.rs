@@ -7,6 +7,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::names;
+use crate::verify::reason;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::lower::TroubleKind;
@@ -104,7 +105,7 @@ impl Checker<'_> {
             }
         };
         if role != Role::Assume && value.entries.iter().any(|e| self.is_inhomogeneous(e)) {
-            finding.reason = Some("what is added here is not of one dimension".to_owned());
+            finding.reason = Some(reason::MIXED.to_owned());
             return true;
         }
         let Some(residuals) = self.bind(entity, place, &value) else {

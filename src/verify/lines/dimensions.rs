@@ -6,6 +6,7 @@ use crate::notation::ast::{Function, Kind, Node, Number};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{inner, symbols};
+use crate::verify::reason;
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::units::{Dimension, dimension};
@@ -30,7 +31,8 @@ const COUNTS: [i64; 9] = [1, 2, 3, 4, 5, 6, 8, 10, 12];
 impl Checker<'_> {
     /// Refutes a line in which things of different dimensions are added, and notes what its left side is measured in.
     pub(crate) fn measure(&mut self, sides: &[Node], finding: &mut Finding) {
-        let settled = matches!(finding.verdict, Verdict::Proved(_) | Verdict::Accepted);
+        let settled = matches!(finding.verdict, Verdict::Proved(_) | Verdict::Accepted)
+            || finding.reason.as_deref() == Some(reason::MIXED);
         if !settled || sides.len() < 2 {
             return;
         }

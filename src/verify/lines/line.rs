@@ -346,11 +346,10 @@ impl Checker<'_> {
         if !first.ambiguous || wheels || self.dots == Some(Frame::Moving) {
             return Ok(vec![first]);
         }
-        // Where it makes no sense seen from space, it is not meant so: ∂M/∂\dot ω.
         let mut second = match self.read(sides, Frame::Space) {
-            Ok(read) => read,
+            // Where it makes no sense seen from space, it is not meant so: ∂M/∂\dot ω.
             Err(_) if self.dots.is_none() => return Ok(vec![first]),
-            Err(trouble) => return Err(trouble),
+            read => read?,
         };
         second.to_order = self.keep_order(&mut second.equations);
         if self.dots == Some(Frame::Space) {
