@@ -9,11 +9,10 @@ use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
 use crate::verify::theory::decide::Equation;
-use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::all_in_space;
-use crate::verify::values::symbol::ANY_POINT;
 use crate::verify::values::value::{Value, units_in_size};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
@@ -242,41 +241,6 @@ impl Checker<'_> {
         };
         if !self.theory.setting.origin_moves && entities.iter().any(of_origin) {
             self.theory.set(|setting| setting.origin_moves = true);
-        }
-    }
-
-    /// A kinetic energy that is set against a mass, the velocity of a point and the turning of the body has both parts.
-    fn note_translation(&mut self, sides: &[Node]) {
-        let [left, right @ ..] = sides else { return };
-        // About a point at rest, the turning is all there is.
-        let points = self.reading.points.as_ref();
-        let about_another = points.is_some_and(|points| points.main != points.centre);
-        if self.theory.setting.translation.is_some() || about_another {
-            return;
-        }
-        let whole = |quantity| Owner::Quantity(quantity, String::new());
-        let energy = self.entities([left]);
-        let met = self.entities(right);
-        let owner = |entity: &Entity| &self.theory.atoms.info(*entity).owner;
-        let has = |quantity| met.iter().any(|entity| *owner(entity) == whole(quantity));
-        let of_a_point = |owner: &Owner| match owner {
-            Owner::Quantity(Quantity::Velocity, point) => !matches!(point.as_str(), "" | ANY_POINT),
-            Owner::Quantity(quantity, _) => *quantity == Quantity::CentreVelocity,
-            // Of a body that rolls in a plane, v is the speed of its centre.
-            Owner::Symbol(key) => self.reading.plane && key.starts_with(['v', 'V']),
-        };
-        let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
-            return;
-        };
-        let turns = [
-            Quantity::AngularVelocity,
-            Quantity::Momentum,
-            Quantity::Inertia,
-        ];
-        let lone = matches!(energy.as_slice(), [one] if *owner(one) == whole(Quantity::Energy));
-        if lone && has(Quantity::Mass) && turns.into_iter().any(has) {
-            self.theory
-                .set(|setting| setting.translation = Some(centre));
         }
     }
 

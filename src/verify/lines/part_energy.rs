@@ -6,8 +6,9 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner};
 use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::Quantity;
-use crate::verify::values::symbol::Meaning;
+use crate::verify::values::symbol::{ANY_POINT, Meaning};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding, Verdict};
 use crate::verify::words::book::lowered;
@@ -18,6 +19,41 @@ const ANGLES: &[&str] = &["theta", "varphi", "phi", "psi", "alpha", "beta", "q"]
 const RATES: &[&str] = &["omega", "Omega"];
 
 impl Checker<'_> {
+    /// A kinetic energy that is set against a mass, the velocity of a point and the turning of the body has both parts.
+    pub(crate) fn note_translation(&mut self, sides: &[Node]) {
+        let [left, right @ ..] = sides else { return };
+        // About a point at rest, the turning is all there is.
+        let points = self.reading.points.as_ref();
+        let about_another = points.is_some_and(|points| points.main != points.centre);
+        if self.theory.setting.translation.is_some() || about_another {
+            return;
+        }
+        let whole = |quantity| Owner::Quantity(quantity, String::new());
+        let energy = self.entities([left]);
+        let met = self.entities(right);
+        let owner = |entity: &Entity| &self.theory.atoms.info(*entity).owner;
+        let has = |quantity| met.iter().any(|entity| *owner(entity) == whole(quantity));
+        let of_a_point = |owner: &Owner| match owner {
+            Owner::Quantity(Quantity::Velocity, point) => !matches!(point.as_str(), "" | ANY_POINT),
+            Owner::Quantity(quantity, _) => *quantity == Quantity::CentreVelocity,
+            // Of a body that rolls in a plane, v is the speed of its centre.
+            Owner::Symbol(key) => self.reading.plane && key.starts_with(['v', 'V']),
+        };
+        let Some(&centre) = met.iter().find(|entity| of_a_point(owner(entity))) else {
+            return;
+        };
+        let turns = [
+            Quantity::AngularVelocity,
+            Quantity::Momentum,
+            Quantity::Inertia,
+        ];
+        let lone = matches!(energy.as_slice(), [one] if *owner(one) == whole(Quantity::Energy));
+        if lone && has(Quantity::Mass) && turns.into_iter().any(has) {
+            self.theory
+                .set(|setting| setting.translation = Some(centre));
+        }
+    }
+
     /// Refutes what words call the kinetic energy of a part where the moment and the rate with its label give another.
     pub(crate) fn energy_of_part(
         &mut self,
