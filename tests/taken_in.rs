@@ -133,3 +133,42 @@ fn a_moment_twice_on_the_diagonal_is_a_slip_beside_the_other() {
     assert_eq!(tensor("I_{xx}"), "pp");
     assert_eq!(tensor("I_{yy}"), "rp");
 }
+
+#[test]
+fn a_value_in_another_unit_is_not_proved() {
+    let given = "A plate has $m = 3\\ \\mathrm{kg}$, $a = 2\\ \\mathrm{m}$ and turns at $\\omega = 2\\ \\text{rad s⁻¹}$.";
+    let text = |line: &str| last(&format!("{given} It has ${line}$.\n"));
+    assert_eq!(text(r"I_b = m a^2/6 = 2\ \mathrm{kg\,m^2}"), 'p');
+    assert_eq!(text(r"I_b = m a^2/6 = 2\ \text{kg·m²}"), 'p');
+    assert_eq!(text(r"I_b = m a^2/6 = 2\ \mathrm{kg\,m}"), 'u');
+    let rate = |unit: &str| {
+        last(&format!(
+            "A body turns freely with $I_1 = 10$, $I_2 = 15$, $I_3 = 20$ and $\\omega_1 = 1$, $\\omega_2 = 2$, $\\omega_3 = -1$. From Euler's equations\n\n$$ \\dot\\omega_1 = \\frac{{I_2 - I_3}}{{I_1}}\\omega_2\\omega_3 = 1\\ \\text{{{unit}}} $$\n"
+        ))
+    };
+    assert_eq!(rate("rad/s²"), 'p');
+    assert_eq!(rate("rad/s"), 'u');
+}
+
+#[test]
+fn a_momentum_about_another_point_is_no_mere_name() {
+    let text = |first: &str| {
+        last(&format!(
+            "$$ \\mathbf H_P = {first}\\mathbf H_G + \\mathbf r_{{G/P}}\\times m\\mathbf v_G $$\n"
+        ))
+    };
+    assert_eq!(text(""), 'p');
+    assert!(!"ap".contains(text("-")));
+    assert!(!"ap".contains(text("2\\,")));
+}
+
+#[test]
+fn a_moment_about_one_point_is_not_given_by_another_one_and_a_mass() {
+    let text = |index: &str| {
+        verdicts(&format!(
+            "$$ I_{{xx}} = I_{{{index}}}^C + m(y_C^2 + z_C^2), \\qquad I_{{xy}} = I_{{xy}}^C + m\\,x_C y_C $$\n"
+        ))
+    };
+    assert_eq!(text("xx"), "pp");
+    assert_eq!(text("yy"), "rp");
+}

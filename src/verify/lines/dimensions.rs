@@ -44,6 +44,15 @@ impl Checker<'_> {
             }
             return;
         }
+        let proved = matches!(finding.verdict, Verdict::Proved(_));
+        if proved && self.has_another_unit(sides, &measured) {
+            finding.verdict = Verdict::Undecided;
+            finding.uses.clear();
+            finding.conditions.clear();
+            finding.remarks.clear();
+            finding.reason = Some("its sides are measured in different units".to_owned());
+            return;
+        }
         let Kind::Symbol(symbol) = &inner(&sides[0]).kind else {
             return;
         };
@@ -54,6 +63,46 @@ impl Checker<'_> {
         };
         let found = measured.into_iter().rev().flatten().flatten().next();
         self.dimensions.known.extend(found.map(|d| (place, d)));
+    }
+
+    /// Whether a number with a unit stands for what is measured in another: an inertia in kg m.
+    fn has_another_unit(&mut self, sides: &[Node], measured: &[Measured]) -> bool {
+        let (mut in_units, mut others) = (vec![], vec![]);
+        for (side, measured) in sides.iter().zip(measured) {
+            let known = measured.as_ref().ok().copied().flatten();
+            match &inner(side).kind {
+                Kind::WithUnit(..) => in_units.extend(known),
+                // Numbers alone are put in without their units.
+                _ if symbols(side).is_empty() => {}
+                _ => others.extend(known.or_else(|| self.dimension_by_theory(side))),
+            }
+        }
+        let differ = |one: &Dimension| others.iter().any(|other| other != one);
+        in_units.iter().any(differ)
+    }
+
+    /// What a lone quantity of the theory, or a rate of one, is measured in.
+    fn dimension_by_theory(&mut self, side: &Node) -> Option<Dimension> {
+        let (symbol, order) = match &inner(side).kind {
+            Kind::Symbol(symbol) => (symbol, 0),
+            Kind::TimeDerivative { operand, order, .. } => match &inner(operand).kind {
+                Kind::Symbol(symbol) => (symbol, i32::from(*order)),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let entity = match self.meaning_of(symbol) {
+            Meaning::Whole(entity) | Meaning::Component(entity, _) => entity,
+            _ => return None,
+        };
+        let powers = self.powers_of_quantity(entity)?;
+        let mut doubled = [0; 3];
+        for (own, power) in doubled.iter_mut().zip(powers) {
+            let power = power.clone() + power;
+            *own = i32::try_from(power.to_integer()?).ok()?;
+        }
+        doubled[2] -= 2 * order;
+        Some(doubled)
     }
 
     fn dimension_of(&mut self, node: &Node) -> Measured {

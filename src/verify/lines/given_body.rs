@@ -84,7 +84,8 @@ impl Checker<'_> {
             return false;
         };
         let said = self.theory.normal(residual);
-        if self.is_ratio_of_moments(&said) {
+        // With more in it, a line says more.
+        if self.is_ratio_of_moments(&said) && self.is_ratio_of_moments(residual) {
             return true;
         }
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);

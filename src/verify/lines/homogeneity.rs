@@ -16,7 +16,7 @@ use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// Powers of mass, length and time.
-type Powers = [Rational; 3];
+pub(crate) type Powers = [Rational; 3];
 /// What is known of symbols.
 type Known = BTreeMap<Entity, Powers>;
 
@@ -194,7 +194,7 @@ impl Checker<'_> {
         })
     }
 
-    fn powers_of_quantity(&self, entity: Entity) -> Option<Powers> {
+    pub(crate) fn powers_of_quantity(&self, entity: Entity) -> Option<Powers> {
         let info = self.theory.atoms.info(entity);
         let quantity = match &info.owner {
             Owner::Quantity(quantity, _) => quantity,

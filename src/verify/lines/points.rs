@@ -190,15 +190,17 @@ impl Checker<'_> {
             let sign = self.leads(s, point, centre)?;
             Some((self.entity_named(s)?, sign))
         })?;
-        let [offset, velocity] = [offset, self.entity_named(velocity)?]
-            .map(|e| Value::column(self.theory.atoms.vector(e, 0)));
+        let velocity = self.entity_named(velocity)?;
+        self.known.extend([offset, velocity]);
+        let [offset, velocity] =
+            [offset, velocity].map(|e| Value::column(self.theory.atoms.vector(e, 0)));
         let mass = self.theory.atoms.quantity(Quantity::Mass);
         let mass = self.theory.atoms.value(mass, 0, 0);
         let own = Value::column(self.theory.atoms.vector(main, 0));
         let shift = offset.cross(&velocity).ok()?.scaled(&mass);
         let value = own.plus(&shift, !sign).ok()?;
         let entity = self.entity_named(symbol)?;
-        Some(Law::new("momentum about another point", entity, value))
+        Some(Law::new("momentum about another point", entity, value).said())
     }
 
     /// Whether a vector leads from a point to another, or the other way (false).

@@ -132,11 +132,17 @@ pub(crate) fn dimension(text: &str) -> Option<Dimension> {
 
 /// The power behind a unit: `^2`, `^{-1}`, `²`, or a bare digit; one where none is written.
 fn exponent(text: &str) -> (i32, &str) {
-    if let Some(rest) = text.strip_prefix('²') {
-        return (2, rest);
-    }
-    if let Some(rest) = text.strip_prefix('³') {
-        return (3, rest);
+    let raised = text.strip_prefix('⁻');
+    let mut digits = raised.unwrap_or(text).chars();
+    let power = digits
+        .next()
+        .and_then(|c| "⁰¹²³⁴".chars().position(|d| d == c));
+    if let Some(power) = power {
+        let power = power as i32;
+        return (
+            if raised.is_some() { -power } else { power },
+            digits.as_str(),
+        );
     }
     let inside = text.trim_start_matches(['^', '{', '(']);
     let negative = inside.starts_with('-');
