@@ -172,3 +172,37 @@ fn a_moment_about_one_point_is_not_given_by_another_one_and_a_mass() {
     assert_eq!(text("xx"), "pp");
     assert_eq!(text("yy"), "rp");
 }
+
+#[test]
+fn a_rate_on_the_axes_is_not_the_one_from_space() {
+    let text = |rest: &str| {
+        last(&format!(
+            "For any vector, with $\\mathbf\\Omega$ the angular velocity of the axes,\n\n$$ \\frac{{d\\mathbf A}}{{dt}} = \\left(\\frac{{d\\mathbf A}}{{dt}}\\right)_{{rel}}{rest} $$\n"
+        ))
+    };
+    assert_eq!(text(r" + \mathbf\Omega\times\mathbf A"), 'p');
+    assert_eq!(text(""), 'u');
+}
+
+#[test]
+fn axes_do_not_turn_by_a_multiple_of_the_turning_of_the_body() {
+    let text = |right: &str| {
+        last(&format!(
+            "The axes turn with $\\vec\\Omega$ and the body with $\\vec\\omega$. The axes are attached to the body, so\n\n$$ \\vec\\Omega = {right} $$\n"
+        ))
+    };
+    assert!("ap".contains(text(r"\vec\omega")));
+    assert!(!"ap".contains(text(r"2\,\vec\omega")));
+    assert!(!"ap".contains(text(r"-\vec\omega")));
+}
+
+#[test]
+fn a_momentum_is_not_given_without_that_of_the_wheels() {
+    let text = |rest: &str| {
+        last(&format!(
+            "The satellite has the inertia $\\mathbf J$ and wheels with the relative angular momentum $\\vec h$. The total angular momentum is\n\n$$ \\vec H = \\mathbf J\\vec\\omega{rest} $$\n"
+        ))
+    };
+    assert_eq!(text(r" + \vec h"), 'p');
+    assert!(!"ap".contains(text(r" - \vec h")));
+}

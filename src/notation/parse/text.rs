@@ -216,7 +216,10 @@ impl Parser<'_, '_> {
             return Some(format!("^{text}"));
         }
         probe.skip_spaces();
-        let slash = probe.take(Lexeme::Char('/')) || probe.take(Lexeme::Command("cdot"));
+        let slash = probe.take(Lexeme::Char('/'));
+        if !slash {
+            probe.take(Lexeme::Command("cdot"));
+        }
         let text = match probe.peek()? {
             Lexeme::Command("mathrm" | "rm") => {
                 probe.at += 1;

@@ -36,7 +36,10 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
-        if self.is_by_own_components(sides) || self.integrates_another(sides) {
+        if self.is_by_own_components(sides)
+            || self.integrates_another(sides)
+            || self.mixes_turns(first, last)
+        {
             return false;
         }
         let mut named = sides.iter().flat_map(symbols);
@@ -178,16 +181,21 @@ impl Checker<'_> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         // Of an equation of motion, what is left is no news of the wheels.
         let alone = matches!(&undotted(first).kind, Kind::Symbol(symbol) if self.meaning_of(symbol).entity() != Some(moment));
-        let mut met = false;
+        let (mut met, mut lost) = (false, 0);
         let told = read.residuals().all(|entry| {
-            let variables = self.theory.normal(entry).variables();
+            let rest = self.theory.normal(entry);
+            let variables = rest.variables();
             let atoms = &self.theory.atoms;
             let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
             met |= owners.iter().any(wheels);
-            let told = alone || owners.is_empty() || owners.iter().any(own);
+            let own_one = owners.iter().any(own);
+            let once = rest.as_variable().or_else(|| (-rest).as_variable());
+            lost += usize::from(!owners.is_empty() && !own_one);
+            let told = owners.is_empty() || own_one || alone && once.is_some();
             told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
         });
-        told && met
+        // A momentum that has lost all of theirs says nothing of them.
+        told && met && (lost < 3 || self.is_free_input(first))
     }
 
     /// Whether a side is a lone inertia, rate or mass that no law and no line determines.

@@ -124,12 +124,32 @@ impl Checker<'_> {
                 Owner::Quantity(Quantity::FrameRate, _)
             )
         });
-        let body = !matches!(inner(last).kind, Kind::Symbol(_));
-        axes && body
+        axes && !is_multiple(last)
             && self
                 .entities([last])
                 .into_iter()
                 .all(|entity| turns(self, entity))
+    }
+
+    /// Whether a component of how the axes turn stands beside another one of how the body does.
+    pub(crate) fn mixes_turns(&mut self, first: &Node, last: &Node) -> bool {
+        let mut turn = |side: &Node| {
+            let Kind::Symbol(symbol) = &inner(side).kind else {
+                return None;
+            };
+            let Meaning::Component(entity, component) = self.meaning_of(symbol) else {
+                return None;
+            };
+            match self.theory.atoms.info(entity).owner {
+                Owner::Quantity(q @ (Quantity::AngularVelocity | Quantity::FrameRate), _) => {
+                    Some((q, component))
+                }
+                _ => None,
+            }
+        };
+        let (one, other) = (turn(first), turn(last));
+        one.zip(other)
+            .is_some_and(|(one, other)| one.0 != other.0 && one.1 != other.1)
     }
 
     /// Whether a line in the same breath gives another component of how the body turns.
@@ -179,4 +199,18 @@ impl Checker<'_> {
 fn sums_up(side: &Node) -> bool {
     let own = matches!(side.kind, Kind::IndexedSum { .. } | Kind::Integral { .. });
     own || side.children().into_iter().any(sums_up)
+}
+
+/// Whether a side is a symbol, or so many times one.
+fn is_multiple(side: &Node) -> bool {
+    let number = |node: &Node| matches!(inner(node).kind, Kind::Number(_));
+    match &inner(side).kind {
+        Kind::Symbol(_) => true,
+        Kind::Negate(inside) => is_multiple(inside),
+        Kind::Product(factors) => {
+            let mut others = factors.iter().filter(|factor| !number(&factor.node));
+            others.next().is_some_and(|one| is_multiple(&one.node)) && others.next().is_none()
+        }
+        _ => false,
+    }
 }

@@ -301,7 +301,8 @@ impl Checker<'_> {
         let spatial = all_in_space(sides, &self.reading);
         let mut first = self.read_on(sides, Frame::Moving, spatial)?;
         first.to_order = self.keep_order(&mut first.equations);
-        if first.ambiguous && sides.iter().any(|side| self.has_rate_of_axis(side)) {
+        let turning = |checker: &mut Self| sides.iter().any(|side| checker.has_rate_of_axis(side));
+        if first.ambiguous && (self.tells_rates_apart(sides) || turning(self)) {
             let mut seen = self.read(sides, Frame::Space)?;
             seen.to_order = self.keep_order(&mut seen.equations);
             return Ok(vec![seen]);

@@ -5,7 +5,7 @@
 //! letters. What the document supposes on one set of axes is not known on the other, unless it says that a vector
 //! vanishes.
 
-use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
@@ -52,6 +52,40 @@ impl Checker<'_> {
                     .iter()
                     .all(|e| self.theory.atoms.info(*e).owner == wheels)
         })
+    }
+
+    /// Whether a rate without a frame stands beside that of the same vector on the axes used: it is seen from space.
+    pub(crate) fn tells_rates_apart(&self, sides: &[Node]) -> bool {
+        let (mut labelled, mut bare) = (vec![], vec![]);
+        for side in sides {
+            self.rates_of_symbols(side, None, &mut |symbol, frame| match frame {
+                Some(Frame::Moving) => labelled.push(symbol.clone()),
+                Some(_) => {}
+                None => bare.push(symbol.clone()),
+            });
+        }
+        bare.iter().any(|symbol| labelled.contains(symbol))
+    }
+
+    fn rates_of_symbols(
+        &self,
+        node: &Node,
+        within: Option<Frame>,
+        found: &mut dyn FnMut(&Symbol, Option<Frame>),
+    ) {
+        let within = match &node.kind {
+            Kind::InFrame(_, label) => self.reading.frames.of_label(label).or(within),
+            _ => within,
+        };
+        if let Kind::TimeDerivative { operand, frame, .. } = &node.kind
+            && let Kind::Symbol(symbol) = &inner(operand).kind
+        {
+            let own = frame
+                .as_ref()
+                .and_then(|label| self.reading.frames.of_label(label));
+            found(symbol, own.or(within));
+        }
+        node.each_child(&mut |child| self.rates_of_symbols(child, within, found));
     }
 
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
