@@ -130,6 +130,10 @@ impl Checker<'_> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         let moments = [0, 1, 2].map(|c| self.theory.atoms.value(moment, c, 0));
         let moments = moments.map(|moment| self.theory.normal(&moment));
+        // What acts is written out once.
+        if moments.iter().any(|moment| self.is_load_by_rates(moment)) {
+            return false;
+        }
         let entries: Vec<Fraction> = read.residuals().cloned().collect();
         entries.iter().all(|entry| {
             let rest = self.theory.normal(entry);
