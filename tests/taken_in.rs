@@ -206,3 +206,20 @@ fn a_momentum_is_not_given_without_that_of_the_wheels() {
     assert_eq!(text(r" + \vec h"), 'p');
     assert!(!"ap".contains(text(r" - \vec h")));
 }
+
+#[test]
+fn what_acts_is_written_out_but_once() {
+    let text = |rate: &str| {
+        last(&format!(
+            "Choose $\\mathbf u = -k\\boldsymbol\\omega$ with $k > 0$ as the control torque. The closed loop is\n\n$$ \\mathbf J\\dot{{\\boldsymbol\\omega}} = -\\boldsymbol\\omega\\times\\mathbf J\\boldsymbol\\omega - k\\boldsymbol\\omega $$\n\nWith the Lyapunov function $V = \\tfrac12\\boldsymbol\\omega^T\\mathbf J\\boldsymbol\\omega$,\n\n$$ \\dot V = {rate} = -k\\boldsymbol\\omega^T\\boldsymbol\\omega $$\n"
+        ))
+    };
+    assert_eq!(
+        text(r"\boldsymbol\omega^T\mathbf J\dot{\boldsymbol\omega}"),
+        'p'
+    );
+    assert_eq!(
+        text(r"2\boldsymbol\omega^T\mathbf J\dot{\boldsymbol\omega}"),
+        'r'
+    );
+}

@@ -131,9 +131,8 @@ impl Checker<'_> {
         let moments = [0, 1, 2].map(|c| self.theory.atoms.value(moment, c, 0));
         let moments = moments.map(|moment| self.theory.normal(&moment));
         // What acts is written out once.
-        if moments.iter().any(|moment| self.is_load_by_rates(moment)) {
-            return false;
-        }
+        let open = |moment: &Fraction| !self.is_load_by_rates(moment);
+        let moments: Vec<Fraction> = moments.into_iter().filter(open).collect();
         let entries: Vec<Fraction> = read.residuals().cloned().collect();
         entries.iter().all(|entry| {
             let rest = self.theory.normal(entry);
