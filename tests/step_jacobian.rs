@@ -137,6 +137,20 @@ proptest! {
 }
 
 #[test]
+fn a_step_of_no_length_has_derivatives() {
+    let state = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+    let slanted = Matrix3::new(0.6, 0.02, -0.03, 0.02, 0.8, 0.05, -0.03, 0.05, 1.0);
+    for inertia in [slanted, Matrix3::from_diagonal(&slanted.diagonal())] {
+        let law = Torque::Damping { coefficient: 0.1 };
+        let system = System::new(inertia, law).expect("a body");
+        let fast = Rk4.step_with_jacobian::<16>(&system, 0.0, &state, 0.0);
+        let dual = jacobian::by_dual_numbers::<16, _, _>(&Rk4, &system, 0.0, &state, 0.0);
+        assert!((fast.matrix - dual.matrix).amax() < 1e-14);
+        assert!(fast.state.difference(&state).amax() < 1e-15);
+    }
+}
+
+#[test]
 fn the_added_torque_of_a_law_in_space_axes_is_its_own_value() {
     let value = Vector3::new(0.3, -0.2, 0.9);
     let state = State {

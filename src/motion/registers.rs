@@ -160,11 +160,18 @@ mod dispatched {
 
     pub(super) struct Dispatched<W>(pub(super) W);
 
+    /// As wide as a register and a line of the cache.
+    #[repr(align(64))]
+    struct Line(#[allow(dead_code, reason = "its place alone matters")] u8);
+
     impl<W: Work> WithSimd for Dispatched<W> {
         type Output = W::Output;
 
         #[inline(always)]
         fn with_simd<S: Simd>(self, simd: S) -> W::Output {
+            // With something on the stack that has to stand at the start of a line, the compiler puts registers aside at such
+            // places too; otherwise most of them lie across two lines, or none, as the caller's stack happens to stand.
+            std::hint::black_box(&mut Line(0));
             self.0.run(Widest(simd))
         }
     }

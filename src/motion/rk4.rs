@@ -98,7 +98,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// Forward through the stages where the torque does not look at the attitude, else by dual numbers.
-    #[inline]
+    #[inline(always)]
     fn jvp<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -110,12 +110,15 @@ impl<L> Scheme<L> for Rk4 {
     where
         L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
     {
-        runge_kutta::jvp(system, time, state, step, direction)
-            .unwrap_or_else(|| jacobian::jvp(self, system, time, state, step, direction))
+        let mut out = (*state, Vector6::zeros());
+        if !runge_kutta::jvp(system, time, step, direction, &mut out) {
+            out = jacobian::jvp(self, system, time, state, step, direction);
+        }
+        out
     }
 
     /// Backwards through the stages where the torque does not look at the attitude, else by the whole matrix.
-    #[inline]
+    #[inline(always)]
     fn vjp<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -128,8 +131,10 @@ impl<L> Scheme<L> for Rk4 {
         L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
         DualSVec64<N>: Number,
     {
-        runge_kutta::vjp(system, time, state, step, covector).unwrap_or_else(|| {
-            jacobian::by_dual_numbers(self, system, time, state, step).pulled_back(covector)
-        })
+        let mut out = (*state, SVector::zeros());
+        if !runge_kutta::vjp(system, time, step, covector, &mut out) {
+            out = jacobian::by_dual_numbers(self, system, time, state, step).pulled_back(covector);
+        }
+        out
     }
 }

@@ -11,11 +11,13 @@
 
 pub(super) mod algebra;
 mod alone;
+mod along;
+mod back;
 mod block;
-mod momentum;
 mod products;
 mod rows;
 mod stages;
+pub(super) mod tensor;
 
 pub(crate) use block::block_with_jacobian;
 pub(crate) use products::{jvp, vjp};

@@ -9,7 +9,8 @@
 //! through them side by side in registers. A change of the tensor is a torque: nothing is divided by differences of
 //! moments, and repeated ones are nothing special.
 
-use super::runge_kutta::algebra::{loaded, plus_cross, splat, symmetric};
+use super::runge_kutta::algebra::{loaded, plus_cross, splat};
+use super::runge_kutta::tensor::symmetric;
 use crate::motion::block::{LANES, Lane};
 use crate::motion::dop853::{END, Row, STAGES, TIMES, Taken, unpack};
 use crate::motion::registers::{Arithmetic, Registers, Work, in_widest};

@@ -156,183 +156,28 @@ pub(super) fn between<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T
     plus_cross(gained, [x, y, z], [a, b, c])
 }
 
-/// The rows of the matrix that a turn is, |q|² times a rotation.
+/// The vector part of q p⁻¹ for a unit p, and |p|² times that for any other.
 #[inline(always)]
-pub(super) fn matrix<T: Arithmetic>([w, x, y, z]: Turn<T>) -> [Vector<T>; 3] {
-    let twice = w.constant(2.0);
-    let [ww, xx, yy, zz] = [w * w, x * x, y * y, z * z];
-    let [xy, xz, yz] = times([x * y, x * z, y * z], twice);
-    let [wx, wy, wz] = times([w * x, w * y, w * z], twice);
-    [
-        [ww + xx - yy - zz, xy - wz, xz + wy],
-        [xy + wz, ww - xx + yy - zz, yz - wx],
-        [xz - wy, yz + wx, ww - xx - yy + zz],
-    ]
+pub(super) fn before<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T>) -> Vector<T> {
+    let gained = [
+        (w * x).less_product(a, s),
+        (w * y).less_product(b, s),
+        (w * z).less_product(c, s),
+    ];
+    plus_cross(gained, [a, b, c], [x, y, z])
 }
 
-/// An inertia tensor with its inverse.
-pub(super) trait Tensor<T>: Copy {
-    /// What its derivatives need of the gyroscopic moment again.
-    type Kept: Copy;
-
-    /// A moment and −ω × I ω.
-    fn net(&self, moment: Vector<T>, omega: Vector<T>) -> (Vector<T>, Self::Kept);
-
-    /// The change of −ω × I ω with a change of ω and of the tensor, the latter given times ω.
-    fn along(
-        &self,
-        omega: Vector<T>,
-        kept: Self::Kept,
-        by_omega: Vector<T>,
-        by_inertia: Vector<T>,
-    ) -> Vector<T>;
-
-    /// `onto` and a covector of −ω × I ω times its derivative in ω; `across` is the covector × ω.
-    fn back(
-        &self,
-        onto: Vector<T>,
-        omega: Vector<T>,
-        kept: Self::Kept,
-        covector: Vector<T>,
-        across: Vector<T>,
-    ) -> Vector<T>;
-
-    /// I⁻¹ v.
-    fn inverse(&self, v: Vector<T>) -> Vector<T>;
-}
-
-/// A tensor of any axes: xx, yy, zz, xy, xz, yz.
-#[derive(Clone, Copy)]
-pub(super) struct Full<T> {
-    pub(super) entries: [T; 6],
-    pub(super) inverse: [T; 6],
-}
-
-/// A tensor along its principal axes.
-#[derive(Clone, Copy)]
-pub(super) struct Principal<T> {
-    /// I_y − I_z and cyclic: formed once, for the products would lose what the moments have in common.
-    pub(super) differences: Vector<T>,
-    pub(super) inverse: Vector<T>,
-}
-
-/// A symmetric matrix times a vector.
+/// A turn less the product of another and a pure quaternion: the way back through that product.
 #[inline(always)]
-pub(in crate::motion::jacobian) fn symmetric<T: Arithmetic>(
-    [xx, yy, zz, xy, xz, yz]: [T; 6],
-    v: Vector<T>,
-) -> Vector<T> {
+pub(super) fn turned_back<T: Arithmetic>(
+    [p, q, r, s]: Turn<T>,
+    [w, a, b, c]: Turn<T>,
+    [x, y, z]: Vector<T>,
+) -> Turn<T> {
     [
-        dot([xx, xy, xz], v),
-        dot([xy, yy, yz], v),
-        dot([xz, yz, zz], v),
+        p.plus_product(a, x).plus_product(b, y).plus_product(c, z),
+        q.less_product(w, x).less_product(b, z).plus_product(c, y),
+        r.less_product(w, y).less_product(c, x).plus_product(a, z),
+        s.less_product(w, z).less_product(a, y).plus_product(b, x),
     ]
-}
-
-impl<T: Arithmetic> Tensor<T> for Full<T> {
-    /// The angular momentum.
-    type Kept = Vector<T>;
-
-    #[inline(always)]
-    fn net(&self, moment: Vector<T>, omega: Vector<T>) -> (Vector<T>, Vector<T>) {
-        let momentum = symmetric(self.entries, omega);
-        (plus_cross(moment, momentum, omega), momentum)
-    }
-
-    #[inline(always)]
-    fn along(
-        &self,
-        omega: Vector<T>,
-        momentum: Vector<T>,
-        by_omega: Vector<T>,
-        by_inertia: Vector<T>,
-    ) -> Vector<T> {
-        let gained = plus(symmetric(self.entries, by_omega), by_inertia);
-        plus_cross(cross(momentum, by_omega), gained, omega)
-    }
-
-    #[inline(always)]
-    fn back(
-        &self,
-        onto: Vector<T>,
-        _: Vector<T>,
-        momentum: Vector<T>,
-        covector: Vector<T>,
-        [x, y, z]: Vector<T>,
-    ) -> Vector<T> {
-        let [a, b, c] = plus_cross(onto, covector, momentum);
-        let [xx, yy, zz, xy, xz, yz] = self.entries;
-        [
-            a.less_product(xx, x)
-                .less_product(xy, y)
-                .less_product(xz, z),
-            b.less_product(xy, x)
-                .less_product(yy, y)
-                .less_product(yz, z),
-            c.less_product(xz, x)
-                .less_product(yz, y)
-                .less_product(zz, z),
-        ]
-    }
-
-    #[inline(always)]
-    fn inverse(&self, v: Vector<T>) -> Vector<T> {
-        symmetric(self.inverse, v)
-    }
-}
-
-impl<T: Arithmetic> Tensor<T> for Principal<T> {
-    type Kept = ();
-
-    #[inline(always)]
-    fn net(&self, [l, m, n]: Vector<T>, [x, y, z]: Vector<T>) -> (Vector<T>, ()) {
-        let [a, b, c] = self.differences;
-        let net = [
-            l.plus_product(a, y * z),
-            m.plus_product(b, z * x),
-            n.plus_product(c, x * y),
-        ];
-        (net, ())
-    }
-
-    #[inline(always)]
-    fn along(
-        &self,
-        [x, y, z]: Vector<T>,
-        (): (),
-        [p, q, r]: Vector<T>,
-        by_inertia: Vector<T>,
-    ) -> Vector<T> {
-        let [a, b, c] = self.differences;
-        let [l, m, n] = cross(by_inertia, [x, y, z]);
-        [
-            l.plus_product(a, (y * r).plus_product(z, q)),
-            m.plus_product(b, (z * p).plus_product(x, r)),
-            n.plus_product(c, (x * q).plus_product(y, p)),
-        ]
-    }
-
-    #[inline(always)]
-    fn back(
-        &self,
-        [l, m, n]: Vector<T>,
-        [x, y, z]: Vector<T>,
-        (): (),
-        [p, q, r]: Vector<T>,
-        _: Vector<T>,
-    ) -> Vector<T> {
-        let [a, b, c] = self.differences;
-        let [p, q, r] = [a * p, b * q, c * r];
-        [
-            l.plus_product(q, z).plus_product(r, y),
-            m.plus_product(p, z).plus_product(r, x),
-            n.plus_product(p, y).plus_product(q, x),
-        ]
-    }
-
-    #[inline(always)]
-    fn inverse(&self, [x, y, z]: Vector<T>) -> Vector<T> {
-        let [a, b, c] = self.inverse;
-        [a * x, b * y, c * z]
-    }
 }

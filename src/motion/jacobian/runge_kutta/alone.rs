@@ -1,7 +1,8 @@
 //! The step of one body, each of its numbers in all lanes of a register.
 
-use super::algebra::{Full, Principal, Tensor, Turn, Vector, splat};
-use super::stages::{Moment, Stages, moments};
+use super::algebra::{Turn, Vector, splat};
+use super::stages::{Moment, Stages, moments, some_length};
+use super::tensor::{Full, Principal, Tensor};
 use crate::motion::registers::Registers;
 use crate::motion::system::entries;
 use crate::motion::{Quaternion, State, System, TorqueLaw};
@@ -25,6 +26,7 @@ impl<R: Registers> Alone<R> {
         state: &State<f64>,
         step: f64,
     ) -> Option<Self> {
+        let step = some_length(step);
         let [a, b, c] = &moments(system, time, step)?;
         Some(Self {
             registers,
@@ -43,12 +45,7 @@ impl<R: Registers> Alone<R> {
     /// The state after the step.
     #[inline(always)]
     pub(super) fn end<I: Tensor<R::Wide>>(&self, stages: &Stages<R::Wide, I>) -> State<f64> {
-        self.state(stages.state(self.attitude, self.omega))
-    }
-
-    /// A state in the first lanes.
-    #[inline(always)]
-    pub(super) fn state(&self, (attitude, omega): (Turn<R::Wide>, Vector<R::Wide>)) -> State<f64> {
+        let (attitude, omega) = stages.state(self.attitude, self.omega);
         State {
             attitude: Quaternion::new(self.firsts(attitude)),
             angular_velocity: self.firsts(omega).into(),
@@ -79,7 +76,7 @@ pub(super) fn principal<L: TorqueLaw<f64>>(system: &System<f64, L>) -> Principal
     let [x, y, z, ..] = entries(system.inertia());
     let [a, b, c, ..] = entries(system.inverse());
     Principal {
-        differences: [y - z, z - x, x - y],
+        ratios: [(y - z) * a, (z - x) * b, (x - y) * c],
         inverse: [a, b, c],
     }
 }
@@ -98,7 +95,7 @@ impl Principal<f64> {
     #[inline(always)]
     pub(super) fn splat<R: Registers>(&self, registers: R) -> Principal<R::Wide> {
         Principal {
-            differences: splat(registers, self.differences),
+            ratios: splat(registers, self.ratios),
             inverse: splat(registers, self.inverse),
         }
     }

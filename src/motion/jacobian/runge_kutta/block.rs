@@ -1,8 +1,9 @@
 //! The Jacobians of eight bodies, the same row of each side by side in registers.
 
-use super::algebra::{Full, Principal, Tensor, loaded};
+use super::algebra::loaded;
 use super::alone::{full, principal};
-use super::stages::{Moment, Stages, moments};
+use super::stages::{Moment, Stages, moments, some_length};
+use super::tensor::{Full, Principal, Tensor};
 use crate::motion::block::{Block, LANES, Lane};
 use crate::motion::registers::{Registers, Work, in_widest};
 use crate::motion::{System, TorqueLaw};
@@ -38,9 +39,7 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
-        let Self {
-            system, time, step, ..
-        } = self;
+        let (system, time, step) = (self.system, self.time, some_length(self.step));
         // The bodies of a block are under one law.
         let Some(moments) = moments(&system(0), time, step) else {
             return false;
@@ -55,11 +54,11 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
             columns: self.columns,
         };
         if (0..LANES).all(|lane| system(lane).is_principal()) {
-            let differences = lanes(|lane| principal(&system(lane)).differences);
+            let ratios = lanes(|lane| principal(&system(lane)).ratios);
             let inverse = lanes(|lane| principal(&system(lane)).inverse);
             for first in (0..LANES).step_by(R::LANES) {
                 let tensor = Principal {
-                    differences: loaded(registers, &differences, first),
+                    ratios: loaded(registers, &ratios, first),
                     inverse: loaded(registers, &inverse, first),
                 };
                 rows.side_by_side(first, tensor);

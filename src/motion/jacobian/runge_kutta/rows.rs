@@ -1,8 +1,9 @@
 //! The Jacobian of one body, its six rows side by side in registers.
 
-use super::algebra::{Tensor, loaded};
+use super::algebra::loaded;
 use super::alone::{Alone, full, principal};
 use super::stages::Stages;
+use super::tensor::Tensor;
 use crate::motion::registers::{Registers, Work, in_widest};
 use crate::motion::{StepJacobian, System, TorqueLaw};
 
