@@ -149,3 +149,15 @@ fn an_equation_of_motion_is_not_taken_for_a_gift() {
         No force acts in its plane. The equations of motion are\n\n$$ \\ddot y = 2\\Omega\\dot x + \\Omega^2 y $$\n";
     assert!(!verdicts(text).ends_with('a'), "{}", verdicts(text));
 }
+
+#[test]
+fn what_holds_initially_does_not_stay() {
+    let text = |sign: &str| {
+        format!(
+            "The axes are principal. Initially $\\omega_1 = a$, $\\omega_2 = b$ and $\\omega_3 = 0$, and no torque acts. \
+             The body therefore starts to turn with\n\n$$ \\dot\\omega_3 = {sign}\\frac{{I_1 - I_2}}{{I_3}}ab $$\n"
+        )
+    };
+    assert!(verdicts(&text("")).ends_with('p'));
+    assert!(verdicts(&text("-")).ends_with('r'));
+}

@@ -128,3 +128,10 @@ fn a_moment_of_inertia_made_of_lengths_alone_lacks_the_mass() {
     assert_eq!(verdicts(&text("m")), "aa");
     assert_eq!(verdicts(&text("")), "ar");
 }
+
+#[test]
+fn what_an_open_line_was_to_determine_is_not_defined_behind_it() {
+    let text = "The body turns with the rate $\\omega$. Divergence sets in where\n\n$$ (C - A)P_a^2 + M_a = 0 $$\n\n\
+                that is, at the critical roll rate\n\n$$ P_a^2 = -\\frac{M_a}{C - B} $$\n";
+    assert!(!verdicts(text).ends_with('a'), "{}", verdicts(text));
+}

@@ -15,8 +15,23 @@ use crate::verify::values::figures::{Alternative, is_number};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 use std::collections::BTreeSet;
+
+/// Words of a sentence that says how a body moves at one instant.
+const AT_ONCE: &[&str] = &[
+    "at the start",
+    "at the beginning",
+    "at the instant",
+    "at this instant",
+    "at that instant",
+    "at an instant",
+    "at a given instant",
+    "at one instant",
+    "at the moment when",
+    "initially",
+];
 
 impl Checker<'_> {
     /// A free symbol, its value in numbers, and that value worked out: the first pair is data, the others are claims.
@@ -165,7 +180,8 @@ impl Checker<'_> {
         let values = right.iter().map(|entry| self.theory.normal(entry));
         let values: Vec<Fraction> = values.collect();
         let numbers = values.iter().all(|v| is_number(&self.theory.atoms, v));
-        if moving && numbers && values.iter().any(|v| !v.is_zero()) {
+        let at_once = has_any(&lowered(&self.sentence), AT_ONCE);
+        if moving && (at_once || numbers && values.iter().any(|v| !v.is_zero())) {
             self.theory.instants.insert(name.to_owned());
         }
     }

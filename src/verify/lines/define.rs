@@ -227,6 +227,12 @@ impl Checker<'_> {
         {
             return true;
         }
+        // Nor does it define what a line was to determine that was left open.
+        if finding.role == Role::Claim && self.is_in_doubt(entity) {
+            let name = self.theory.atoms.info(entity).latex.clone();
+            finding.reason = Some(format!("a line about `{name}` was left open before"));
+            return true;
+        }
         // What words have named and no line speaks of may be so, or not.
         if finding.role == Role::Claim && self.known.contains(&entity) {
             let name = self.theory.atoms.info(entity).latex.clone();

@@ -19,6 +19,15 @@ pub(crate) fn keep_end(text: &mut String, most: usize) {
     text.drain(..cut.unwrap_or(0));
 }
 
+/// Whether a clause concludes something and goes on with it: "it therefore starts to turn with".
+fn concludes_with(sentence: &str) -> bool {
+    let clause = sentence.rsplit([',', ';', ':', '.', '⟩']).next();
+    let mut words = clause.unwrap_or_default().split_whitespace();
+    let concludes = ["therefore", "hence", "thus", "so", "consequently"];
+    words.next_back() == Some("with")
+        && words.any(|word| concludes.contains(&word.to_lowercase().as_str()))
+}
+
 impl Checker<'_> {
     /// Hears words, and takes what they set.
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
@@ -75,6 +84,7 @@ impl Checker<'_> {
         let clause =
             display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {
+            Role::Assume if display && concludes_with(said) => Role::Claim,
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,
         }
