@@ -223,3 +223,43 @@ fn what_acts_is_written_out_but_once() {
         'r'
     );
 }
+
+#[test]
+fn what_follows_with_names_is_claimed_behind_another_display() {
+    let text = |index: u8| {
+        verdicts(&format!(
+            "A solid of revolution with $I_1 = I_2 = A$ and $I_3 = C$ has $M_1 = M$, $M_2 = M_3 = 0$ and $\\omega_3 = n$.\n$$ A\\dot\\omega_1 = (A - C)n\\omega_2 + M $$\n$$ A\\dot\\omega_2 = -(A - C)n\\omega_1 $$\nWith $\\lambda = \\frac{{(A - C)n}}{{A}}$ and $\\mu = M/A$\n$$ \\dot\\omega_{index} = -\\lambda\\omega_1 $$\n"
+        ))
+    };
+    assert!(text(2).ends_with('p'));
+    assert!(text(1).ends_with('r'));
+}
+
+#[test]
+fn what_is_small_is_not_nothing() {
+    let text = |line: &str| {
+        last(&format!(
+            "Let $\\omega = (\\Omega + \\epsilon_1, \\epsilon_2, \\epsilon_3)$ with small $\\epsilon_i$ on principal axes, and no torque. To first order\n$$ {line} = 0 $$\n"
+        ))
+    };
+    assert_eq!(text(r"\dot\epsilon_1"), 'p');
+    assert_eq!(text(r"\epsilon_1"), 'u');
+    let since = |line: &str| {
+        last(&format!(
+            "Rotation on principal axes, mainly about $\\hat e_1$: $\\boldsymbol\\omega = \\omega_1\\hat e_1 + \\lambda\\hat e_2 + \\mu\\hat e_3$ with $\\lambda,\\mu$ small. Without torque and to first order, since $\\lambda\\mu\\approx 0$, ${line} = 0$.\n"
+        ))
+    };
+    assert_eq!(since(r"\dot\omega_1"), 'p');
+    assert!(!"ap".contains(since(r"\omega_1")));
+}
+
+#[test]
+fn what_has_a_name_does_not_vanish() {
+    let text = |line: &str| {
+        last(&format!(
+            "The shaft turns at the constant rate $n$ and the body is free of torque, so $\\omega_1 = n$. The derivatives are ${line} = 0$.\n"
+        ))
+    };
+    assert!("ap".contains(text(r"\dot\omega_1")));
+    assert!(!"ap".contains(text(r"\omega_1")));
+}

@@ -51,6 +51,10 @@ impl Checker<'_> {
         if self.entities([right]).contains(&entity) && !other || line.continues {
             return false;
         }
+        if role == Role::Claim && is_zero(right) && self.small.contains(&entity) {
+            finding.reason = Some("what is small does not vanish by that".to_owned());
+            return true;
+        }
         if role == Role::Claim && self.is_in_doubt(entity) {
             let symbol = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
             let name = names::latex(&self.theory.atoms, symbol);

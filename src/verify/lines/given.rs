@@ -8,7 +8,7 @@ use crate::verify::letters::usage::{inner, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::{Equation, passes_filter};
-use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -48,6 +48,10 @@ impl Checker<'_> {
             _ => false,
         });
         if tied {
+            return false;
+        }
+        // What has a name by now does not vanish by being said so again.
+        if is_zero(last) && self.is_named(first) {
             return false;
         }
         let wheels = self.theory.setting.gyrostat && self.only_wheels(first, read);
@@ -220,6 +224,22 @@ impl Checker<'_> {
                 let value = self.theory.atoms.value(entity, component, 0);
                 self.theory.normal(&value).as_variable().is_some()
             })
+    }
+
+    /// Whether a side is a quantity that an earlier line gives by a symbol of the document.
+    fn is_named(&mut self, side: &Node) -> bool {
+        if !matches!(inner(side).kind, Kind::Symbol(_)) {
+            return false;
+        }
+        let value = self.lowering(Frame::Moving).value(side);
+        let value = value.ok().and_then(|value| value.as_scalar().cloned());
+        let Some(own) = value.and_then(|value| value.as_variable()) else {
+            return false;
+        };
+        let name = self.theory.normal(&variable_fraction(own)).as_variable();
+        name.is_some_and(|name| {
+            name != own && matches!(self.theory.atoms.owner(name), Some(Owner::Symbol(_)))
+        })
     }
 
     /// Whether a side stands for a symbol of the document by an earlier line, and the line says that symbol by itself.

@@ -127,7 +127,13 @@ impl Checker<'_> {
         // What is written with ≈ can be proved.
         let exact = |(relation, _): &(Relation, _)| *relation != Relation::Approximate;
         let nothing = sides.last().is_some_and(is_zero);
-        if (nothing || line.relations.iter().all(exact)) && self.is_first_order(&sides) {
+        let exact = line.relations.iter().all(exact);
+        // A display drops nothing by itself.
+        let drops = match nothing {
+            true => !(exact && self.displayed),
+            false => exact,
+        };
+        if drops && self.is_first_order(&sides) {
             finding.verdict = Verdict::Accepted;
             finding.role = Role::Assume;
             finding

@@ -80,7 +80,11 @@ impl Checker<'_> {
         };
         let closed = self.sentence.trim_end().strip_suffix(',');
         let said = self.sentence.trim();
-        let opened = ["With ", "For "].iter().any(|word| said.starts_with(word));
+        // A display without a stop may have ended the sentence before.
+        let last = said.rsplit("⟩").map(str::trim_start);
+        let opened = ["With ", "For "].iter().any(|word| {
+            said.starts_with(word) || last.clone().any(|piece| piece.starts_with(word))
+        });
         let clause =
             display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {
@@ -95,7 +99,9 @@ impl Checker<'_> {
         let words = Words::of(&self.sentence);
         let speak = words.speak();
         self.asserted = speak && words.derive();
-        self.obtained = speak && words.obtain() || display && words.expand();
+        self.obtained = speak && words.obtain()
+            || display && words.expand()
+            || follows_a_reason(&self.sentence);
         self.constrained = speak && words.constrain();
         self.firm = self.mark.is_some() || speak && words.assume();
         self.picked = words.pick();
@@ -131,4 +137,14 @@ impl Checker<'_> {
         }
         self.broken = true;
     }
+}
+
+/// "Since ⟨λμ = 0⟩, ⟨…⟩": what stands behind one formula of a reason follows from it.
+fn follows_a_reason(sentence: &str) -> bool {
+    let Some(reason) = sentence.trim_end().strip_suffix(',') else {
+        return false;
+    };
+    let begins = ["Since ", "since ", "Because ", "because ", "As "];
+    let begins = begins.iter().filter_map(|word| reason.rfind(word)).max();
+    begins.is_some_and(|at| reason.ends_with('⟩') && reason[at..].matches('⟩').count() == 1)
 }
