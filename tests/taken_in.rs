@@ -263,3 +263,15 @@ fn what_has_a_name_does_not_vanish() {
     assert!("ap".contains(text(r"\dot\omega_1")));
     assert!(!"ap".contains(text(r"\omega_1")));
 }
+
+#[test]
+fn a_term_that_is_zero_here_has_its_factor_still() {
+    let text = |term: &str| {
+        last(&format!(
+            "Body axes, principal, with $I_1 = I$, $I_2 = 0$ and $I_3 = I$. Euler's equation is\n\n$$ M_2 = {term} - (I_3 - I_1)\\omega_3\\omega_1 $$\n"
+        ))
+    };
+    assert_eq!(text(r"I_2\dot\omega_2"), 'p');
+    assert_eq!(text(r"2I_2\dot\omega_2"), 'u');
+    assert_eq!(text(r"I_2\omega_2"), 'u');
+}

@@ -15,7 +15,7 @@ pub(super) const FALSE_VALUE: &str = "a value in it is that of an earlier line, 
 pub(super) const DRIVES_A_PART: &str = "how what drives a part of the body turns it is not decided";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const EMPTIED: &str =
-    "both sides vanish by what is supposed here, so that they would with any factor";
+    "what stands here vanishes by what is supposed, as it would with any factor";
 pub(super) const NO_WITNESS: &str =
     "it differs in the prime field, and no small counterexample was found";
 pub(super) const NO_VALUES: &str = "no values could be put in";

@@ -1,37 +1,83 @@
-//! Lines of which nothing is left: both sides vanish by what the document supposes, and so they would with any factor.
+//! Lines or terms of which nothing is left: they vanish by what the document supposes, and so they would with any
+//! factor.
 
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::lines::line::Read;
-use crate::verify::theory::decide::{passes_filter, reached};
+use crate::verify::theory::decide::{Equation, passes_filter, reached};
 use crate::verify::theory::{Name, Taken, Theory};
 use crate::verify::values::value::Value;
 use std::collections::BTreeSet;
 
+/// Terms of a line that are looked at.
+const MOST_TERMS: usize = 8;
+
 impl Checker<'_> {
     /// Whether a line that holds says that nothing is nothing: no side is written as a zero, each is one by assumptions,
-    /// and without some of these, so that anything is left of the sides, it does not hold.
-    pub(crate) fn is_emptied(&mut self, read: &Read) -> bool {
-        let theory = &mut self.theory;
-        let sides: Vec<Value> = read
+    /// and without some of these, so that anything is left of the sides, it does not hold. Or whether a term of a sum is
+    /// nothing in that way.
+    pub(crate) fn is_emptied(&mut self, sides: &[Node], read: &Read) -> bool {
+        let values: Vec<Value> = read
             .equations
             .iter()
             .flat_map(|e| [e.left.clone(), e.right.clone()])
             .collect();
-        if read.to_order || sides.iter().any(Value::is_zero) || !all_vanish(theory, &sides) {
+        if read.to_order || values.iter().any(Value::is_zero) {
             return false;
         }
-        let entries: Vec<_> = sides.iter().flat_map(|s| s.entries.clone()).collect();
-        let premises = theory.premises().iter().filter(|p| !p.definition);
-        let premises: BTreeSet<Name> = premises.map(|p| p.name.clone()).collect();
+        if all_vanish(&mut self.theory, &values)
+            && self.is_saved_by_nothing(&values, &read.equations)
+        {
+            return true;
+        }
+        let terms = self.terms(sides, read.unlabelled);
+        terms.into_iter().take(MOST_TERMS).any(|(side, term)| {
+            let term = [term];
+            // What goes on from the side may do so without the term.
+            let near = [side.checked_sub(1), Some(side)].into_iter().flatten();
+            let near = near.filter_map(|at| read.equations.get(at..=at));
+            all_vanish(&mut self.theory, &term)
+                && near
+                    .into_iter()
+                    .all(|one| self.is_saved_by_nothing(&term, one))
+        })
+    }
+
+    /// The values of the terms of sums, each with the place of the side that is one.
+    fn terms(&mut self, sides: &[Node], unlabelled: Frame) -> Vec<(usize, Value)> {
+        let mut lowering = self.lowering(unlabelled);
+        let mut found = vec![];
+        for (at, side) in sides.iter().enumerate() {
+            let Kind::Sum(terms) = &side.kind else {
+                continue;
+            };
+            let values = terms
+                .iter()
+                .filter_map(|term| lowering.value(&term.node).ok());
+            found.extend(
+                values
+                    .filter(|value| !value.is_zero())
+                    .map(|value| (at, value)),
+            );
+        }
+        found
+    }
+
+    /// Whether no assumption can be left out so that the line holds and these do not all vanish.
+    fn is_saved_by_nothing(&mut self, vanishing: &[Value], equations: &[Equation]) -> bool {
+        let theory = &mut self.theory;
+        let entries: Vec<_> = vanishing.iter().flat_map(|s| s.entries.clone()).collect();
+        let premises = theory.premises().iter().map(|p| p.name.clone());
+        let premises: BTreeSet<Name> = premises.collect();
         let met: Vec<Name> = reached(theory, &entries)
             .into_iter()
             .filter(|name| premises.contains(name))
             .collect();
         let left_out = theory.left_out.clone();
         let holds = |theory: &mut Theory| {
-            !all_vanish(theory, &sides)
-                && read
-                    .equations
+            !all_vanish(theory, vanishing)
+                && equations
                     .iter()
                     .all(|e| passes_filter(theory, &e.residual) == Some(true))
         };
