@@ -106,3 +106,39 @@ $$ J\dot\omega = \tau + \hat\omega J\omega $$
 ";
     assert_eq!(verdicts(text), "pppr");
 }
+
+#[test]
+fn the_same_spin_about_another_axis_is_another_case() {
+    let text = r"No torque acts on the body, and $I_1$, $I_2$, $I_3$ are its principal moments.
+
+**Spin about axis 1.** Let $\omega_1 \approx n$, with $\omega_2$ and $\omega_3$ small. Then
+
+$$ \dot\omega_2 \approx \frac{I_3 - I_1}{I_2}\,n\,\omega_3 $$
+
+**Spin about axis 3.** Now $\omega_3 \approx n$, and the same steps give
+
+$$ \ddot\omega_1 \approx -\frac{(I_3 - I_2)(I_3 - I_1)}{I_1 I_2}\,n^2\,\omega_1 $$
+
+$$ \ddot\omega_1 \approx \frac{(I_3 - I_2)(I_3 - I_1)}{I_1 I_2}\,n^2\,\omega_1 $$
+";
+    assert_eq!(verdicts(text), "apapr");
+}
+
+#[test]
+fn axes_that_were_attached_to_the_body_may_turn_in_another_way_in_the_next_case() {
+    let text = r"The body has the principal moments $I_1 = I_2 = A$ and $I_3 = C$, the axes turn with
+$$ \boldsymbol\Omega = \omega_1\,\mathbf e_1 + \omega_2\,\mathbf e_2 + \Omega_3\,\mathbf e_3 $$
+and the body with
+$$ \boldsymbol\omega = \omega_1\,\mathbf e_1 + \omega_2\,\mathbf e_2 + \omega_3\,\mathbf e_3 $$
+On these axes the moment is
+$$ N_2 = A\dot\omega_2 + A\Omega_3\omega_1 - C\omega_1\omega_3 $$
+
+*(i) Axes fixed in the body*, $\Omega_3 = \omega_3$. Then
+$$ N_2 = A\dot\omega_2 + (A - C)\,\omega_1\omega_3 $$
+
+*(ii) Axes that do not turn about* $\mathbf e_3$, that is $\Omega_3 = 0$:
+$$ N_2 = A\dot\omega_2 - C\,\omega_1\omega_3 $$
+$$ N_2 = A\dot\omega_2 + C\,\omega_1\omega_3 $$
+";
+    assert_eq!(verdicts(text), "aaaapppapr");
+}

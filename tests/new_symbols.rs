@@ -135,3 +135,14 @@ fn what_an_open_line_was_to_determine_is_not_defined_behind_it() {
                 that is, at the critical roll rate\n\n$$ P_a^2 = -\\frac{M_a}{C - B} $$\n";
     assert!(!verdicts(text).ends_with('a'), "{}", verdicts(text));
 }
+
+#[test]
+fn a_balance_says_what_its_new_force_is() {
+    let text = r"The wheel has the mass $m$ and turns the post at the rate $p$. Let $h = m R b p$ and $Q = h\,p$. The force on the plate is called $N$, and
+
+$$ (N - m g)\,b = Q $$
+
+$$ N = m g + 2 m R p^2 $$
+";
+    assert_eq!(verdicts(text), "aauu");
+}

@@ -153,3 +153,13 @@ $$ \omega_{12}\,\omega_3 = 0.2 $$
 ";
     assert_eq!(verdicts(text), "aap");
 }
+
+#[test]
+fn moments_of_inertia_without_an_angular_velocity_are_numbers() {
+    let text = r"The spin is fast, so the gyroscopic moment is $M = C n\,\Omega$. The wheel has $m = 2$, $r = 3$, $l = 4$ and $n = 5$. Its moment of
+inertia is $C = m r^2 = 18$. The weight turns it at
+
+$$ \Omega = \frac{m g l}{C n} = \frac{g l}{r^2 n} $$
+";
+    assert_eq!(verdicts(text), "aaaaapp");
+}

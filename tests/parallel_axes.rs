@@ -115,3 +115,15 @@ $$
 ";
     assert_eq!(verdicts(text), "apprr");
 }
+
+#[test]
+fn the_mass_may_be_lost_beside_the_square_of_the_distance() {
+    let text = r"A rod of mass $m$ and length $\ell$ has $I_G = \frac{1}{12}m\ell^2$ about its centre. The distance between the two parallel
+axes is $d = \ell/2$. About the end it is
+
+$$ I_A = I_G + d^2 $$
+
+$$ I_A = I_G + m d^2 = \frac{1}{3}m\ell^2 $$
+";
+    assert_eq!(verdicts(text), "aarp");
+}

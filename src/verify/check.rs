@@ -115,7 +115,6 @@ pub(super) struct Checker<'a> {
     pub(super) level: u8,
     /// The case that is looked at.
     pub(super) cases: Cases,
-    pub(super) axes_before: Axes,
     /// How the components of the angular velocity were named last.
     pub(super) triad: Option<Triad>,
     pub(super) convention: Convention,
@@ -205,7 +204,6 @@ impl<'a> Checker<'a> {
             steps: vec![],
             level: 0,
             cases: Cases::default(),
-            axes_before: axes,
             triad: None,
             convention,
             figures: Figures::default(),

@@ -18,6 +18,7 @@ pub(super) mod entities;
 pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod false_values;
+pub(super) mod first_said;
 pub(super) mod forward;
 pub(super) mod functions;
 pub(super) mod fundamental;

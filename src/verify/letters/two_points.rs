@@ -55,7 +55,8 @@ impl TwoPoints {
         let centre = centre(document, &labels(&lines))?;
         let of_centre = |s: &&Symbol| about(s).is_some_and(|(label, _)| label == centre);
         lines.retain(|line| line.iter().any(of_centre));
-        let mass = lines.iter().find_map(|line| mass(line))?;
+        let written = lines.iter().find_map(|line| mass(line));
+        let mass = written.or_else(|| mass(&every_symbol(document)))?;
         let labels = labels(&lines);
         let others: Vec<String> = labels.into_iter().filter(|l| *l != centre).collect();
         // Beside `\mathbf I_O`, an `I_xx` without a label is about O too.
@@ -243,14 +244,16 @@ pub(crate) fn every_symbol(document: &Document) -> Vec<&Symbol> {
 }
 
 /// The symbols of the lines in which a letter of inertia with one label is a sum of the same with another label and of
-/// something with a mass.
+/// something with a mass, or with what the words call a distance, where a slip may have lost the mass.
 fn relations(document: &Document) -> Vec<Vec<&Symbol>> {
     let related = formulas(document).filter(|sides| {
         let terms = sides.iter().flat_map(terms).filter_map(lone);
         relates(&terms.collect::<Vec<_>>(), sides)
     });
     let met = related.map(|sides| sides.iter().flat_map(symbols).collect::<Vec<_>>());
-    met.filter(|line| mass(line).is_some()).collect()
+    let distance = |line: &[&Symbol]| line.iter().any(|s| calls_distance(document, s));
+    met.filter(|line| mass(line).is_some() || distance(line))
+        .collect()
 }
 
 /// Whether all tensors of a line stand alone or as terms, under one letter with two labels: a balance of many bodies is

@@ -116,6 +116,7 @@ impl Checker<'_> {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);
                 self.note_assumption(&name, role);
+                self.drop_second_order();
             }
         }
         self.now_known(sides);

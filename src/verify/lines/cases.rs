@@ -8,6 +8,10 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::reason;
 use crate::verify::theory::Name;
+use crate::verify::theory::law::Axes;
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::prose::{Said, said};
@@ -26,6 +30,8 @@ pub(crate) struct Cases {
     section: u32,
     /// In which section a component got a symbol for its value.
     named: BTreeMap<Name, u32>,
+    /// In which section and case the axes, which turn at a rate of their own elsewhere, were attached to the body.
+    attached: Option<(u32, u32)>,
 }
 
 /// Words that turn to another case.
@@ -35,6 +41,11 @@ const TURNS: &[&str] = &[
     "conversely",
     "on the other hand",
     "in the other case",
+];
+
+/// How a paragraph begins that is one case of several.
+const COUNTED: &[&str] = &[
+    "case ", "(a) ", "(b) ", "(c) ", "(d) ", "(i) ", "(ii) ", "(iii) ", "(iv) ",
 ];
 
 impl Cases {
@@ -66,6 +77,7 @@ impl Checker<'_> {
         let before = std::mem::take(&mut self.cases);
         self.cases.section = before.section + 1;
         self.cases.named = before.named;
+        self.cases.attached = before.attached;
         self.sentence.clear();
         self.last_side = None;
         for said in said(&lowered(text))
@@ -80,7 +92,6 @@ impl Checker<'_> {
     pub(crate) fn keep(&mut self, name: &str, definition: bool) {
         let level = if definition { 0 } else { self.level };
         self.scopes.push((name.to_owned(), level));
-        self.axes_before = self.theory.setting.axes;
     }
 
     /// Notes in which case an assumption was made, or what a sentence gives in passing.
@@ -92,23 +103,10 @@ impl Checker<'_> {
 
     /// Ends what an earlier section says of another component by the same symbol: a spin n about axis 3, now about axis 1.
     pub(crate) fn pass_name_on(&mut self, sides: &[Node], name: &str) {
-        let mut lowering = self.lowering(Frame::Moving);
-        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
-        let [left, right] = sides else { return };
-        let (Some(left), Some(right)) = (part(left), part(right)) else {
-            return;
-        };
         let section = self.cases.section;
-        let owner = self.theory.atoms.entity_of(left);
-        let names_sibling = |residual: &Fraction| {
-            let variables = residual.variables();
-            let sibling = |&v: &u32| v != left && self.theory.atoms.entity_of(v) == owner;
-            variables.len() == 2 && variables.contains(&right) && variables.iter().any(sibling)
-        };
-        let premises = self.theory.premises().iter();
-        let ended = premises.filter(|p| p.residuals.iter().all(names_sibling));
-        let earlier = |name: &&Name| self.cases.named.get(*name).is_some_and(|&s| s < section);
-        let ended: BTreeSet<Name> = ended.map(|p| &p.name).filter(earlier).cloned().collect();
+        let ended = self.names_of_siblings(sides).into_iter();
+        let earlier = |name: &Name| self.cases.named.get(name).is_some_and(|&s| s < section);
+        let ended: BTreeSet<Name> = ended.filter(earlier).collect();
         if !ended.is_empty() {
             self.scopes.retain(|(name, _)| !ended.contains(name));
             self.theory.retain(|premise| !ended.contains(&premise.name));
@@ -116,21 +114,66 @@ impl Checker<'_> {
         self.cases.named.insert(name.to_owned(), section);
     }
 
-    /// Notes that a paragraph, in small letters, opens with a title in bold or italics, or that words turn to another case.
-    pub(crate) fn note_case(&mut self, text: &str, span: Span, opens_paragraph: bool) {
+    /// Lines that say of another component that it is the symbol on the right: ⟨ω₂ = n⟩ where the line at hand has ⟨ω₃ = n⟩.
+    fn names_of_siblings(&mut self, sides: &[Node]) -> Vec<Name> {
+        let mut lowering = self.lowering(Frame::Moving);
+        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
+        let [left, right] = sides else { return vec![] };
+        let (Some(left), Some(right)) = (part(left), part(right)) else {
+            return vec![];
+        };
+        let owner = self.theory.atoms.entity_of(left);
+        let names_sibling = |residual: &Fraction| {
+            let variables = residual.variables();
+            let sibling = |&v: &u32| v != left && self.theory.atoms.entity_of(v) == owner;
+            variables.len() == 2 && variables.contains(&right) && variables.iter().any(sibling)
+        };
+        let premises = self.theory.premises().iter();
+        let found = premises.filter(|p| p.residuals.iter().all(names_sibling));
+        found.map(|p| p.name.clone()).collect()
+    }
+
+    /// Notes that a paragraph, in small letters, opens with a title in bold or italics, or that words turn to another case;
+    /// whether such a paragraph opens here.
+    pub(crate) fn note_case(&mut self, text: &str, span: Span, opens_paragraph: bool) -> bool {
         let before = Span {
             start: span.start.saturating_sub(12),
             end: span.start,
         };
         let before = self.document.source.slice(before);
         let titles = ["\\textbf{", "\\emph{", "\\textit{"];
-        let title = before.ends_with(['*', '_']) || titles.iter().any(|t| before.ends_with(t));
+        let opening = self.document.source.slice(span).trim_start();
+        let titled = |t: &&str| before.ends_with(*t) || opening.starts_with(*t);
+        let title = before.ends_with(['*', '_']) || titles.iter().any(|t| titled(&t));
         let text = text.trim_start();
-        let counted = ["case ", "(a) ", "(b) ", "(c) ", "(d) "];
-        let counted = counted.iter().any(|start| text.starts_with(start));
+        let counted = COUNTED.iter().any(|start| text.starts_with(start));
         let turned = has_any(text, TURNS);
-        if opens_paragraph && (title || counted) || turned {
+        let opens = opens_paragraph && (title || counted);
+        if opens || turned {
             self.cases.now += 1;
+        }
+        opens
+    }
+
+    /// Notes that the axes are attached to the body in the case at hand.
+    pub(crate) fn note_attached(&mut self) {
+        self.cases.attached = Some((self.cases.section, self.cases.now));
+    }
+
+    /// Where the axes were attached to the body in an earlier case, and now turn in another way, they have a rate of
+    /// their own again: "fixed in the body: ⟨Ω₃ = ω₃⟩", and then "not about **e**₃: ⟨Ω₃ = 0⟩".
+    fn detach_axes(&mut self, sides: &[Node]) {
+        let now = (self.cases.section, self.cases.now);
+        let earlier = self.cases.attached.is_some_and(|case| case < now);
+        let of_axes = |owner: &Owner| matches!(owner, Owner::Quantity(Quantity::FrameRate, _));
+        let met = |checker: &mut Self| {
+            let named = checker.entities(sides.first());
+            let mut owners = named.iter().map(|e| &checker.theory.atoms.info(*e).owner);
+            owners.any(of_axes)
+        };
+        if earlier && met(self) && self.contradicts(sides) {
+            self.cases.attached = None;
+            self.theory.set(|setting| setting.axes = Axes::Turning);
         }
     }
 
@@ -139,9 +182,13 @@ impl Checker<'_> {
         let Some(first) = sides.first() else { return };
         let lone = matches!(inner(first).kind, Kind::Symbol(_));
         let says = !self.displayed && !self.asserted && lone && role != Role::Define;
+        if role == Role::Assume || says {
+            self.detach_axes(sides);
+        }
         if role != Role::Assume && !says || self.cases.kept.values().all(|&c| c == self.cases.now) {
             return;
         }
+        let of_siblings = self.names_of_siblings(sides);
         let mut lowering = self.lowering(Frame::Moving);
         let written = sides[..sides.len() - 1].iter();
         let values: Vec<_> = written
@@ -156,8 +203,12 @@ impl Checker<'_> {
         let same = |residual: &Fraction| residual.variables().iter().any(|v| variables.contains(v));
         let mut premises = self.theory.premises().iter();
         let meets = premises.any(|p| earlier(&p.name) && p.residuals.iter().any(same));
-        if !meets || role != Role::Assume && !self.contradicts(sides) {
+        let passed_on = of_siblings.iter().any(earlier);
+        if !meets && !passed_on || role != Role::Assume && !self.contradicts(sides) {
             return;
+        }
+        if passed_on {
+            self.small_across(first);
         }
         let kept = self.cases.kept.iter();
         let before = kept.filter(|&(_, &case)| case < self.cases.now);
@@ -165,6 +216,18 @@ impl Checker<'_> {
         self.cases.kept.retain(|name, _| !ended.contains(name));
         self.scopes.retain(|(name, _)| !ended.contains(name));
         self.theory.retain(|premise| !ended.contains(&premise.name));
+    }
+
+    /// Where two components of ω were small, those across this one are so now: the body spins about another axis in the
+    /// same way.
+    fn small_across(&mut self, spin: &Node) {
+        if let Kind::Symbol(symbol) = &inner(spin).kind
+            && let Meaning::Component(_, axis) = self.meaning_of(symbol)
+            && self.small_turns.len() == 2
+        {
+            self.small_turns = (0..3).filter(|&c| c != axis).collect();
+            self.theory.set(|setting| setting.dropped_axis = None);
+        }
     }
 
     /// Whether a line is not true of what is known.

@@ -89,7 +89,8 @@ impl Checker<'_> {
         if self.lacks_energy_of_wheels(read) {
             return Some("nothing before says what energy the wheels have".to_owned());
         }
-        if let Some(name) = self.lies_along_a_direction(read) {
+        let unsaid = self.lies_along_a_direction(read);
+        if let Some(name) = unsaid.or_else(|| self.first_said(read)) {
             return Some(format!("nothing before says what `{name}` is"));
         }
         if self.is_at_a_moment() {

@@ -376,9 +376,16 @@ impl Checker<'_> {
 
     /// Whether a variable, or what it is a rate of, is small: by words, or by the δ of a variation.
     fn is_small(&self, variable: Variable) -> bool {
-        let Atom::Part { entity, .. } = *self.theory.atoms.atom(variable) else {
+        let Atom::Part {
+            entity, component, ..
+        } = *self.theory.atoms.atom(variable)
+        else {
             return false;
         };
+        let rate = Owner::Quantity(Quantity::AngularVelocity, String::new());
+        if !self.small_turns.is_empty() && self.theory.atoms.info(entity).owner == rate {
+            return self.small_turns.contains(&component);
+        }
         let varied = match &self.theory.atoms.info(entity).owner {
             Owner::Quantity(_, variant) => variant.ends_with('δ'),
             Owner::Symbol(key) => key.split(' ').any(|part| part.ends_with('δ')),

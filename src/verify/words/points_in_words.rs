@@ -88,9 +88,17 @@ pub(crate) fn calls_distance(document: &Document, symbol: &Symbol) -> bool {
             .trim_start_matches(|c: char| !c.is_alphabetic())
             .split_whitespace();
         let mut said = rest.find(|word| !NAMING.contains(word));
+        let clause = lead.rsplit(',').next().unwrap_or_default();
+        let between = ["distance between", "distance of", "distance from"]
+            .iter()
+            .any(|words| clause.contains(words));
         ["distance", "distance of", "distance is"]
             .iter()
             .any(|words| lead.ends_with(words))
+            || between
+                && [" is", " be", " called"]
+                    .iter()
+                    .any(|verb| clause.ends_with(verb))
             || said.take().is_some_and(|word| word.starts_with("distance"))
     });
     by_formula
@@ -241,7 +249,7 @@ fn prose(document: &Document) -> impl Iterator<Item = String> {
     })
 }
 
-/// The words before and behind each lone expression of some kind, within their sentence.
+/// The words before and behind each lone expression of some kind, or left side of a line in the text, within their sentence.
 fn named<'d>(
     document: &'d Document,
     wanted: impl Fn(&Node) -> bool + 'd,
@@ -255,8 +263,11 @@ fn named<'d>(
         let Item::Formula(formula) = item else {
             return None;
         };
-        let [Row::Expression(node)] = formula.rows.as_slice() else {
-            return None;
+        // "The distance is ⟨d = a/2⟩" names d as well.
+        let node = match formula.rows.as_slice() {
+            [Row::Expression(node)] => node,
+            [Row::Line(line)] if !formula.display => line.sides.first()?,
+            _ => return None,
         };
         wanted(node).then_some(())?;
         let (before, behind) = (text(at.checked_sub(1)), text(Some(at + 1)));

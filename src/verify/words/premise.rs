@@ -33,7 +33,10 @@ impl Checker<'_> {
             Said::SpeaksOfBodyAxes if self.has_frame_rate() => false,
             Said::BodyAxes | Said::SpeaksOfBodyAxes => {
                 let new = self.theory.setting.axes != Axes::Body;
-                self.theory.set(|setting| setting.axes = Axes::Body);
+                if new {
+                    self.note_attached();
+                    self.theory.set(|setting| setting.axes = Axes::Body);
+                }
                 new
             }
             Said::DotsOnBody => self.dots.replace(Frame::Moving) != Some(Frame::Moving),

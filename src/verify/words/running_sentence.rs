@@ -31,10 +31,10 @@ fn concludes_with(sentence: &str) -> bool {
 impl Checker<'_> {
     /// Hears words, and takes what they set.
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
-        // After a display, a new paragraph that opens with a capital opens a sentence too.
-        let opens = text.trim_start().starts_with(char::is_uppercase);
         let lower = lowered(text);
-        self.note_case(&lower, span, self.broken);
+        let opens_case = self.note_case(&lower, span, self.broken);
+        // After a display, a new paragraph that opens with a capital, or another case, opens a sentence too.
+        let opens = opens_case || text.trim_start().starts_with(char::is_uppercase);
         if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
