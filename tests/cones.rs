@@ -59,3 +59,15 @@ fn an_angle_of_something_else_is_none_of_these() {
                 $$ L\\cos\\theta = C\\,\\omega_3 $$\n";
     assert_eq!(verdicts(text).pop(), Some('u'));
 }
+
+#[test]
+fn the_axis_may_be_named_by_its_number() {
+    let text = |line: &str| {
+        format!(
+            "{BODY}Call $\\theta$ the angle between the angular momentum $\\vec L$ and axis 3. Write $L = |\\vec L|$.\n\n$$ {line} $$\n"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(last("L\\cos\\theta = C\\,\\omega_3"), Some('p'));
+    assert_eq!(last("L\\sin\\theta = C\\,\\omega_3"), Some('r'));
+}

@@ -155,3 +155,22 @@ fn a_frame_turned_round_turns_the_other_way() {
                 $$ {}^B\\vec\\omega^A = {}^A\\vec\\omega^B $$\n";
     assert_eq!(verdicts(text), "pr");
 }
+
+#[test]
+fn words_may_give_the_axes_an_angular_velocity_without_a_letter() {
+    let text = |line: &str| {
+        format!(
+            "The upward vertical is $\\mathbf{{k}} = \\sin\\theta\\,\\mathbf{{e}}_2 + \\cos\\theta\\,\\mathbf{{e}}_3$, with the constant angle \
+             $\\theta$. The unit vectors turn with the angular velocity $\\Omega\\,\\mathbf{{k}}$.\n\n$$ {line} $$\n"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(
+        last("\\dot{\\mathbf e}_3 = \\Omega\\sin\\theta\\,\\mathbf{e}_1"),
+        Some('p')
+    );
+    assert_eq!(
+        last("\\dot{\\mathbf e}_3 = \\Omega\\cos\\theta\\,\\mathbf{e}_1"),
+        Some('r')
+    );
+}

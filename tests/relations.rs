@@ -162,3 +162,32 @@ fn relations_that_contradict_each_other_prove_nothing() {
     let found = claim(opening, "x y = 3");
     assert_ne!(found.verdict.name(), "proved");
 }
+
+/// A heavy top: its rates follow from the moment, until words hold them.
+const TOP: &str = r"The axes turn with the angular velocity
+$$\vec\Omega = \dot\theta\,\vec i + p\sin\theta\,\vec j + p\cos\theta\,\vec k ,$$
+the top with
+$$\vec\omega = \vec\Omega + s\,\vec k .$$
+With the moments of inertia $A$, $A$, $C$ the angular momentum is
+$$\vec L = A\dot\theta\,\vec i + Ap\sin\theta\,\vec j + C\,(s + p\cos\theta)\,\vec k .$$
+The moment of the weight is
+$$\vec M = mgl\sin\theta\,\vec i .$$
+The third component is
+$$C\,\frac{d}{dt}(s + p\cos\theta) = 0 .$$
+Now let $\theta$ and $p$ be constant.
+";
+
+#[test]
+fn what_a_moment_says_of_rates_lasts_when_they_are_held() {
+    let last = |line: &str| {
+        let all = findings(&format!("{TOP}$${line}$$\n"));
+        all.last().map(|f| f.verdict.name())
+    };
+    let level = "If the axis is horizontal, $\\cos\\theta = 0$, then\n";
+    let steady = last(r"C(s + p\cos\theta)\,p - A p^2\cos\theta = mgl");
+    assert_eq!(steady, Some("proved"));
+    let slip = last(r"C(s + p\cos\theta)\,p + A p^2\cos\theta = mgl");
+    assert_eq!(slip, Some("refuted"));
+    let all = findings(&format!("{TOP}{level}$$p = \\frac{{mgl}}{{C s}}$$\n"));
+    assert_eq!(all.last().map(|f| f.verdict.name()), Some("proved"));
+}

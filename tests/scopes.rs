@@ -131,3 +131,21 @@ $$ H^\top u = USE $$
     );
     assert!(with(r"-2c\,\omega^\top J\,\omega").ends_with('r'));
 }
+
+#[test]
+fn the_title_of_a_paragraph_ends_no_assumption() {
+    let text = r"\paragraph{Motion.} Let $\omega_z = n$ on the principal axes of the body.
+
+\paragraph{Momentum.} Hence \[ L_z = I_z n . \]
+
+\paragraph{Another spin.} Let now $\omega_z = 2n$. Then \[ L_z = 2 I_z n . \] \[ L_z = I_z n . \]
+";
+    let (document, _) =
+        polhode::notation::read("t.tex", text, polhode::notation::document::Format::Latex);
+    let found = polhode::verify::check(&document).findings;
+    let names: Vec<&str> = found.iter().map(|f| f.verdict.name()).collect();
+    assert_eq!(
+        names,
+        ["accepted", "proved", "accepted", "proved", "refuted"]
+    );
+}

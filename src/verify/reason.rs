@@ -40,3 +40,8 @@ pub(super) fn leaves_no_doubt(reason: &str) -> bool {
     ]
     .contains(&reason)
 }
+
+/// Whether a line stays open because nothing says what a symbol of it is.
+pub(super) fn names_unsaid(reason: &str) -> bool {
+    reason.starts_with("nothing before says what")
+}

@@ -227,12 +227,12 @@ impl Theory {
         self.premises.push(premise.clone());
         let taken = if last {
             self.ledger = Ledger::default();
-            let rates = self.of_rates.len();
+            let rates = self.rates_met();
             let taken = self.solve(&premise);
             if taken == Taken::Solved && !self.exhausted {
                 self.case = self.case_at_hand();
             }
-            match self.of_rates.len() > rates {
+            match self.rates_met() > rates {
                 true => self.rebuild(),
                 false => taken,
             }

@@ -21,3 +21,4 @@ pub(super) mod small_rates;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;
 pub(super) mod torque_free;
+pub(super) mod turning_axes;

@@ -200,6 +200,16 @@ impl Usage {
     }
 
     fn moving(&mut self, operand: &Node) {
+        // Nobody differentiates a sum with a constant in it: of `\frac{d}{dt}(s + p\cos\theta)` the s moves.
+        if let Kind::Sum(terms) = &inner(operand).kind {
+            for term in terms {
+                if let Kind::Symbol(symbol) = &inner(&term.node).kind
+                    && !symbol.style.vector
+                {
+                    self.moving(&term.node);
+                }
+            }
+        }
         if let Kind::Symbol(symbol) = &inner(operand).kind {
             self.letters.entry(Letter::of(symbol)).or_default().moving = true;
             self.moving.insert(worn(symbol));

@@ -48,6 +48,9 @@ const COUNTED: &[&str] = &[
     "case ", "(a) ", "(b) ", "(c) ", "(d) ", "(i) ", "(ii) ", "(iii) ", "(iv) ",
 ];
 
+/// The level of the title of a paragraph, which stands in its first line.
+const RUN_IN: u8 = 5;
+
 impl Cases {
     /// How many headings stand before.
     pub(crate) fn section(&self) -> u32 {
@@ -56,8 +59,24 @@ impl Cases {
 }
 
 impl Checker<'_> {
-    /// A heading ends the assumptions made under headings of its level and below.
+    /// A heading ends the assumptions made under headings of its level and below; the title of a paragraph opens a case.
     pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {
+        if level >= RUN_IN {
+            self.cases.now += 1;
+        } else {
+            self.end_section(level, span);
+        }
+        self.sentence.clear();
+        self.last_side = None;
+        for said in said(&lowered(text))
+            .into_iter()
+            .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
+        {
+            self.take(said, span);
+        }
+    }
+
+    fn end_section(&mut self, level: u8, span: Span) {
         let ended: BTreeSet<String> = self
             .scopes
             .iter()
@@ -78,14 +97,6 @@ impl Checker<'_> {
         self.cases.section = before.section + 1;
         self.cases.named = before.named;
         self.cases.attached = before.attached;
-        self.sentence.clear();
-        self.last_side = None;
-        for said in said(&lowered(text))
-            .into_iter()
-            .filter(|s| matches!(s, Said::BodyAxes | Said::SpeaksOfBodyAxes))
-        {
-            self.take(said, span);
-        }
     }
 
     /// Keeps a premise of the document to the end of its section; definitions stay.
@@ -144,7 +155,7 @@ impl Checker<'_> {
         let titles = ["\\textbf{", "\\emph{", "\\textit{"];
         let opening = self.document.source.slice(span).trim_start();
         let titled = |t: &&str| before.ends_with(*t) || opening.starts_with(*t);
-        let title = before.ends_with(['*', '_']) || titles.iter().any(|t| titled(&t));
+        let title = before.ends_with(['*', '_']) || titles.iter().any(titled);
         let text = text.trim_start();
         let counted = COUNTED.iter().any(|start| text.starts_with(start));
         let turned = has_any(text, TURNS);

@@ -7,6 +7,7 @@ use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
+use crate::verify::theory::law::Axes;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -49,9 +50,13 @@ impl Checker<'_> {
         // What holds at a moment alone leaves in doubt what it gives a value, and nothing beside.
         let at_a_moment = finding.reason.as_deref() == Some(AT_A_MOMENT);
         let doubted = if at_a_moment { 1 } else { line.sides.len() };
+        let unsaid = self.only_says_of_new(line, finding);
         for side in line.sides.iter().take(doubted) {
             let lone = matches!(inner(side).kind, Kind::Symbol(_));
             for entity in self.entities([side]) {
+                if unsaid && self.theory.mentions_entity(entity) {
+                    continue;
+                }
                 match &self.theory.atoms.info(entity).owner {
                     Owner::Quantity(quantity, variant) if variant.is_empty() => {
                         sets_up |= lone && SETTING.contains(quantity);
@@ -194,7 +199,8 @@ impl Checker<'_> {
     /// no angular velocity: they may follow the axis of a top and not its spin.
     fn follows_no_spin(&self, read: &Read) -> bool {
         let angle = |v: u32| matches!(self.theory.atoms.atom(v), Atom::Kernel { .. });
-        let named = self.reading.speaks_of(Quantity::FrameRate);
+        let named = self.reading.speaks_of(Quantity::FrameRate)
+            || self.theory.setting.axes == Axes::Turning;
         let mut variables = read.residuals().flat_map(Fraction::variables);
         self.reading.usage.k_alone && !named && variables.any(angle)
     }

@@ -2,10 +2,14 @@
 //! large N is, and with another value of it the sides would be equal.
 
 use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::Line;
 use crate::verify::check::Checker;
 use crate::verify::lines::line::Read;
 use crate::verify::names;
-use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::reason::names_unsaid;
+use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::quantity::Shape;
+use crate::verify::verdict::Finding;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -37,6 +41,41 @@ impl Checker<'_> {
                 rest.degree_in(*variable) > 0 && !rest.coefficient_of(*variable, 0).is_zero();
             (one_sided && solved && !met.is_empty())
                 .then(|| names::latex(&self.theory.atoms, *variable))
+        })
+    }
+
+    /// Whether a line was left open as nothing says what one number in it is, and relates that to others, which it leaves
+    /// as they are: the `\omega_c` of `C^2\omega_c^2 = 4 A m g l`.
+    pub(crate) fn only_says_of_new(&mut self, line: &Line, finding: &Finding) -> bool {
+        let [left, right] = line.sides.as_slice() else {
+            return false;
+        };
+        if !finding.reason.as_deref().is_some_and(names_unsaid) {
+            return false;
+        }
+        let [left, right] = [left, right].map(|side| self.entities([side]));
+        let new = |entities: &[Entity]| -> BTreeSet<Entity> {
+            let mut new: BTreeSet<Entity> = entities.iter().copied().collect();
+            new.retain(|&entity| !self.theory.mentions_entity(entity));
+            new
+        };
+        let (new_left, new_right) = (new(&left), new(&right));
+        let mut new = new_left.iter().chain(&new_right);
+        let (Some(&one), None) = (new.next(), new.next()) else {
+            return false;
+        };
+        let letter = |entity: Entity| {
+            let latex = &self.theory.atoms.info(entity).latex;
+            latex
+                .split(['_', '^'])
+                .next()
+                .unwrap_or_default()
+                .to_owned()
+        };
+        let mut all = left.iter().chain(&right);
+        all.all(|&entity| {
+            let scalar = self.theory.atoms.info(entity).shape != Shape::Vector;
+            scalar && (entity == one || letter(entity) != letter(one))
         })
     }
 

@@ -85,11 +85,16 @@ impl Theory {
         })
     }
 
+    /// How much is known of which premises speak of rates, and of how high ones; it only grows.
+    pub(crate) fn rates_met(&self) -> usize {
+        let orders = self.of_rates.values();
+        orders.map(|&order| 1 + usize::from(order)).sum()
+    }
+
     fn counts(&self) -> [usize; 4] {
-        let rates = self.of_rates.values().map(|&order| 1 + usize::from(order));
         [
             self.atoms.changes(),
-            rates.sum(),
+            self.rates_met(),
             self.instants.len(),
             self.cones.len(),
         ]

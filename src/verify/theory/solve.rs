@@ -6,7 +6,7 @@ use crate::verify::theory::law::Dynamics;
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::quantity::{Quantity, Shape};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -44,7 +44,7 @@ impl Theory {
         if self.left_out.is_empty() {
             self.last_turn = order.last().map(|premise| self.turn(premise));
         }
-        let rates = self.of_rates.len();
+        let rates = self.rates_met();
         let mut worst = Taken::Solved;
         for premise in &order {
             match self.solve(premise) {
@@ -53,7 +53,7 @@ impl Theory {
                 _ => {}
             }
         }
-        if self.of_rates.len() > rates {
+        if self.rates_met() > rates {
             return self.solve_all();
         }
         match worst {
@@ -214,7 +214,8 @@ impl Theory {
             if let Some((ruled, of_rate)) = self.rules.get(&part)
                 && *ruled > order
             {
-                self.of_rates.insert(of_rate.name.clone(), *ruled);
+                let known = self.of_rates.entry(of_rate.name.clone()).or_default();
+                *known = (*known).max(*ruled);
             }
             self.case = None;
             self.sources.insert(part, source);
@@ -285,25 +286,34 @@ impl Theory {
         let coefficient = polynomial.coefficient_of(variable, 1);
         let rest = polynomial.coefficient_of(variable, 0);
         let constant = coefficient.is_constant().is_some();
-        if rest.is_zero() && !constant && !self.never_zero(&coefficient) {
+        let vanishes = rest.is_zero() && !constant;
+        if vanishes
+            && !self.never_zero(&coefficient)
+            && !(order > 0 && self.seldom_zero(&coefficient))
+        {
             return None;
         }
         let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
         // What moves follows from what is given of the body, and not the other way round.
         let turns = matches!(info.owner, Owner::Quantity(Quantity::AngularVelocity, _));
+        let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Scalar;
+        let moves = turns || own && !info.constant;
         // Of an implicit step, what the body turned like before is a simple function of what it turns like behind.
         let of_a_step = matches!(&info.owner, Owner::Quantity(Quantity::AngularVelocity, step) if !step.is_empty());
         let small = coefficient.len() < 3;
         // A step gives the velocity that it is linear in: the one behind an explicit step, the one before an implicit one.
         let stepped = turns && small && self.is_stepped(polynomial, entity);
+        // Of several rates, one whose factor vanishes nowhere.
+        let everywhere = order > 0 && !constant && self.never_zero(&coefficient);
         Some(
             u32::from(constant) * 32
                 + u32::from(order) * 4
                 + u32::from(small)
-                + u32::from(turns)
+                + u32::from(moves)
                 + u32::from(inertial && component >= 3) * 2
                 + u32::from(of_a_step && small) * 3
-                + u32::from(stepped) * 4,
+                + u32::from(stepped) * 4
+                + u32::from(everywhere) * 2,
         )
     }
 
@@ -360,6 +370,16 @@ impl Theory {
         };
         let inside = argument.variables();
         inside.contains(&variable) || inside.iter().any(|&v| self.wraps(v, variable))
+    }
+
+    /// Whether a polynomial vanishes at single angles alone, if at all: what it multiplies all the time is zero.
+    fn seldom_zero(&self, polynomial: &Polynomial) -> bool {
+        let angle = |v: &Variable| matches!(self.atoms.atom(*v), Atom::Kernel { .. });
+        let [(monomial, _)] = polynomial.terms() else {
+            return false;
+        };
+        let mut others = monomial.factors().map(|(v, _)| v).filter(|v| !angle(v));
+        others.all(|v| self.never_zero(&Polynomial::variable(v)))
     }
 
     /// Whether a polynomial vanishes for no possible body: products of moments, masses and the document's own

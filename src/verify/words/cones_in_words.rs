@@ -54,22 +54,27 @@ impl Checker<'_> {
         }
     }
 
-    /// The axis that a clause names by a formula: "the ⟨z⟩ axis", "⟨\hat e_3⟩".
+    /// The axis that a clause names by a formula, "the ⟨z⟩ axis", "⟨\hat e_3⟩", or by its number, "axis 3".
     fn names_axis(&mut self, clause: &str, symbols: &[&Symbol]) -> Option<u8> {
-        in_clause(clause, symbols)
-            .into_iter()
-            .find_map(|(at, symbol)| {
-                if let Meaning::UnitVector(axis) = self.meaning_of(symbol) {
-                    return Some(axis);
-                }
-                let mark = format!("⟨{at}⟩");
-                let (before, behind) = clause.split_once(&mark)?;
-                let lead = before.trim_end();
-                let spoken = behind.trim_start_matches(['-', ' ']).starts_with("axis")
-                    || lead.ends_with("axis");
-                let plain = symbol.subscripts.is_empty() && !symbol.style.vector;
-                axis(&symbol.name).filter(|_| spoken && plain)
-            })
+        let words: Vec<&str> = clause.split([' ', '.']).collect();
+        let mut pairs = words.windows(2);
+        let numbered = pairs.find_map(|pair| axis(pair[1]).filter(|_| pair[0] == "axis"));
+        numbered.or_else(|| {
+            in_clause(clause, symbols)
+                .into_iter()
+                .find_map(|(at, symbol)| {
+                    if let Meaning::UnitVector(axis) = self.meaning_of(symbol) {
+                        return Some(axis);
+                    }
+                    let mark = format!("⟨{at}⟩");
+                    let (before, behind) = clause.split_once(&mark)?;
+                    let lead = before.trim_end();
+                    let spoken = behind.trim_start_matches(['-', ' ']).starts_with("axis")
+                        || lead.ends_with("axis");
+                    let plain = symbol.subscripts.is_empty() && !symbol.style.vector;
+                    axis(&symbol.name).filter(|_| spoken && plain)
+                })
+        })
     }
 
     fn note_cone(&mut self, clause: &str, symbols: &[&Symbol], axis: Option<u8>) {

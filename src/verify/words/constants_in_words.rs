@@ -27,6 +27,10 @@ const BEHIND: &[&str] = &[
     "stay constant",
     "stays constant",
     "constant",
+    "be constant",
+    "both be constant",
+    "now be constant",
+    "be fixed",
     "held constant",
     "a constant",
     "is a constant",
@@ -95,6 +99,10 @@ const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
 
 fn supposes(sentence: &str) -> bool {
     let sentence = lowered(sentence);
+    // What is constant now was not so before.
+    if sentence.contains("now let") || sentence.contains("let now") {
+        return true;
+    }
     let mut words = sentence.split(|c: char| !c.is_alphabetic());
     words.any(|word| SUPPOSED.contains(&word))
 }
@@ -129,6 +137,7 @@ impl Checker<'_> {
             self.constant_in_words(node, supposed);
         }
         self.small_before(node);
+        self.turning_axes(node);
         if before.ends_with("vertical is") {
             let value = self.lowering(Frame::Moving).value(node);
             self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());
