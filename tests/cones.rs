@@ -71,3 +71,12 @@ fn the_axis_may_be_named_by_its_number() {
     assert_eq!(last("L\\cos\\theta = C\\,\\omega_3"), Some('p'));
     assert_eq!(last("L\\sin\\theta = C\\,\\omega_3"), Some('r'));
 }
+
+#[test]
+fn a_derivative_in_the_angle_of_a_cone_stays_open() {
+    let text = "On principal axes the body has $I_1 = I_2 = A$ and $I_3 = C$. Let $\\theta$ be the angle between the angular \
+                momentum $\\vec L$ and the axis of symmetry, $L = |\\vec L|$, and $T$ the kinetic energy.\n\n\
+                $$ T = \\frac{L^2\\sin^2\\theta}{2A} + \\frac{L^2\\cos^2\\theta}{2C} $$\n\n\
+                $$ \\frac{dT}{d\\theta} = L^2\\left(\\frac1A - \\frac1C\\right)\\sin\\theta\\cos\\theta $$\n";
+    assert!(verdicts(text).ends_with("pu"), "{}", verdicts(text));
+}

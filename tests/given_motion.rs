@@ -161,3 +161,18 @@ fn what_holds_initially_does_not_stay() {
     assert!(verdicts(&text("")).ends_with('p'));
     assert!(verdicts(&text("-")).ends_with('r'));
 }
+
+#[test]
+fn how_the_body_turns_in_time_is_taken_from_the_figure_and_not_checked() {
+    let text = |last: &str| {
+        format!(
+            "On principal axes the moments of inertia are $I_1$, $I_2$ and $I_3$. The shaft turns at the constant rate $n$, the aircraft at \
+             the constant rate $Q$. Then\n\n$$\\omega_1 = n$$\n\n$$\\omega_2 = Q\\cos(nt)$$\n\n$$\\omega_3 = -Q\\sin(nt)$$\n\n\
+             and the moment is\n\n$$ {last} $$\n"
+        )
+    };
+    let right = text(r"M_1 = -\tfrac12 (I_3 - I_2)\,Q^2\sin(2nt)");
+    let wrong = text(r"M_1 = \tfrac12 (I_3 - I_2)\,Q^2\sin(2nt)");
+    assert_eq!(verdicts(&right), "auup");
+    assert_eq!(verdicts(&wrong), "auur");
+}

@@ -155,38 +155,6 @@ impl Reading {
         }
     }
 
-    /// A document that writes no angular velocity or momentum of a body, and of inertia only numbers, as of the wheel of a
-    /// gyroscope that spins at a rate n: no law ties these to anything, and their letters are no tensors.
-    pub(crate) fn part_numbers(&mut self) {
-        let turning = |q: &Quantity| {
-            let whole = [
-                Quantity::AngularVelocity,
-                Quantity::FrameRate,
-                Quantity::Momentum,
-                Quantity::Energy,
-            ];
-            whole.contains(q)
-        };
-        let parts = self.components.values().map(|(q, _)| q);
-        let turns = self.quantities.values().chain(parts).any(turning);
-        let angles = self.euler_angles.is_some() || self.usage.only_angle().is_some();
-        if turns || angles || self.points.is_some() || !self.moments.is_empty() {
-            return;
-        }
-        let number = |letter: &Letter| {
-            let used = self.usage.get(letter);
-            used.vector + used.tensor + used.component + used.double == 0
-        };
-        let moments = self.quantities.iter();
-        let moments = moments.filter(|(_, q)| **q == Quantity::Inertia);
-        let moments: Vec<Letter> = moments.map(|(letter, _)| letter.clone()).collect();
-        if moments.iter().all(number) {
-            for letter in moments {
-                self.quantities.remove(&letter);
-            }
-        }
-    }
-
     /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
     pub(crate) fn in_a_plane(&mut self) {
         let turning = |q: &Quantity| {

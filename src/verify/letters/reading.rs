@@ -133,7 +133,6 @@ impl Reading {
         reading.about_fixed_axis(document);
         reading.wheel_along_axis(document);
         reading.part_rotor();
-        reading.part_numbers();
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
         reading.space_axes =

@@ -116,7 +116,9 @@ impl Checker<'_> {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);
                 self.note_assumption(&name, role);
-                self.drop_second_order();
+                if self.small_turns.len() == 2 {
+                    self.drop_second_order();
+                }
             }
         }
         self.now_known(sides);

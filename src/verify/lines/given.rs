@@ -148,6 +148,7 @@ impl Checker<'_> {
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it
     /// that is no input.
     fn hands_over(&mut self, side: &Node) -> Option<bool> {
+        let in_time = self.asserted && self.may_turn_in_time();
         let mut foreign = is_in_digits(side);
         for entity in self.entities([side]) {
             match &self.theory.atoms.info(entity).owner {
@@ -155,7 +156,7 @@ impl Checker<'_> {
                 Owner::Quantity(quantity, _) if *quantity == Quantity::Mass => foreign = true,
                 Owner::Quantity(quantity, _)
                     if INPUTS.contains(quantity)
-                        || *quantity == Quantity::Time && !self.asserted => {}
+                        || *quantity == Quantity::Time && (!self.asserted || in_time) => {}
                 Owner::Quantity(..) => return None,
             }
         }
@@ -305,7 +306,7 @@ impl Checker<'_> {
         } else if (self.asserted || self.is_equation_of_motion(sides))
             && !sides.iter().all(lone)
             && !place
-            && !self.sets_motion(&sides[0])
+            && (!self.sets_motion(&sides[0]) || self.speaks_of_time(&sides[1..]))
             && !flat
         {
             finding.verdict = Verdict::Undecided;

@@ -1,11 +1,13 @@
 //! Lines that hand over how the body or the axes turn.
 
+use crate::algebra::Variable;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::given::is_zero;
-use crate::verify::values::atoms::Owner;
+use crate::verify::reason::TAKEN_AS_GIVEN;
+use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Role, Verdict};
@@ -172,6 +174,45 @@ impl Checker<'_> {
                 && before.source_line + 1 >= line
         });
         handed && self.sets_motion(side)
+    }
+
+    /// Whether nothing rules how the body begins to turn, and a line right before gives one component of that: "then
+    /// ⟨ω₁ = n⟩, ⟨ω₂ = Ω cos nt⟩" is of the figure, and no motion that follows from a moment.
+    pub(crate) fn may_turn_in_time(&mut self) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let free = (0..3).all(|component| {
+            let rate = self.theory.atoms.value(omega, component, 1);
+            let own = self.theory.atoms.part(omega, component, 1);
+            let made_of = self.theory.normal(&rate).variables();
+            let mut inside = made_of
+                .into_iter()
+                .flat_map(|v| self.theory.atoms.with_arguments(v));
+            inside.all(|v| v == own || self.is_of_the_figure(v))
+        });
+        free && self
+            .findings
+            .last()
+            .is_some_and(|before| match &before.reason {
+                Some(reason) => reason == TAKEN_AS_GIVEN,
+                None => before.verdict == Verdict::Accepted && before.role == Role::Given,
+            })
+    }
+
+    /// Whether a variable is a symbol of the document, the time, or a function of these.
+    fn is_of_the_figure(&self, variable: Variable) -> bool {
+        match self.theory.atoms.owner(variable) {
+            Some(Owner::Symbol(_)) => true,
+            Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::Time,
+            None => matches!(self.theory.atoms.atom(variable), Atom::Kernel { .. }),
+        }
+    }
+
+    /// Whether the time stands in some sides.
+    pub(crate) fn speaks_of_time(&mut self, sides: &[Node]) -> bool {
+        let time = Owner::Quantity(Quantity::Time, String::new());
+        let entities = self.entities(sides);
+        let mut owners = entities.iter().map(|e| &self.theory.atoms.info(*e).owner);
+        owners.any(|owner| *owner == time)
     }
 
     /// Whether a display says the second rate of a symbol of which earlier lines speak: what follows from laws, which

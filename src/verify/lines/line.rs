@@ -207,11 +207,8 @@ impl Checker<'_> {
         let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
         let shown = sides.first().is_some_and(marked);
         let new = sides.first().and_then(|side| self.new_symbol(side));
-        let sides = if new.is_some_and(|(_, place)| place.is_none()) && !shown {
-            &sides[1..]
-        } else {
-            sides
-        };
+        let defines = new.is_some_and(|(_, place)| place.is_none()) && !shown;
+        let sides = if defines { &sides[1..] } else { sides };
         let index = |s: &String| axis(s).is_some() || axes(s).is_some();
         let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
         let bare: BTreeSet<Letter> = sides
@@ -229,13 +226,27 @@ impl Checker<'_> {
             return;
         }
         let tried = self.read(sides, Frame::Moving);
-        if !tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped) {
+        let ill_typed = tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped);
+        if !ill_typed && !(defines && self.is_tensor_of_numbers(&sides[0], &bare)) {
             return;
         }
         self.reading.scalars = bare;
         if self.read(sides, Frame::Moving).is_err() {
             self.reading.scalars.clear();
         }
+    }
+
+    /// Whether a side with letters of the inertia, which are only ever numbers, is read as a tensor: the C of `M = C n\Omega`.
+    fn is_tensor_of_numbers(&mut self, side: &Node, bare: &BTreeSet<Letter>) -> bool {
+        let value = self.lowering(Frame::Moving).value(side);
+        let inertia = |l: &&Letter| self.reading.quantities.get(*l) == Some(&Quantity::Inertia);
+        let number = |letter: &Letter| {
+            let used = self.reading.usage.get(letter);
+            used.vector + used.tensor + used.component + used.double == 0
+        };
+        let tensor = value.is_ok_and(|value| value.rows == 3 && value.columns == 3);
+        let mut letters = bare.iter().filter(inertia).peekable();
+        tensor && !self.reading.plane && letters.peek().is_some() && letters.all(number)
     }
 
     /// A velocity of the origin that the document speaks of is not zero.

@@ -143,7 +143,10 @@ impl Lowering<'_> {
             self.theory.set(|setting| setting.dynamics = held);
             let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
             let result = places.map(|places| {
-                let free = places.iter().all(|&p| self.theory.rule(p).is_none());
+                // Sine and cosine of the angle of a cone follow from the motion.
+                let free = places
+                    .iter()
+                    .all(|&p| self.theory.rule(p).is_none() && self.theory.cone(p).is_none());
                 let jacobian = free.then(|| self.jacobian(&value, &places));
                 jacobian.ok_or(
                     "this symbol is determined by others; the derivative in it is not defined here",
