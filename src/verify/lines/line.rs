@@ -227,7 +227,8 @@ impl Checker<'_> {
         }
         let tried = self.read(sides, Frame::Moving);
         let ill_typed = tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped);
-        if !ill_typed && !(defines && self.is_tensor_of_numbers(&sides[0], &bare)) {
+        let numbers = ill_typed || defines && self.is_tensor_of_numbers(&sides[0], &bare);
+        if !numbers {
             return;
         }
         self.reading.scalars = bare;
