@@ -246,8 +246,13 @@ impl Checker<'_> {
             used.vector + used.tensor + used.component + used.double == 0
         };
         let tensor = value.is_ok_and(|value| value.rows == 3 && value.columns == 3);
+        let several = |letter: &&Letter| {
+            let quantity = self.reading.quantities.get(*letter);
+            quantity.is_some_and(|q| q.shape() != Shape::Scalar)
+        };
+        let others = bare.iter().filter(several).any(|letter| !inertia(&letter));
         let mut letters = bare.iter().filter(inertia).peekable();
-        tensor && !self.reading.plane && letters.peek().is_some() && letters.all(number)
+        tensor && !others && letters.peek().is_some() && letters.all(number)
     }
 
     /// A velocity of the origin that the document speaks of is not zero.
