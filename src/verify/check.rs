@@ -320,6 +320,7 @@ impl<'a> Checker<'a> {
             }
         }
         self.mark = None;
+        self.note_only_product(formula);
         self.hear_formula(formula);
         self.broken = false;
     }

@@ -11,6 +11,7 @@ pub(super) mod define;
 pub(super) mod defined_squares;
 pub(super) mod digits;
 pub(super) mod dimensions;
+pub(super) mod dots;
 pub(super) mod doubt;
 pub(super) mod emptied;
 pub(super) mod energies;

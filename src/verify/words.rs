@@ -7,6 +7,7 @@ pub(super) mod constants_in_words;
 pub(super) mod euler_words;
 pub(super) mod legend;
 pub(super) mod moments_in_words;
+pub(super) mod only_product;
 pub(super) mod outlasting;
 pub(super) mod phrases;
 pub(super) mod points_in_words;

@@ -1,7 +1,10 @@
 //! What kind of body the letters of a document speak of: one on principal axes, one with wheels in it.
 
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axes};
+use crate::verify::letters::usage::{Letter, axes, inner};
+use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -52,4 +55,37 @@ impl Reading {
             && self.apart.contains(letter)
             && !self.quantities.contains_key(letter)
     }
+}
+
+/// Whether a product of inertia stands somewhere as an integral or a sum, `P = ∫ xy dm`, whatever it is called.
+pub(crate) fn integrates_a_product(document: &Document) -> bool {
+    let mut sides = lines(document).flat_map(|line| &line.sides);
+    sides.any(|side| match &inner(side).kind {
+        Kind::Negate(inside) => is_product_integral(inner(inside)),
+        _ => is_product_integral(inner(side)),
+    })
+}
+
+fn is_product_integral(node: &Node) -> bool {
+    let (Kind::Integral { integrand, .. }
+    | Kind::IndexedSum {
+        body: integrand, ..
+    }) = &node.kind
+    else {
+        return false;
+    };
+    let integrand = match &inner(integrand).kind {
+        Kind::Negate(inside) => inner(inside),
+        _ => inner(integrand),
+    };
+    let Kind::Product(factors) = &integrand.kind else {
+        return false;
+    };
+    let coordinate = |name: &str| {
+        factors.iter().any(|factor| {
+            matches!(&factor.node.kind, Kind::Symbol(s) if s.name == name && s.superscripts.is_empty())
+        })
+    };
+    let among = ["x", "y", "z"].into_iter().filter(|name| coordinate(name));
+    among.count() == 2
 }

@@ -46,6 +46,21 @@ const WORDS: &[(Frame, &[&str])] = &[
         ],
     ),
 ];
+/// What a label may stand behind that turns: "fixed in the rotor $R$".
+const BODIES: &[&str] = &[
+    " body",
+    " rotor",
+    " satellite",
+    " spacecraft",
+    " aircraft",
+    " vehicle",
+    " gyroscope",
+    " top",
+    " disc",
+    " disk",
+    " plate",
+    " platform",
+];
 /// How far behind a label words may still speak of it.
 const NEAR: usize = 80;
 
@@ -127,15 +142,21 @@ impl Frames {
                 .iter()
                 .any(|verb| clause.starts_with(verb));
             let lead = before.rsplit(['.', ';', ',']).next().unwrap_or_default();
-            let lead = lead.trim_end();
+            let lead_words = lead.trim_end();
             let lead = ["frame", "axes", "frame of reference", "system", "observer"]
                 .iter()
-                .find_map(|noun| lead.strip_suffix(noun));
+                .find_map(|noun| lead_words.strip_suffix(noun));
             let noun: Option<String> = lead.map(|lead| {
                 let words: Vec<&str> = lead.rsplit(' ').take(3).collect();
                 words.join(" ")
             });
             let said = noun.as_deref().and_then(in_words);
+            let said = said.or_else(|| {
+                BODIES
+                    .iter()
+                    .any(|b| lead_words.ends_with(b))
+                    .then_some(Frame::Moving)
+            });
             let said = said.or_else(|| in_words(&clause).filter(|_| verb));
             if let Some(frame) = said {
                 self.named.entry(name).or_insert(frame);
@@ -188,8 +209,17 @@ impl Frames {
         let both: Vec<&String> = written.iter().collect();
         if let [first, second] = both.as_slice() {
             for (one, other) in [(first, second), (second, first)] {
-                if let (Some(frame), None) = (known(self, one), known(self, other)) {
-                    self.named.insert((*other).clone(), frame.other());
+                // What the words say of one outweighs what the letter of the other mostly means.
+                let said = self.named.get(*one).copied();
+                let free = !self.named.contains_key(*other);
+                let custom = by_custom(other);
+                let other_frame = match (known(self, one), custom) {
+                    (Some(frame), None) => Some(frame.other()),
+                    (Some(frame), Some(same)) if said == Some(same) => Some(frame.other()),
+                    _ => None,
+                };
+                if let Some(frame) = other_frame.filter(|_| free) {
+                    self.named.insert((*other).clone(), frame);
                 }
             }
         }

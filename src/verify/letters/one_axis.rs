@@ -40,6 +40,9 @@ impl Reading {
         // Where ω is only ever a number, it need not be said that the axis is fixed.
         let number = letter.as_ref();
         let number = number.is_some_and(|letter| self.usage.get(letter).vector == 0);
+        if letter.is_none() && !others && !self.plane && self.euler_angles.is_none() {
+            return self.through_an_angle(document);
+        }
         let axis = sentences(document)
             .iter()
             .find_map(|s| fixed_axis(&s.text, number))
@@ -68,6 +71,17 @@ impl Reading {
                     .insert(rate, (Quantity::AngularAcceleration, axis));
             }
         }
+    }
+
+    /// "The rotor turns about the ⟨z⟩ axis through the angle ⟨φ⟩", where no ω is written.
+    fn through_an_angle(&mut self, document: &Document) {
+        let rates = |q: &Quantity| *q == Quantity::AngularVelocity;
+        if self.usage.only_angle().is_none() || self.quantities.values().any(rates) {
+            return;
+        }
+        let said = |s: &str| fixed_axis(s, true).filter(|_| s.contains("angle"));
+        self.fixed_axis = sentences(document).iter().find_map(|s| said(&s.text));
+        self.turns_by_angle = self.fixed_axis.is_some();
     }
 
     /// The axis k of the only moment I_k that a number ω multiplies: of `T = \frac12 I_1\omega^2`.

@@ -51,6 +51,8 @@ pub(crate) struct Reading {
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
     pub(crate) fixed_axis: Option<u8>,
+    /// Whether the rate of the only angle is ω about that axis.
+    pub(crate) turns_by_angle: bool,
     /// The axis that the only wheel lies along.
     pub(crate) wheel_axis: Option<u8>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.

@@ -12,7 +12,6 @@ use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::values::spatial::all_in_space;
 use crate::verify::values::value::{Value, units_in_size};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
@@ -284,7 +283,7 @@ impl Checker<'_> {
     }
 
     /// Reads with every vector on space axes, or as it stands.
-    fn read_on(
+    pub(crate) fn read_on(
         &mut self,
         sides: &[Node],
         unlabelled: Frame,
@@ -317,33 +316,6 @@ impl Checker<'_> {
             ambiguous,
             to_order: false,
         })
-    }
-
-    /// The readings of a line, the likelier first.
-    pub(crate) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
-        let spatial = all_in_space(sides, &self.reading);
-        let mut first = self.read_on(sides, Frame::Moving, spatial)?;
-        first.to_order = self.keep_order(&mut first.equations);
-        let turning = |checker: &mut Self| sides.iter().any(|side| checker.has_rate_of_axis(side));
-        if first.ambiguous && (self.tells_rates_apart(sides) || turning(self)) {
-            let mut seen = self.read(sides, Frame::Space)?;
-            seen.to_order = self.keep_order(&mut seen.equations);
-            return Ok(vec![seen]);
-        }
-        let wheels = self.dots.is_none() && sides.iter().any(|side| self.adds_rate_of_wheels(side));
-        if !first.ambiguous || wheels || self.dots == Some(Frame::Moving) {
-            return Ok(vec![first]);
-        }
-        let mut second = match self.read(sides, Frame::Space) {
-            // Where it makes no sense seen from space, it is not meant so: ∂M/∂\dot ω.
-            Err(_) if self.dots.is_none() => return Ok(vec![first]),
-            read => read?,
-        };
-        second.to_order = self.keep_order(&mut second.equations);
-        if self.dots == Some(Frame::Space) {
-            return Ok(vec![second]);
-        }
-        Ok(vec![first, second])
     }
 
     fn note(&mut self, finding: Finding) {

@@ -5,89 +5,17 @@
 //! letters. What the document supposes on one set of axes is not known on the other, unless it says that a vector
 //! vanishes.
 
-use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::ast::{Line, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
 use crate::verify::theory::Premise;
 use crate::verify::theory::law::Axes;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
 
 impl Checker<'_> {
-    /// Whether the rate of a unit vector of the axes stands in a node: it is seen from space, or it would be zero.
-    pub(crate) fn has_rate_of_axis(&mut self, node: &Node) -> bool {
-        if let Kind::TimeDerivative { operand, .. } = &node.kind
-            && let Kind::Symbol(symbol) = &inner(operand).kind
-        {
-            return matches!(self.meaning_of(symbol), Meaning::UnitVector(_));
-        }
-        let mut children = node.children().into_iter();
-        children.any(|child| self.has_rate_of_axis(child))
-    }
-
-    /// Whether the rate of the momentum of wheels is a term of a sum: there it is what their motors do, seen from the
-    /// body that carries them.
-    pub(crate) fn adds_rate_of_wheels(&mut self, node: &Node) -> bool {
-        let Kind::Sum(terms) = &node.kind else {
-            let mut children = node.children().into_iter();
-            return children.any(|child| self.adds_rate_of_wheels(child));
-        };
-        let wheels = Owner::Quantity(Quantity::RelativeMomentum, String::new());
-        terms.iter().any(|term| {
-            let Kind::TimeDerivative {
-                operand,
-                frame: None,
-                ..
-            } = &inner(&term.node).kind
-            else {
-                return self.adds_rate_of_wheels(&term.node);
-            };
-            let entities = self.entities([&**operand]);
-            matches!(inner(operand).kind, Kind::Symbol(_))
-                && entities
-                    .iter()
-                    .all(|e| self.theory.atoms.info(*e).owner == wheels)
-        })
-    }
-
-    /// Whether a rate without a frame stands beside that of the same vector on the axes used: it is seen from space.
-    pub(crate) fn tells_rates_apart(&self, sides: &[Node]) -> bool {
-        let (mut labelled, mut bare) = (vec![], vec![]);
-        for side in sides {
-            self.rates_of_symbols(side, None, &mut |symbol, frame| match frame {
-                Some(Frame::Moving) => labelled.push(symbol.clone()),
-                Some(_) => {}
-                None => bare.push(symbol.clone()),
-            });
-        }
-        bare.iter().any(|symbol| labelled.contains(symbol))
-    }
-
-    fn rates_of_symbols(
-        &self,
-        node: &Node,
-        within: Option<Frame>,
-        found: &mut dyn FnMut(&Symbol, Option<Frame>),
-    ) {
-        let within = match &node.kind {
-            Kind::InFrame(_, label) => self.reading.frames.of_label(label).or(within),
-            _ => within,
-        };
-        if let Kind::TimeDerivative { operand, frame, .. } = &node.kind
-            && let Kind::Symbol(symbol) = &inner(operand).kind
-        {
-            let own = frame
-                .as_ref()
-                .and_then(|label| self.reading.frames.of_label(label));
-            found(symbol, own.or(within));
-        }
-        node.each_child(&mut |child| self.rates_of_symbols(child, within, found));
-    }
-
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
     pub(crate) fn line(&mut self, line: &Line, role: Role) {
         if self.reading.space_axes.is_none() {

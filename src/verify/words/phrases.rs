@@ -75,13 +75,15 @@ pub(crate) fn speaks_of_wheels(text: &str) -> bool {
 }
 
 /// Whether what a clause in small letters says of a momentum is said of a wheel: "relative to the airframe the propeller
-/// has the angular momentum".
+/// has the angular momentum", "the rotor adds an angular momentum".
 fn is_of_a_wheel(clause: &str) -> bool {
     let part = WHEELS
         .iter()
         .filter_map(|word| clause.find(word))
         .any(|at| clause[at..].contains(" has "));
+    let adds = |at: usize| has_any(&clause[at..], &[" adds ", " contributes ", " stores "]);
     part && clause.contains("relative to")
+        || WHEELS.iter().filter_map(|word| clause.find(word)).any(adds)
 }
 
 /// Whether "mass" is the end of "centre of mass".
@@ -140,13 +142,17 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
 /// Whether words that name something reach over the formulas behind them to the next: "the energy about ⟨ is" does to
 /// a display; over a formula right behind the words, only its list goes on: "the moments ⟨, ⟨ and ".
 pub(crate) fn reaches(text: &str, display: bool) -> bool {
-    // "No torque along ⟨e⟩": a direction.
-    // "The momentum is linear in ⟨x⟩": what it is made of.
+    // "No torque along ⟨e⟩": a direction; "the moments about ⟨A⟩": a point; "linear in ⟨x⟩": what it is made of.
     let related = [
         "along",
         "along the axis",
         "perpendicular to",
         "parallel to",
+        " about",
+        " about point",
+        " about the point",
+        " around",
+        " at the point",
         "linear in",
         "quadratic in",
         "in terms of",
@@ -253,7 +259,16 @@ pub(crate) fn named_first(rest: &str, within: usize) -> Option<Quantity> {
 /// "Angular momentum stored in the wheels".
 fn is_in_wheels(text: &str) -> bool {
     let clause = text.split([',', ';', '.']).next().unwrap_or_default();
-    let carried = [" in the ", " of the ", " of a ", " of one ", " in a "];
+    let carried = [
+        " in the ",
+        " of the ",
+        " of a ",
+        " of one ",
+        " in a ",
+        " that the ",
+        " which the ",
+        " by the ",
+    ];
     let part = |at: usize| {
         let rest = &clause[at..];
         WHEELS.iter().any(|w| {

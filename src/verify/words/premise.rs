@@ -5,6 +5,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::letters::body::integrates_a_product;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, inner, symbols};
@@ -43,7 +44,7 @@ impl Checker<'_> {
             Said::DotsInSpace => self.dots.replace(Frame::Space) != Some(Frame::Space),
             Said::Principal if self.products_are_given() => false,
             Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
-            Said::SymmetryPlane(a, b) => {
+            Said::SymmetryPlane(a, b) | Said::OnlyProduct(a, b) => {
                 let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();
                 self.vanish(&name, Quantity::Inertia, &across)
             }
@@ -204,6 +205,9 @@ impl Checker<'_> {
             Quantity::AngularVelocity,
             axis,
         );
+        if self.reading.turns_by_angle {
+            self.turns_by_only_angle(axis);
+        }
     }
 
     /// Of what carries the rotor nothing is said but how it turns: the moment is the one on the rotor.
@@ -276,15 +280,21 @@ impl Checker<'_> {
         let by_data = double
             && self.reading.writes_only_diagonal()
             && gives_three_moments(self.document, &self.reading);
-        if !double && (single || by_letters) || by_data {
+        let unmentioned = !double && !integrates_a_product(self.document);
+        if unmentioned && (single || by_letters) || by_data {
             self.take(Said::Principal, Span::default());
         }
     }
 
-    /// ω is along z, and the rate of the angle if the document has one.
+    /// ω is along z.
     fn turn_in_the_plane(&mut self) {
         let name = "a turn about the z axis";
         self.vanish(name, Quantity::AngularVelocity, &[0, 1]);
+        self.turns_by_only_angle(2);
+    }
+
+    /// ω about an axis is the rate of the only angle, if there is one.
+    fn turns_by_only_angle(&mut self, axis: u8) {
         let Some(angle) = self.reading.usage.only_angle() else {
             return;
         };
@@ -297,10 +307,10 @@ impl Checker<'_> {
         };
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         let (turn, rate) = (
-            self.theory.atoms.value(omega, 2, 0),
+            self.theory.atoms.value(omega, axis, 0),
             self.theory.atoms.value(entity, 0, 1),
         );
-        let preferred = vec![self.theory.atoms.part(omega, 2, 0)];
+        let preferred = vec![self.theory.atoms.part(omega, axis, 0)];
         self.theory.assume(Premise {
             name: "the angle of the turn: ω is its rate".to_owned(),
             preferred,

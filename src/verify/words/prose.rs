@@ -18,6 +18,8 @@ pub(crate) enum Said {
     Principal,
     /// The plane with these two axes is a plane of symmetry: the products across it vanish.
     SymmetryPlane(u8, u8),
+    /// The product of inertia of these two axes is the only one.
+    OnlyProduct(u8, u8),
     /// The body is flat and lies in the plane with these two axes: their moments make up the third.
     Lamina(u8, u8),
     /// No moment acts.
@@ -39,6 +41,10 @@ impl Said {
             Self::SymmetryPlane(a, b) => {
                 let [a, b] = [a, b].map(axis_name);
                 format!("{a}{b} is a plane of symmetry: the products across it vanish")
+            }
+            Self::OnlyProduct(a, b) => {
+                let [a, b] = [a, b].map(axis_name);
+                format!("one product of inertia: those but I_{a}{b} vanish")
             }
             Self::Lamina(a, b) => {
                 let [c, a, b] = [3 - a - b, a, b].map(axis_name);

@@ -42,6 +42,7 @@ impl Checker<'_> {
         if speaks {
             self.note_linear(&lower);
             self.constants_in_words(&lower, span);
+            self.note_called_only_product(&lower, span);
         }
         self.sentence.push_str(text);
         if speaks {
