@@ -51,6 +51,8 @@ pub(crate) struct Reading {
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
     pub(crate) fixed_axis: Option<u8>,
+    /// The label of the only point that moments are taken about, where it is none of the customary ones.
+    pub(crate) own_point: Option<String>,
     /// Whether the rate of the only angle is ω about that axis.
     pub(crate) turns_by_angle: bool,
     /// The axis that the only wheel lies along.
@@ -131,6 +133,7 @@ impl Reading {
         reading.by_moment_law(document);
         reading.by_points();
         reading.by_labels(document);
+        reading.note_own_point(document);
         reading.in_a_plane();
         reading.about_fixed_axis(document);
         reading.wheel_along_axis(document);

@@ -104,7 +104,10 @@ fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning 
     let mut sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
     let quantity = reading.quantities.get(&letter);
-    if quantity.is_some_and(|&q| tells_nothing_apart(q, symbol, &sorted.variant, reading)) {
+    let own_point = reading.own_point.as_deref() == Some(sorted.variant.as_str());
+    if own_point
+        || quantity.is_some_and(|&q| tells_nothing_apart(q, symbol, &sorted.variant, reading))
+    {
         sorted.variant.clear();
     }
     let named = reading.usage.wholes.names(symbol);
