@@ -7,6 +7,7 @@ use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
+use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::triad::Triad;
 use crate::verify::lines::cases::Cases;
 use crate::verify::lines::dimensions::Dimensions;
@@ -216,6 +217,8 @@ impl<'a> Checker<'a> {
             passed: vec![],
             reading,
         };
+        let space_axes = checker.reading.space_axes.as_ref();
+        checker.theory.atoms.inertia_letters = space_axes.and_then(SpaceAxes::two_letters);
         spell(document, &checker.reading, &mut checker.theory.atoms);
         if checker.reading.on_chosen_axes {
             checker.choose_axes();

@@ -62,6 +62,12 @@ pub(super) fn latex(atoms: &Atoms, variable: Variable) -> String {
 
 /// The letter of an entity, with the label of the axes that it stands on where the document writes one.
 fn on_axes(atoms: &Atoms, info: &EntityInfo) -> String {
+    if let (Some(letters), Owner::Quantity(Quantity::Inertia, _)) =
+        (&atoms.inertia_letters, &info.owner)
+    {
+        let on_body = atoms.body_label.is_some() && info.in_body.is_none();
+        return letters[usize::from(on_body)].clone();
+    }
     match (&atoms.body_label, &info.owner) {
         (Some(_), _) if info.in_body.is_some() => info.latex.replace("^s", ""),
         (Some(_), Owner::Quantity(Quantity::Attitude | Quantity::Quaternion, _)) => {

@@ -140,8 +140,10 @@ impl Reading {
         reading.part_rotor();
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
-        reading.space_axes =
-            matrix.and_then(|matrix| SpaceAxes::of(document, Some(matrix), &reading.quantities));
+        let to_body = reading.attitude.convention.matrix_to_body;
+        reading.space_axes = matrix.and_then(|matrix| {
+            SpaceAxes::of(document, Some(matrix), &reading.quantities, to_body)
+        });
         reading
     }
 

@@ -21,6 +21,8 @@ pub(crate) struct SpaceAxes {
     inertia: Option<Letter>,
     /// The label of the same tensor on the body's axes.
     pub label: String,
+    /// The letter of it there, where that is another one: the J of `I = R J R^T`.
+    body_letter: Option<Letter>,
     /// Whether the line that is being read speaks of the body's axes, so that plain letters are turned.
     pub beside_body: bool,
     /// Whether the section works on the body's axes, plain letters and all.
@@ -58,19 +60,29 @@ impl SpaceAxes {
         document: &Document,
         matrix: Option<&Letter>,
         quantities: &BTreeMap<Letter, Quantity>,
+        to_body: bool,
     ) -> Option<Self> {
         let of = |quantity: Quantity| {
             move |plain: &Symbol| quantities.get(&Letter::of(plain)) == Some(&quantity)
         };
         let tensor =
             turned_tensor(document, matrix).filter(|(plain, _)| of(Quantity::Inertia)(plain));
+        let letters = || turned_letters(document, matrix, &of(Quantity::Inertia), to_body);
+        if tensor.is_none()
+            && let Some((plain, body)) = letters()
+        {
+            return Some(Self {
+                inertia: Some(plain),
+                body_letter: Some(body),
+                ..Self::default()
+            });
+        }
         let rate = || turned_vector(document, matrix?, &of(Quantity::AngularVelocity));
         let (_, labelled) = tensor.or_else(rate)?;
         let found = Self {
             label: labelled.subscripts.concat().trim().to_owned(),
             inertia: tensor.map(|(plain, _)| Letter::of(plain)),
-            beside_body: false,
-            left: false,
+            ..Self::default()
         };
         // Where ω wears no label, words may put it on the body's axes all the same.
         let mut all = lines(document)
@@ -85,9 +97,22 @@ impl SpaceAxes {
         (labelled_rate || !denied).then_some(found)
     }
 
+    /// The letters of the inertia on space axes and on the body's, where these are two.
+    pub(crate) fn two_letters(&self) -> Option<[String; 2]> {
+        let letters = [self.inertia.as_ref()?, self.body_letter.as_ref()?];
+        Some(letters.map(|letter| letter.name.clone()))
+    }
+
     /// A symbol without the label that puts it on the body's axes; `None` where it has none.
     pub(crate) fn without_label(&self, symbol: &Symbol) -> Option<Symbol> {
-        let inertia = self.inertia.as_ref() == Some(&Letter::of(symbol));
+        let letter = Letter::of(symbol);
+        if self.body_letter.as_ref() == Some(&letter) {
+            let plain = self.inertia.clone()?;
+            let mut bare = symbol.clone();
+            (bare.name, bare.style.calligraphic) = (plain.name, plain.calligraphic);
+            return Some(bare);
+        }
+        let inertia = self.inertia.as_ref() == Some(&letter);
         // The ω_0 beside an I_0 is that at the beginning.
         let lettered = self.label.chars().all(char::is_alphabetic);
         let labels = |text: &str| {
@@ -173,13 +198,39 @@ fn turned_tensor<'d>(
             let either = [(&pair[0], &pair[1]), (&pair[1], &pair[0])];
             either.into_iter().find_map(|(left, right)| {
                 let plain = tensor(left)?;
-                let (by, labelled) = turned(right)?;
+                let (by, labelled, _) = turned(right)?;
                 let same = Letter::of(plain) == Letter::of(labelled);
                 let known = matrix.is_none_or(|matrix| *matrix == Letter::of(by));
                 let told = is_label(labelled) && plain.subscripts.is_empty();
                 (same && known && told && plain.primes == labelled.primes)
                     .then_some((plain, labelled))
             })
+        })
+    })
+}
+
+/// The letters of two tensors in `I = R J R^T`, first the one on space axes, where the matrix takes components `to_body`
+/// or the other way.
+fn turned_letters(
+    document: &Document,
+    matrix: Option<&Letter>,
+    kind: &dyn Fn(&Symbol) -> bool,
+    to_body: bool,
+) -> Option<(Letter, Letter)> {
+    lines(document).find_map(|line| {
+        let [left, right] = line.sides.as_slice() else {
+            return None;
+        };
+        let left = tensor(left)?;
+        let (by, right, transposed_first) = turned(right)?;
+        let known = matrix.is_none_or(|matrix| *matrix == Letter::of(by));
+        let bare = |s: &Symbol| s.subscripts.is_empty() && s.primes == 0 && kind(s);
+        let [left_letter, right_letter] = [left, right].map(Letter::of);
+        let two = known && bare(left) && bare(right) && left_letter != right_letter;
+        let left_in_space = transposed_first == to_body;
+        two.then_some(match left_in_space {
+            true => (left_letter, right_letter),
+            false => (right_letter, left_letter),
         })
     })
 }
@@ -228,8 +279,8 @@ fn tensor(node: &Node) -> Option<&Symbol> {
     }
 }
 
-/// The R and the A of `R A R^T` or `R^T A R`.
-fn turned(node: &Node) -> Option<(&Symbol, &Symbol)> {
+/// The R and the A of `R A R^T` or `R^T A R`, and whether it is the second.
+fn turned(node: &Node) -> Option<(&Symbol, &Symbol, bool)> {
     let Kind::Product(factors) = &inner(node).kind else {
         return None;
     };
@@ -237,11 +288,11 @@ fn turned(node: &Node) -> Option<(&Symbol, &Symbol)> {
         return None;
     };
     let beside = [middle, last].map(|f| f.operator == Operator::Juxtaposed);
-    let by = match (&first.node.kind, &last.node.kind) {
-        (_, Kind::Transpose(inside)) if tensor(inside)? == tensor(&first.node)? => inside,
-        (Kind::Transpose(inside), _) if tensor(inside)? == tensor(&last.node)? => inside,
+    let (by, transposed_first) = match (&first.node.kind, &last.node.kind) {
+        (_, Kind::Transpose(inside)) if tensor(inside)? == tensor(&first.node)? => (inside, false),
+        (Kind::Transpose(inside), _) if tensor(inside)? == tensor(&last.node)? => (inside, true),
         _ => return None,
     };
-    let found = (tensor(by)?, tensor(&middle.node)?);
+    let found = (tensor(by)?, tensor(&middle.node)?, transposed_first);
     (beside == [true; 2]).then_some(found)
 }

@@ -92,6 +92,8 @@ pub(crate) struct Atoms {
     pub numbered: bool,
     /// The label of what stands on the body's axes, where the plain letters are those on space axes.
     pub body_label: Option<String>,
+    /// The letters of the inertia on space axes and on the body's, where these are two.
+    pub inertia_letters: Option<[String; 2]>,
 }
 
 impl Atoms {
