@@ -174,3 +174,16 @@ fn words_may_give_the_axes_an_angular_velocity_without_a_letter() {
         Some('r')
     );
 }
+
+#[test]
+fn a_rotor_gives_its_letter_to_a_frame() {
+    let text = |at: &str| {
+        format!(
+            "In the inertial frame $F$ the law is $\\underline M = \\left.\\frac{{d\\underline L}}{{dt}}\\right|_F$. \
+             The triad is fixed in the rotor $R$, which turns with $\\underline\\omega$.\n\n\
+             $$ \\left.\\frac{{d\\underline L}}{{dt}}\\right|_F = \\left.\\frac{{d\\underline L}}{{dt}}\\right|_{at} + \\underline\\omega\\times\\underline L $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("R")), "pp");
+    assert_eq!(verdicts(&text("F")), "pr");
+}

@@ -163,3 +163,17 @@ $$ \Omega = \frac{m g l}{C n} = \frac{g l}{r^2 n} $$
 ";
     assert_eq!(verdicts(text), "aaaaapp");
 }
+
+#[test]
+fn a_rotor_turns_through_an_angle_about_a_bearing_with_a_letter() {
+    let text = |sign: &str| {
+        format!(
+            "The rotor turns about the $z$ axis through the angle $\\varphi(t)$. The axes $xyz$ rotate with it. \
+             The products of inertia about $A$ are $J_{{xz}} = \\int xz\\,dm$ and $J_{{yz}} = \\int yz\\,dm$.\n\n\
+             $$ \\mathbf L_A = -J_{{xz}}\\dot\\varphi\\,\\mathbf i {sign} J_{{yz}}\\dot\\varphi\\,\\mathbf j + J_z\\dot\\varphi\\,\\mathbf k $$\n\n\
+             $$ \\dot{{\\mathbf j}} = {sign}\\dot\\varphi\\,\\mathbf i $$\n\n$$ M_x = -J_{{xz}}\\ddot\\varphi + J_{{yz}}\\dot\\varphi^2 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "ppppp");
+    assert_eq!(verdicts(&text("+")), "pprrp");
+}

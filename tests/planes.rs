@@ -73,3 +73,18 @@ $$ I_{y'y'} = I_{xx}\sin^2\beta SIGN I_{xy}\sin 2\beta + I_{yy}\cos^2\beta $$
     assert_eq!(with("-"), Some('p'));
     assert_eq!(with("+"), Some('r'));
 }
+
+#[test]
+fn a_product_of_inertia_under_another_letter_is_none_on_no_axes() {
+    let text = |sign: &str| {
+        format!(
+            "We define $I_x = \\int y^2\\,dm$, $I_y = \\int x^2\\,dm$ and $P = \\int xy\\,dm$ for a thin plate in the plane $xy$. \
+             The axes $x'$, $y'$ are turned by the angle $\\alpha$:\n\n\
+             $$ x' = x\\cos\\alpha + y\\sin\\alpha $$\n$$ y' = -x\\sin\\alpha + y\\cos\\alpha $$\n\n\
+             We define $P' = \\int x'y'\\,dm$. Multiplying out,\n\n\
+             $$ P' = (I_x - I_y)\\sin\\alpha\\cos\\alpha + P\\,(\\cos^2\\alpha {sign} \\sin^2\\alpha) $$\n"
+        )
+    };
+    assert!(verdicts(&text("-")).ends_with('p'));
+    assert!(verdicts(&text("+")).ends_with('r'));
+}

@@ -97,3 +97,23 @@ fn a_label_of_the_world_on_the_inertia_alone_tells_nothing_apart() {
     assert_eq!(verdicts(&text("+")), "pppap");
     assert_eq!(verdicts(&text("-")), "pprap");
 }
+
+#[test]
+fn two_letters_are_one_tensor_on_two_sets_of_axes() {
+    let text = |first: &str, second: &str| {
+        format!(
+            "The matrix $R$ turns components on the body axes into components on the fixed axes. \
+             The inertia matrix on the body axes is the constant matrix $\\mathsf J$. On the fixed axes it is\n\n\
+             $$ \\mathsf I = R\\,\\mathsf J\\,R^\\top $$\n\nLet $\\omega$ be the angular velocity on the fixed axes and \
+             $\\widetilde\\omega$ its skew matrix.\n\n\
+             $$ \\dot R = \\widetilde\\omega R $$\n\n$$ \\dot{{\\mathsf I}} = {first} - {second} $$\n\n\
+             $$ \\tau = \\mathsf I\\,\\dot\\omega + \\omega\\times\\mathsf I\\,\\omega $$\n"
+        )
+    };
+    let [one, other] = [
+        "\\widetilde\\omega\\,\\mathsf I",
+        "\\mathsf I\\,\\widetilde\\omega",
+    ];
+    assert_eq!(verdicts(&text(one, other)), "pppp");
+    assert_eq!(verdicts(&text(other, one)), "pprp");
+}

@@ -175,3 +175,28 @@ fn a_rate_of_the_wheels_in_a_sum_is_seen_from_their_carrier() {
     assert_eq!(verdicts(&text(both)), "p");
     assert_eq!(verdicts(&text(r"\mathbf I\boldsymbol\omega")), "r");
 }
+
+#[test]
+fn wheels_have_the_momentum_and_an_engine_adds_it() {
+    let text = |term: &str| {
+        format!(
+            "All vectors are on axes fixed in the satellite. $J$ is its inertia matrix with the wheels locked, \
+             $\\mathbf h$ is the angular momentum that the wheels have relative to the satellite.\n\n\
+             $$ \\mathbf H = J\\boldsymbol\\omega + \\mathbf h $$\n\nAssume $\\mathbf M = \\mathbf 0$.\n\n\
+             $$ J\\dot{{\\boldsymbol\\omega}} + \\dot{{\\mathbf h}} + \\boldsymbol\\omega\\times({term}) = \\mathbf 0 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("J\\boldsymbol\\omega + \\mathbf h")), "pap");
+    // A dot beside ω × is a rate on the axes, so that what is lost is not in it.
+    assert_ne!(verdicts(&text("J\\boldsymbol\\omega")), "pap");
+    let text = |sign: &str| {
+        format!(
+            "$A$, $B$, $C$ are the moments of inertia about $x$, $y$, $z$, and the only product of inertia is $E = \\int xz\\,dm$. \
+             The components of the angular velocity are $p$, $q$, $r$, the moments are $L$, $M$, $N$. \
+             The rotor of the engine adds an angular momentum $h$ about the $x$ axis.\n\n\
+             $$ H_x = Ap - Er + h $$\n$$ H_z = Cr - Ep $$\n$$ N = C\\dot r - E\\dot p + (B - A)\\,pq + E\\,qr {sign} h\\,q $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "appp");
+    assert_eq!(verdicts(&text("+")), "appr");
+}

@@ -5,7 +5,7 @@ use crate::notation::document::Document;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
-use crate::verify::words::attitude_words::Sentence;
+use crate::verify::words::attitude_words::{Sentence, way};
 use crate::verify::words::book::has_any;
 use std::collections::BTreeSet;
 
@@ -51,7 +51,11 @@ impl AttitudeReading {
                 made.insert(Letter::of(symbol));
             }
         }
-        let spoken = said.iter().filter(|s| has_any(&s.text, MATRIX_WORDS));
+        // "The matrix ⟨R⟩ turns components on the body axes into components on the fixed axes."
+        let goes = |text: &str| text.contains("matrix ⟨") && way(text).is_some();
+        let spoken = said
+            .iter()
+            .filter(|s| has_any(&s.text, MATRIX_WORDS) || goes(&s.text));
         found.extend(
             spoken
                 .flat_map(|s| &s.letters)

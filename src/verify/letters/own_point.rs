@@ -9,7 +9,12 @@ use crate::verify::words::sentences::{Paragraphs, sentences};
 use std::collections::BTreeSet;
 
 /// What stands before the letter of such a point.
-const ABOUT: &[&str] = &["about", "about point", "about the point", "about the bearing"];
+const ABOUT: &[&str] = &[
+    "about",
+    "about point",
+    "about the point",
+    "about the bearing",
+];
 
 impl Reading {
     /// Finds the point by its label on momenta and moments, where that is the only one and the words take them about it.
@@ -30,11 +35,16 @@ impl Reading {
             return;
         }
         let mark = format!("⟨{label}⟩");
-        let named = sentences(document, Paragraphs::Apart).iter().any(|sentence| {
-            let text = sentence.named();
-            text.match_indices(&mark)
-                .any(|(at, _)| ABOUT.iter().any(|words| text[..at].trim_end().ends_with(words)))
-        });
+        let named = sentences(document, Paragraphs::Apart)
+            .iter()
+            .any(|sentence| {
+                let text = sentence.named();
+                text.match_indices(&mark).any(|(at, _)| {
+                    ABOUT
+                        .iter()
+                        .any(|words| text[..at].trim_end().ends_with(words))
+                })
+            });
         self.own_point = named.then(|| label.clone());
     }
 }

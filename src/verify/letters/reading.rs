@@ -141,9 +141,8 @@ impl Reading {
         reading.typed_w(document.format == Format::Text);
         let matrix = reading.attitude.matrix.as_ref();
         let to_body = reading.attitude.convention.matrix_to_body;
-        reading.space_axes = matrix.and_then(|matrix| {
-            SpaceAxes::of(document, Some(matrix), &reading.quantities, to_body)
-        });
+        reading.space_axes = matrix
+            .and_then(|matrix| SpaceAxes::of(document, Some(matrix), &reading.quantities, to_body));
         reading
     }
 

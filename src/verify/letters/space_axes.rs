@@ -171,7 +171,7 @@ pub(crate) fn turned_labels(document: &Document) -> Option<(String, String, Stri
             return None;
         };
         let opens = !matches!(factors.first()?.node.kind, Kind::Transpose(_));
-        let (_, body) = turned(right).filter(|_| opens)?;
+        let (_, body, _) = turned(right).filter(|_| opens)?;
         let labels = [world, body].map(|symbol| symbol.subscripts.concat().trim().to_owned());
         let [there, here] = labels;
         let told = BODY.contains(&here.as_str())

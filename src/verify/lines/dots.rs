@@ -8,8 +8,8 @@ use crate::verify::lines::line::Read;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::Trouble;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::values::symbol::Meaning;
 use crate::verify::values::spatial::all_in_space;
+use crate::verify::values::symbol::Meaning;
 
 impl Checker<'_> {
     /// The readings of a line, the likelier first.
