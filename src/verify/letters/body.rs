@@ -17,6 +17,30 @@ impl Reading {
         pairs.any(|(r, c)| r != c)
     }
 
+    /// The letter of which only products of inertia are written, P_12 and P_13 beside I_11 and I_22.
+    pub(crate) fn products_apart(&mut self) {
+        let moments = self.quantities.values().any(|q| *q == Quantity::Inertia);
+        if !moments || self.writes_products() {
+            return;
+        }
+        let pairs = |letter: &Letter| {
+            let met = self.usage.subscripts.get(letter);
+            let pair = |s: &String| axes(s).is_some_and(|(row, column)| row != column);
+            met.is_some_and(|met| met.len() > 1 && met.iter().all(pair))
+        };
+        let free = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            used.vector + used.naked + used.component == 0
+                && !self.quantities.contains_key(letter)
+                && !self.components.contains_key(letter)
+        };
+        let mut letters = self.usage.letters().map(|(letter, _)| letter);
+        let found = letters.find(|l| pairs(l) && free(l)).cloned();
+        if let Some(letter) = found {
+            self.quantities.insert(letter, Quantity::Inertia);
+        }
+    }
+
     /// Whether the moments I_11, I_22, I_33 or A, B, C are written, and nowhere a product or the word for one.
     pub(crate) fn writes_only_diagonal(&self) -> bool {
         let inertia = |(_, q): &(&Letter, &Quantity)| **q == Quantity::Inertia;

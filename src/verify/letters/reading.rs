@@ -129,6 +129,7 @@ impl Reading {
         reading.by_attitude(document);
         reading.wheel_speeds();
         reading.by_custom();
+        reading.products_apart();
         reading.by_coefficients(document);
         reading.by_moment_law(document);
         reading.by_points();

@@ -167,9 +167,12 @@ pub(crate) fn reaches(text: &str, display: bool) -> bool {
     }
     let separators = ["", "and", "or", "&", "/"];
     let mut pieces = text.split('⟨');
-    let named = pieces
-        .next()
-        .is_none_or(|between| matches!(between.trim(), "" | "s" | ":"));
+    let first = pieces.next().map(str::trim);
+    // "The momentum is ⟨L = …⟩ and the bench reads": the formula right behind is what it names.
+    if text.contains('⟨') && matches!(first, Some("is" | "are")) {
+        return false;
+    }
+    let named = first.is_none_or(|between| matches!(between, "" | "s" | ":"));
     if display && !named {
         return true;
     }
