@@ -6,6 +6,7 @@ pub(super) mod cones_in_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;
 pub(super) mod legend;
+pub(super) mod moments_by_adjective;
 pub(super) mod moments_in_words;
 pub(super) mod only_product;
 pub(super) mod outlasting;

@@ -1,7 +1,7 @@
-//! Words that give the angles and the transverse rate of a free symmetric body their names: "the angle θ between L and
+//! Words that give the angles and the parts of the rate of a free symmetric body their names: "the angle θ between L and
 //! the symmetry axis".
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Function, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::lines::points::Law;
@@ -26,29 +26,55 @@ const AXES: &[&str] = &[
 const ANGLES: &[&str] = &[
     "theta", "vartheta", "alpha", "beta", "gamma", "delta", "nu", "phi",
 ];
-/// What is said of the part of the angular velocity across the axis.
-const ACROSS: &[&str] = &["transverse", "perpendicular to the", "equatorial"];
-/// Labels of that part.
-const LABELS: &[&str] = &["t", "T", "tr", "perp", "⊥", "n", "12"];
+/// A part of the angular velocity.
+struct Part {
+    name: &'static str,
+    across: bool,
+    /// What is said of it.
+    said: &'static [&'static str],
+    labels: &'static [&'static str],
+}
+
+const PARTS: [Part; 2] = [
+    Part {
+        name: "transverse part",
+        across: true,
+        said: &[
+            "transverse",
+            "perpendicular to the",
+            "equatorial",
+            "across the",
+        ],
+        labels: &["t", "T", "tr", "perp", "⊥", "n", "12"],
+    },
+    Part {
+        name: "axial part",
+        across: false,
+        said: &["axial", "along the"],
+        labels: &["a", "A", "s", "ax", "axial", "∥", "parallel"],
+    },
+];
 
 impl Checker<'_> {
-    /// Notes what the words call such an angle, and ties the transverse rate.
+    /// Notes what the words call such an angle, and ties the parts of the angular velocity.
     pub(crate) fn note_cones(&mut self) {
+        let mut spoken_of = false;
         for sentence in sentences(self.document, Paragraphs::Apart) {
+            let text = sentence.numbered();
+            spoken_of |= has_any(&text, AXES);
             let symbols: Vec<&Symbol> = sentence.symbols().map(|(symbol, _)| symbol).collect();
             if symbols.is_empty() {
                 continue;
             }
-            let text = sentence.numbered();
-            let axis = has_any(&text, AXES);
+            let axis = spoken_of && text.contains("axis");
             for clause in text.split([',', ';', ':']).flat_map(|c| c.split(" while ")) {
                 let named = self.names_axis(clause, &symbols);
                 let axis = axis || named.is_some();
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
                     self.note_cone(clause, &symbols, named);
                 }
-                if has_any(clause, ACROSS) {
-                    self.note_transverse_rate(clause, &symbols);
+                for part in PARTS.iter().filter(|part| has_any(clause, part.said)) {
+                    self.note_part(clause, &symbols, part);
                 }
             }
         }
@@ -92,7 +118,8 @@ impl Checker<'_> {
                 "denotes the angle",
             ];
             let plain = symbol.subscripts.is_empty() && ANGLES.contains(&symbol.name.as_str());
-            plain && (lead.ends_with("angle") || said.iter().any(|words| rest.starts_with(words)))
+            let between = lead.contains("angle between") && lead.ends_with(" is");
+            plain && (lead.ends_with("angle") || between || said.iter().any(|words| rest.starts_with(words)))
         };
         let mut angles = met.iter().filter(names_angle);
         let (Some((_, angle)), None) = (angles.next(), angles.next()) else {
@@ -116,11 +143,13 @@ impl Checker<'_> {
         }
     }
 
-    /// "⟨ω_t⟩ the magnitude of the transverse component", beside an ω along the third axis.
-    fn note_transverse_rate(&mut self, clause: &str, symbols: &[&Symbol]) {
+    /// "⟨ω_t⟩ the magnitude of the transverse component", "the component along the axis is ⟨ω_a⟩", beside an ω along the
+    /// third axis.
+    fn note_part(&mut self, clause: &str, symbols: &[&Symbol], part: &Part) {
         let turns = |s: &Symbol| {
             let letter = Letter::of(s);
-            let labelled = matches!(s.subscripts.as_slice(), [one] if LABELS.contains(&one.trim()));
+            let label = |one: &String| part.labels.contains(&one.trim());
+            let labelled = matches!(s.subscripts.as_slice(), [one] if label(one));
             let usage = &self.reading.usage;
             let axial = ["3", "z"].iter().any(|axis| usage.has_index(&letter, axis))
                 || usage.get(&letter).component == 0;
@@ -134,13 +163,13 @@ impl Checker<'_> {
             return;
         };
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let [x, y, _] = self.theory.atoms.vector(omega, 0);
-        let across = x.clone() * x + y.clone() * y;
-        let across = self
-            .theory
-            .kernel(crate::notation::ast::Function::Sqrt, across);
+        let [x, y, z] = self.theory.atoms.vector(omega, 0);
+        let value = match part.across {
+            true => self.theory.kernel(Function::Sqrt, x.clone() * x + y.clone() * y),
+            false => z,
+        };
         if let Some(entity) = self.entity_named(symbol) {
-            self.take_law(Law::new("transverse part", entity, Value::scalar(across)));
+            self.take_law(Law::new(part.name, entity, Value::scalar(value)));
         }
     }
 }

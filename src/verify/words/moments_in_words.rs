@@ -12,6 +12,7 @@ use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::has_any;
+use crate::verify::words::moments_by_adjective::by_adjective;
 use crate::verify::words::prose::Said;
 use crate::verify::words::sentences::{Paragraphs, sentences};
 use crate::verify::words::symmetric_body::equal_moments;
@@ -126,7 +127,13 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
 impl Numbered<'_> {
     /// Symbols by their place, with the axis that the words give each.
     fn named(&self) -> Vec<(usize, Named)> {
-        let mut found = vec![];
+        let told = by_adjective(&self.text).into_iter();
+        let mut found: Vec<(usize, Named)> = told
+            .map(|(symbol, axial)| match axial {
+                true => (symbol, Named::Axial),
+                false => (symbol, Named::Transverse),
+            })
+            .collect();
         let Some(start) = PHRASES.iter().find_map(|phrase| self.text.find(phrase)) else {
             return found;
         };
@@ -168,6 +175,7 @@ impl Numbered<'_> {
     /// The symbol after words for an axis: "about the shaft is ⟨I⟩".
     fn symbol_behind(&self, words: &str) -> Option<usize> {
         let text = words.trim_start();
+        let text = text.strip_prefix("axis ").unwrap_or(text);
         let text = ["is ", "be ", "by ", "called "]
             .iter()
             .find_map(|w| text.strip_prefix(w))?;

@@ -1,0 +1,79 @@
+//! Moments of inertia that an adjective names: "its transverse moment of inertia is ⟨I_t⟩", "the axial and transverse
+//! moments ⟨C⟩ and ⟨A⟩", "⟨A⟩ (transverse)".
+
+const AXIAL: &[&str] = &["axial", "polar", "longitudinal"];
+const TRANSVERSE: &[&str] = &["transverse", "equatorial", "lateral"];
+const MOMENT: &[&str] = &[
+    " moments of inertia",
+    " moment of inertia",
+    " moments",
+    " moment",
+    " inertia",
+];
+
+/// The numbers of symbols in a sentence with `⟨n⟩` in their places, and whether each is the moment about the axis of
+/// symmetry.
+pub(crate) fn by_adjective(text: &str) -> Vec<(usize, bool)> {
+    let mut found = vec![];
+    for (words, other, axial) in [(AXIAL, TRANSVERSE, true), (TRANSVERSE, AXIAL, false)] {
+        for (at, word) in words.iter().flat_map(|word| text.match_indices(word)) {
+            let (before, behind) = (&text[..at], &text[at + word.len()..]);
+            if let Some(rest) = of_moment(behind) {
+                let named = symbol_behind(rest).or_else(|| symbol_before(before));
+                found.extend(named.map(|symbol| (symbol, axial)));
+            } else if behind.starts_with(')') && before.ends_with('(') {
+                let named = symbol_before(&before[..before.len() - 1]);
+                found.extend(named.map(|symbol| (symbol, axial)));
+            } else if let Some(rest) = behind.strip_prefix(" and ")
+                && let Some(rest) = other.iter().find_map(|word| rest.strip_prefix(word))
+                && let Some(rest) = of_moment(rest)
+                && let Some(first) = symbol_behind(rest)
+                && let Some((_, rest)) = rest.split_once('⟩')
+                && let Some(second) = rest.strip_prefix(" and ").and_then(symbol_behind)
+            {
+                found.extend([(first, axial), (second, !axial)]);
+            }
+        }
+    }
+    found
+}
+
+fn of_moment(text: &str) -> Option<&str> {
+    MOMENT.iter().find_map(|words| text.strip_prefix(words))
+}
+
+fn symbol_behind(text: &str) -> Option<usize> {
+    let text = text.trim_start_matches([',', ' ']);
+    let text = ["is ", "are ", "be ", "being "]
+        .iter()
+        .find_map(|verb| text.strip_prefix(verb))
+        .unwrap_or(text);
+    text.strip_prefix('⟨')?.split_once('⟩')?.0.parse().ok()
+}
+
+/// The symbol before "is the transverse moment", or right before a bracket.
+fn symbol_before(text: &str) -> Option<usize> {
+    let (number, words) = text[text.rfind('⟨')? + '⟨'.len_utf8()..].split_once('⟩')?;
+    let naming = ["is", "are", "for", "the", "its", "be", "denotes", "as"];
+    let names = words.split_whitespace().all(|word| naming.contains(&word));
+    names.then(|| number.parse().ok())?
+}
+
+#[cfg(test)]
+mod tests {
+    use super::by_adjective;
+
+    #[test]
+    fn adjectives_stand_before_and_behind() {
+        for (text, found) in [
+            ("its transverse moment of inertia is ⟨0⟩ and", vec![(0, false)]),
+            ("with the axial moment ⟨2⟩", vec![(2, true)]),
+            ("⟨1⟩ is the polar moment of inertia", vec![(1, true)]),
+            ("the moments ⟨0⟩ (transverse) and ⟨1⟩ (axial)", vec![(1, true), (0, false)]),
+            ("the axial and transverse moments are ⟨0⟩ and ⟨1⟩", vec![(0, true), (1, false)]),
+            ("the transverse rate ⟨0⟩", vec![]),
+        ] {
+            assert_eq!(by_adjective(text), found, "{text}");
+        }
+    }
+}
