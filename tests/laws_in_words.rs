@@ -99,3 +99,31 @@ $$ p_0^2 = SQUARE $$
     assert_ne!(with(r"\frac{m g}{I h}"), Some('a'));
     assert_ne!(with(r"\frac{m g}{I h}"), Some('p'));
 }
+
+#[test]
+fn what_is_taken_about_a_moving_point_is_tied_to_the_mass_centre() {
+    let opening = |arm: &str| {
+        format!(
+            "The mass centre of the body is $G$, its mass is $m$, and the point $P$ moves. {arm}\n\n\
+             $$ \\mathbf H_P = \\mathbf H_G + \\boldsymbol\\rho\\times m\\,\\mathbf v_G $$\n\n"
+        )
+    };
+    let lines = |rate: &str, extra: &str| {
+        format!(
+            "$$ \\dot{{\\mathbf H}}_P = \\dot{{\\mathbf H}}_G {rate} \\mathbf v_P\\times m\\,\\mathbf v_G + \\boldsymbol\\rho\\times m\\,\\mathbf a_G $$\n\n\
+             $$ \\mathbf M_G = \\dot{{\\mathbf H}}_G $$\n\n$$ \\mathbf M_P = \\dot{{\\mathbf H}}_P + {extra} $$\n"
+        )
+    };
+    let right = lines("-", "\\mathbf v_P\\times m\\,\\mathbf v_G");
+    let words = opening("The vector from $P$ to $G$ is $\\boldsymbol\\rho$.");
+    assert_eq!(verdicts(&format!("{words}{right}")), "pppp");
+    let positions = opening("Define $\\boldsymbol\\rho = \\mathbf r_G - \\mathbf r_P$.");
+    assert_eq!(verdicts(&format!("{positions}{right}")), "apppp");
+    let wrong = lines("-", "\\mathbf v_G\\times m\\,\\mathbf v_P");
+    assert_eq!(verdicts(&format!("{words}{wrong}")), "pppr");
+    let relative = "The mass centre of the body is $C$ and the point $P$ moves.\n\n\
+         $$ \\mathbf H_P = \\mathbf H_C + \\mathbf r_{C/P}\\times m\\,(\\mathbf v_C - \\mathbf v_P) $$\n\n\
+         $$ \\mathbf M_P = \\dot{\\mathbf H}_P + \\mathbf r_{C/P}\\times m\\,\\mathbf a_P $$\n\n\
+         $$ \\mathbf M_P = \\dot{\\mathbf H}_P - \\mathbf r_{C/P}\\times m\\,\\mathbf a_P $$\n";
+    assert_eq!(verdicts(relative), "ppr");
+}

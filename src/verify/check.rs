@@ -229,6 +229,7 @@ impl<'a> Checker<'a> {
         checker.wheel_lies_along_axis();
         checker.rotor_is_alone();
         checker.note_parallel_axes();
+        checker.tie_moving_point();
         checker.note_cones();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);

@@ -35,6 +35,7 @@ pub(super) mod labelled_space;
 pub(super) mod laws_in_words;
 pub(super) mod line;
 pub(super) mod mass_integrals;
+pub(super) mod moving_point;
 pub(super) mod named_only;
 pub(super) mod news;
 pub(super) mod numbers;

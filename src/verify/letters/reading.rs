@@ -7,6 +7,7 @@ use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::{Document, Format};
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
+use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
@@ -51,6 +52,8 @@ pub(crate) struct Reading {
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
     pub(crate) fixed_axis: Option<u8>,
+    /// What is taken about a point that moves, and the mass centre beside it.
+    pub(crate) moving_point: Option<MovingPoint>,
     /// The label of the only point that moments are taken about, where it is none of the customary ones.
     pub(crate) own_point: Option<String>,
     /// Whether the rate of the only angle is ω about that axis.
@@ -140,6 +143,7 @@ impl Reading {
         reading.wheel_along_axis(document);
         reading.part_rotor();
         reading.typed_w(document.format == Format::Text);
+        reading.note_moving_point(document);
         let matrix = reading.attitude.matrix.as_ref();
         let to_body = reading.attitude.convention.matrix_to_body;
         reading.space_axes = matrix

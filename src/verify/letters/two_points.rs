@@ -14,7 +14,7 @@ use crate::verify::words::points_in_words::{
 use std::collections::BTreeSet;
 
 /// Labels of the mass centre, the surest first.
-const CENTRES: &[&str] = &[
+pub(crate) const CENTRES: &[&str] = &[
     BAR, "cm", "CM", "com", "COM", "cg", "CG", "mc", "G", "g", "S", "C", "c", "*",
 ];
 

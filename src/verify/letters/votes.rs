@@ -92,7 +92,11 @@ impl Reading {
                     let display = formula.display;
                     let said = said_before(&before, |after| reaches(after, display));
                     if let Some(quantity) = said {
-                        for letter in &named {
+                        // "The moments and the angular momentum are": each letter to its own.
+                        let usual =
+                            |l: &&Letter| usual_letters(quantity).contains(&l.name.as_str());
+                        let apart = display && named.len() > 1 && named.iter().any(|l| usual(&l));
+                        for letter in named.iter().filter(|l| !apart || usual(l)) {
                             self.vote(
                                 letter.clone(),
                                 quantity,
@@ -243,5 +247,14 @@ impl Reading {
                     && !matches!(letter.name.as_str(), "omega" | "Omega" | "I" | "J")
             }
         }
+    }
+}
+
+/// The letters that a vector mostly has.
+fn usual_letters(quantity: Quantity) -> &'static [&'static str] {
+    match quantity {
+        Quantity::Momentum => &["L", "H"],
+        Quantity::Moment => &["M", "N", "tau", "Gamma"],
+        _ => &[],
     }
 }

@@ -119,7 +119,10 @@ impl Checker<'_> {
             ];
             let plain = symbol.subscripts.is_empty() && ANGLES.contains(&symbol.name.as_str());
             let between = lead.contains("angle between") && lead.ends_with(" is");
-            plain && (lead.ends_with("angle") || between || said.iter().any(|words| rest.starts_with(words)))
+            plain
+                && (lead.ends_with("angle")
+                    || between
+                    || said.iter().any(|words| rest.starts_with(words)))
         };
         let mut angles = met.iter().filter(names_angle);
         let (Some((_, angle)), None) = (angles.next(), angles.next()) else {
@@ -165,7 +168,9 @@ impl Checker<'_> {
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         let [x, y, z] = self.theory.atoms.vector(omega, 0);
         let value = match part.across {
-            true => self.theory.kernel(Function::Sqrt, x.clone() * x + y.clone() * y),
+            true => self
+                .theory
+                .kernel(Function::Sqrt, x.clone() * x + y.clone() * y),
             false => z,
         };
         if let Some(entity) = self.entity_named(symbol) {

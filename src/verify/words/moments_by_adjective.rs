@@ -1,6 +1,8 @@
 //! Moments of inertia that an adjective names: "its transverse moment of inertia is ⟨I_t⟩", "the axial and transverse
 //! moments ⟨C⟩ and ⟨A⟩", "⟨A⟩ (transverse)".
 
+use crate::verify::words::phrases::speaks_of_wheels;
+
 const AXIAL: &[&str] = &["axial", "polar", "longitudinal"];
 const TRANSVERSE: &[&str] = &["transverse", "equatorial", "lateral"];
 const MOMENT: &[&str] = &[
@@ -15,9 +17,19 @@ const MOMENT: &[&str] = &[
 /// symmetry.
 pub(crate) fn by_adjective(text: &str) -> Vec<(usize, bool)> {
     let mut found = vec![];
+    // That of a wheel is not one of the body that carries it.
+    if speaks_of_wheels(text) {
+        return found;
+    }
     for (words, other, axial) in [(AXIAL, TRANSVERSE, true), (TRANSVERSE, AXIAL, false)] {
         for (at, word) in words.iter().flat_map(|word| text.match_indices(word)) {
             let (before, behind) = (&text[..at], &text[at + word.len()..]);
+            let listed = before
+                .strip_suffix(" and ")
+                .is_some_and(|lead| other.iter().any(|word| lead.ends_with(word)));
+            if listed {
+                continue;
+            }
             if let Some(rest) = of_moment(behind) {
                 let named = symbol_behind(rest).or_else(|| symbol_before(before));
                 found.extend(named.map(|symbol| (symbol, axial)));
@@ -66,11 +78,20 @@ mod tests {
     #[test]
     fn adjectives_stand_before_and_behind() {
         for (text, found) in [
-            ("its transverse moment of inertia is ⟨0⟩ and", vec![(0, false)]),
+            (
+                "its transverse moment of inertia is ⟨0⟩ and",
+                vec![(0, false)],
+            ),
             ("with the axial moment ⟨2⟩", vec![(2, true)]),
             ("⟨1⟩ is the polar moment of inertia", vec![(1, true)]),
-            ("the moments ⟨0⟩ (transverse) and ⟨1⟩ (axial)", vec![(1, true), (0, false)]),
-            ("the axial and transverse moments are ⟨0⟩ and ⟨1⟩", vec![(0, true), (1, false)]),
+            (
+                "the moments ⟨0⟩ (transverse) and ⟨1⟩ (axial)",
+                vec![(1, true), (0, false)],
+            ),
+            (
+                "the axial and transverse moments are ⟨0⟩ and ⟨1⟩",
+                vec![(0, true), (1, false)],
+            ),
             ("the transverse rate ⟨0⟩", vec![]),
         ] {
             assert_eq!(by_adjective(text), found, "{text}");
