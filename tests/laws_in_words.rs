@@ -120,8 +120,7 @@ fn what_is_taken_about_a_moving_point_is_tied_to_the_mass_centre() {
     let positions = opening("Define $\\boldsymbol\\rho = \\mathbf r_G - \\mathbf r_P$.");
     assert_eq!(verdicts(&format!("{positions}{right}")), "apppp");
     let wrong = lines("-", "\\mathbf v_G\\times m\\,\\mathbf v_P");
-    // In so short a text a slip that no edit explains is left open.
-    assert_eq!(verdicts(&format!("{words}{wrong}")), "pppu");
+    assert_eq!(verdicts(&format!("{words}{wrong}")), "pppr");
     let relative = "The mass centre of the body is $C$ and the point $P$ moves.\n\n\
          $$ \\mathbf H_P = \\mathbf H_C + \\mathbf r_{C/P}\\times m\\,(\\mathbf v_C - \\mathbf v_P) $$\n\n\
          $$ \\mathbf M_P = \\dot{\\mathbf H}_P + \\mathbf r_{C/P}\\times m\\,\\mathbf a_P $$\n\n\

@@ -17,6 +17,12 @@ impl Checker<'_> {
         let Some(found) = self.reading.moving_point.clone() else {
             return;
         };
+        let written = [&found.centre, &found.other].map(|at| [&at.position, &at.velocity]);
+        let written = written.into_iter().flatten().flatten().chain([&found.arm]);
+        for symbol in written {
+            let entity = self.entity_named(symbol);
+            self.known.extend(entity);
+        }
         self.tie_velocities(&found.centre, &found.other, &found.arm);
         for at in [&found.centre, &found.other] {
             if let Some(rate) = at.velocity.as_ref().and_then(|v| self.rate_in_space(v)) {
@@ -47,8 +53,11 @@ impl Checker<'_> {
                 .and_then(|(v, own)| v.plus(&own, true).ok());
         }
         let [of_momentum, of_moment] = [velocity, acceleration].map(shift);
-        self.tie_shifted(&found.centre.momentum, &found.other.momentum, of_momentum);
-        self.tie_shifted(&found.centre.moment, &found.other.moment, of_moment);
+        let momentum = found.centre.momentum.as_ref().and_then(|m| self.vector(m));
+        self.tie_shifted(momentum, &found.other.momentum, of_momentum);
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let moment = Value::column(self.theory.atoms.vector(moment, 0));
+        self.tie_shifted(Some(moment), &found.other.moment, of_moment);
     }
 
     /// v = dr/dt where positions are written, or else v_C = v_P + dρ/dt.
@@ -68,8 +77,7 @@ impl Checker<'_> {
         self.tie("kinematics", centre.velocity.as_ref(), whole);
     }
 
-    fn tie_shifted(&mut self, own: &Option<Symbol>, other: &Option<Symbol>, shift: Option<Value>) {
-        let own = own.as_ref().and_then(|own| self.vector(own));
+    fn tie_shifted(&mut self, own: Option<Value>, other: &Option<Symbol>, shift: Option<Value>) {
         let whole = own
             .zip(shift)
             .and_then(|(own, shift)| own.plus(&shift, false).ok());
