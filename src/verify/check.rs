@@ -230,6 +230,7 @@ impl<'a> Checker<'a> {
         checker.rotor_is_alone();
         checker.note_parallel_axes();
         checker.tie_moving_point();
+        checker.tie_particles();
         checker.note_cones();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);

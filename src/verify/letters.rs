@@ -16,6 +16,7 @@ pub(super) mod named_rates;
 pub(super) mod naming;
 pub(super) mod one_axis;
 pub(super) mod own_point;
+pub(super) mod particles;
 pub(super) mod periods;
 pub(super) mod point_labels;
 pub(super) mod primes;

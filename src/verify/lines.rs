@@ -41,6 +41,7 @@ pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod oscillation;
 pub(super) mod part_energy;
+pub(super) mod particles;
 pub(super) mod points;
 pub(super) mod put_in;
 pub(super) mod role_by_content;

@@ -9,6 +9,7 @@ use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::rivals::has_differences;
+use crate::verify::letters::particles::place_in_rigid_body;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::usage::{Letter, Usage, axis};
@@ -52,6 +53,8 @@ pub(crate) struct Reading {
     pub plane: bool,
     /// The axis, fixed in space, that the body turns about.
     pub(crate) fixed_axis: Option<u8>,
+    /// The place of a particle, which is fixed in the body.
+    pub(crate) particle: Option<Symbol>,
     /// What is taken about a point that moves, and the mass centre beside it.
     pub(crate) moving_point: Option<MovingPoint>,
     /// The label of the only point that moments are taken about, where it is none of the customary ones.
@@ -144,6 +147,7 @@ impl Reading {
         reading.part_rotor();
         reading.typed_w(document.format == Format::Text);
         reading.note_moving_point(document);
+        reading.particle = place_in_rigid_body(document);
         let matrix = reading.attitude.matrix.as_ref();
         let to_body = reading.attitude.convention.matrix_to_body;
         reading.space_axes = matrix

@@ -1,10 +1,10 @@
 //! Velocities and accelerations of a point in frames that a document names, `{}^N\vec v` and `{}^B\vec a`, and the angular
 //! velocity of one frame in the other turned round, `{}^B\vec\omega^N = -{}^N\vec\omega^B`.
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::letters::usage::{Letter, axis, inner};
 use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::subscript::{between, is_of_the_body};
@@ -63,6 +63,34 @@ impl Checker<'_> {
                 value
             }
         };
+        Some(Law::new("kinematics", self.entity_named(symbol)?, value))
+    }
+
+    /// The velocity without a label in `v = {}^N dr/dt = …`: the rate of the only position, seen from space.
+    pub(crate) fn rate_of_position(&mut self, symbol: &Symbol, sides: &[Node]) -> Option<Law> {
+        let velocity = self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Velocity);
+        let bare = symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
+        if !velocity || !bare || !symbol.style.vector || !self.has_one_position() {
+            return None;
+        }
+        let rate = |side: &Node| match &inner(side).kind {
+            Kind::TimeDerivative {
+                operand,
+                frame: Some(label),
+                ..
+            } => {
+                let position = matches!(&inner(operand).kind, Kind::Symbol(s)
+                    if self.reading.quantities.get(&Letter::of(s)) == Some(&Quantity::Position));
+                position && self.reading.frames.of_label(label) == Some(Frame::Space)
+            }
+            _ => false,
+        };
+        if !sides.get(1).is_some_and(rate) || !self.is_new(symbol) {
+            return None;
+        }
+        let position = self.theory.atoms.quantity(Quantity::Position);
+        let position = Value::column(self.theory.atoms.vector(position, 0));
+        let value = self.lowering(Frame::Space).space_rate(&position);
         Some(Law::new("kinematics", self.entity_named(symbol)?, value))
     }
 

@@ -45,12 +45,14 @@ impl Checker<'_> {
         Ok(vec![first, second])
     }
 
-    /// Whether the rate of a unit vector of the axes stands in a node: it is seen from space, or it would be zero.
+    /// Whether the rate of a unit vector of the axes, or of the place of a particle, stands in a node: it is seen from
+    /// space, or it would be zero.
     fn has_rate_of_axis(&mut self, node: &Node) -> bool {
         if let Kind::TimeDerivative { operand, .. } = &node.kind
             && let Kind::Symbol(symbol) = &inner(operand).kind
         {
-            return matches!(self.meaning_of(symbol), Meaning::UnitVector(_));
+            return self.reading.particle.as_ref() == Some(symbol)
+                || matches!(self.meaning_of(symbol), Meaning::UnitVector(_));
         }
         let mut children = node.children().into_iter();
         children.any(|child| self.has_rate_of_axis(child))

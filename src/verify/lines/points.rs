@@ -92,6 +92,7 @@ impl Checker<'_> {
             let others = met.iter().filter(|s| *s != &left);
             laws.extend(others.filter_map(|s| self.in_named_frame(s)));
         }
+        laws.extend(self.rate_of_position(left, sides));
         if self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
             let points = met.iter().filter(|s| is_acceleration(s));
             laws.extend(points.filter_map(|s| self.acceleration(s)));

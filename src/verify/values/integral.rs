@@ -2,7 +2,8 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::particles::place_among;
+use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::variable_fraction;
@@ -91,12 +92,18 @@ impl Lowering<'_> {
 
     /// ∫ f dm with the places `\vec r_i` of the particles as they are written, and their velocities put in.
     fn by_own_places(&mut self, index: &Symbol, integrand: &Node) -> Option<Value> {
-        let mut symbol = Symbol {
-            name: "r".to_owned(),
-            subscripts: vec![index.name.clone()],
-            ..Symbol::default()
+        let symbol = match place_among(&symbols(integrand), &index.name) {
+            Some(place) => place.clone(),
+            None => {
+                let mut symbol = Symbol {
+                    name: "r".to_owned(),
+                    subscripts: vec![index.name.clone()],
+                    ..Symbol::default()
+                };
+                symbol.style.vector = true;
+                symbol
+            }
         };
-        symbol.style.vector = true;
         let place = self.value(&Node {
             kind: Kind::Symbol(symbol),
             span: integrand.span,
