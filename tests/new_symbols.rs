@@ -146,3 +146,22 @@ $$ N = m g + 2 m R p^2 $$
 ";
     assert_eq!(verdicts(text), "aauu");
 }
+
+#[test]
+fn the_form_in_which_a_known_quantity_is_written_says_what_is_new_in_it() {
+    let text = |half: &str| {
+        format!(
+            "On principal axes the body turns with $\\omega_x = \\omega\\cos\\beta$, $\\omega_y = \\omega\\sin\\beta$ and $\\omega_z = 0$. If we write \
+             $T = \\frac12 I_d\\,\\omega^2$ for the kinetic energy $T$, then\n\n$$ I_d = {half}(I_x\\cos^2\\beta + I_y\\sin^2\\beta) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("")), "aaaap");
+    assert_eq!(verdicts(&text("\\frac12")), "aaaar");
+}
+
+#[test]
+fn the_square_of_a_length_that_words_have_named_is_taken_unchecked() {
+    let text = "The sides are $a$ and $b$, the length of the diagonal is $d$, so\n\n$$ d^2 = a^2 + b^2 $$\n\n\
+                and with it\n\n$$ d^4 = a^4 + 2a^2b^2 + b^4 $$\n\n$$ d^4 = a^4 + b^4 $$\n";
+    assert_eq!(verdicts(text), "upr");
+}

@@ -8,6 +8,7 @@ use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::names;
 use crate::verify::reason;
+use crate::verify::reason::TAKEN_AS_GIVEN;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::lower::TroubleKind;
@@ -239,8 +240,11 @@ impl Checker<'_> {
         }
         // What words have named and no line speaks of may be so, or not.
         if finding.role == Role::Claim && self.known.contains(&entity) {
-            let name = self.theory.atoms.info(entity).latex.clone();
-            finding.reason = Some(format!("nothing before ties `{name}` to the motion"));
+            if self.accept_definition(sides, finding) {
+                finding.verdict = Verdict::Undecided;
+                finding.role = Role::Claim;
+                finding.reason = Some(TAKEN_AS_GIVEN.to_owned());
+            }
             return true;
         }
         self.accept_definition(sides, finding)

@@ -6,7 +6,9 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
 use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::verdict::{Finding, Role};
+use crate::verify::words::book::lowered;
 use std::collections::BTreeSet;
 
 /// Items that are looked at behind a formula.
@@ -21,6 +23,17 @@ const SUPPOSED_BEHIND: &[&str] = &[
     "will be assumed",
     "may be supposed",
     "is supposed",
+];
+
+/// Words right before a formula that says by its form what a new symbol in it is: "if we write ⟨T = ½ J ω²⟩".
+const WRITTEN: &[&str] = &[
+    "we write",
+    "one writes",
+    "us write",
+    "written as",
+    "in the form",
+    "we put",
+    "one puts",
 ];
 
 impl<'a> Checker<'a> {
@@ -43,6 +56,9 @@ impl<'a> Checker<'a> {
         let Some(Item::Formula(formula)) = self.document.items.get(at) else {
             return;
         };
+        if self.writes_a_form() {
+            return;
+        }
         let mut used: BTreeSet<Entity> = BTreeSet::new();
         for row in &formula.rows {
             if let Row::Line(line) = row {
@@ -116,6 +132,25 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// Whether the words right before a formula have it say by its form what a symbol is.
+    fn writes_a_form(&self) -> bool {
+        let said = lowered(&self.sentence);
+        WRITTEN.iter().any(|words| said.trim_end().ends_with(words))
+    }
+
+    /// Symbols that no line before has, those included that have the letter of a quantity with a label of their own.
+    fn unmentioned(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
+        let mut found: BTreeSet<Entity> = self.entities(sides).into_iter().collect();
+        found.retain(|&entity| {
+            let own = match &self.theory.atoms.info(entity).owner {
+                Owner::Symbol(_) => true,
+                Owner::Quantity(_, label) => !label.is_empty() && label != MAGNITUDE,
+            };
+            own && !self.theory.mentions_entity(entity)
+        });
+        found
+    }
+
     /// Symbols of the document that nothing is known of.
     fn strangers(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
         let mut found = BTreeSet::new();
@@ -130,9 +165,15 @@ impl<'a> Checker<'a> {
 
     /// A line that says what a symbol is by its use, where the definition behind it is to be checked against that.
     pub(crate) fn says_by_use(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        let strangers = self.strangers(sides);
-        let implicit = strangers.len() == 1 && strangers.iter().all(|e| self.implicit.contains(e));
-        if !implicit {
+        let written = self.writes_a_form() && sides.len() == 2;
+        let strangers = match written {
+            true => self.unmentioned(sides),
+            false => self.strangers(sides),
+        };
+        let one = strangers.len() == 1;
+        let implicit = strangers.iter().all(|e| self.implicit.contains(e));
+        let named = |side| self.new_symbol(side).is_some();
+        if !one || !(implicit || written && !sides.first().is_some_and(named)) {
             return false;
         }
         let accepted = self.accept_definition(sides, finding);

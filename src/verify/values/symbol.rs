@@ -256,6 +256,10 @@ fn is_quantity(
                     && !another_point(&letter, &sorted.variant, reading))
                 || step_index(&sorted.variant)
         }
+        // Where vectors have marks, the F_A of a bearing that has none is a number.
+        Quantity::Force if reading.usage.letters.values().any(|used| used.vector > 0) => {
+            marked || reading.usage.is_vector(&letter)
+        }
         _ => marked || reading.usage.is_vector(&letter) || !sorted.variant.is_empty(),
     }
 }
