@@ -140,3 +140,23 @@ fn the_front_matter_gives_letters_a_meaning() {
                  \\end{document}\n";
     assert_eq!(verdicts_in(latex, Format::Latex), "p");
 }
+
+#[test]
+fn the_force_of_a_bearing_without_a_mark_is_a_number() {
+    let text = r"The shaft turns with $\vec\omega = \omega\,\vec k$ at constant $\omega$. The bearings A and B sit at the distance $h$ on either side, and
+their forces along $x$ give the moment
+
+$$ M_y = h\,(F_A - F_B) $$
+
+As the mass centre does not move,
+
+$$ F_A + F_B = 0 $$
+
+so that
+
+$$ F_A = -\frac{I_{xz}\,\omega^2}{2h} $$
+
+$$ F_A = -\frac{I_{xz}\,\omega^2}{h} $$
+";
+    assert_eq!(verdicts(text), "aaapr");
+}

@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{inner, undotted};
+use crate::verify::letters::usage::{Letter, inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
@@ -40,6 +40,9 @@ impl Checker<'_> {
         let entries = equation.residual.entries.iter();
         let rests: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
         let differs = |rest: &Fraction| !rest.is_zero();
+        if !rests.is_empty() && rests.iter().all(|rest| self.is_balance_of_forces(rest)) {
+            return true;
+        }
         rests.iter().any(differs)
             && rests.iter().enumerate().all(|(i, rest)| {
                 let entry = |side: &Value| side.entries.get(i).cloned();
@@ -69,6 +72,21 @@ impl Checker<'_> {
         !variables.is_empty()
             && variables.iter().all(untouched)
             && variables.iter().all(|&v| is_solved_by(rest, v))
+    }
+
+    /// Whether what must vanish is a sum of forces along one line, ⟨F_A + F_B = 0⟩: no law here says what others act.
+    fn is_balance_of_forces(&self, rest: &Fraction) -> bool {
+        let force = |v: Variable| match self.theory.atoms.owner(v) {
+            Some(Owner::Symbol(key)) => {
+                let letter = key.split(' ').next().unwrap_or_default();
+                let quantity = self.reading.quantities.get(&Letter::plain(letter));
+                quantity == Some(&Quantity::Force)
+            }
+            _ => false,
+        };
+        let variables = rest.variables();
+        let linear = rest.numerator().len() == variables.len() && rest.is_polynomial();
+        variables.len() > 1 && linear && variables.into_iter().all(force)
     }
 
     /// A moment or a force by symbols of the document, one of them new: what acts on the body.
