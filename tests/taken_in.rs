@@ -160,6 +160,7 @@ fn a_momentum_about_another_point_is_no_mere_name() {
     assert_eq!(text(""), 'p');
     assert!(!"ap".contains(text("-")));
     assert!(!"ap".contains(text("2\\,")));
+    assert!(!"ap".contains(last("$$ \\mathbf H_P = \\mathbf H_G $$\n")));
 }
 
 #[test]
@@ -274,4 +275,37 @@ fn a_term_that_is_zero_here_has_its_factor_still() {
     assert_eq!(text(r"I_2\dot\omega_2"), 'p');
     assert_eq!(text(r"2I_2\dot\omega_2"), 'u');
     assert_eq!(text(r"I_2\omega_2"), 'u');
+}
+
+#[test]
+fn a_product_by_its_integral_does_not_vanish() {
+    let text = |sign: &str| {
+        last(&format!(
+            "The thin plate lies in the plane $xy$.\n\n$$ I_x = \\int y^2\\,dm $$\n$$ I_y = \\int x^2\\,dm $$\n$$ P = \\int xy\\,dm $$\n\nWith $x' = x\\cos\\alpha + y\\sin\\alpha$, $y' = -x\\sin\\alpha + y\\cos\\alpha$ and $I_x' = \\int y'^2\\,dm$,\n\n$$ I_x' = I_x\\cos^2\\alpha + I_y\\sin^2\\alpha {sign} 2P\\sin\\alpha\\cos\\alpha $$\n"
+        ))
+    };
+    assert_eq!(text("-"), 'p');
+    assert!(!"ap".contains(text("+")));
+}
+
+#[test]
+fn a_tensor_with_a_hole_is_no_form_of_it() {
+    let text = |entry: &str| {
+        verdicts(&format!(
+            "The inertia matrix is\n\n$$ \\mathbf I = \\begin{{bmatrix}} I_{{xx}} & -I_{{xy}} & -I_{{xz}} \\\\ -I_{{xy}} & I_{{yy}} & {entry} \\\\ -I_{{xz}} & -I_{{yz}} & I_{{zz}} \\end{{bmatrix}} $$\n"
+        ))
+    };
+    assert!("ap".contains(&text("-I_{yz}")));
+    assert!(!"ap".contains(&text("0")));
+}
+
+#[test]
+fn an_inertia_about_another_point_has_that_about_the_centre_once() {
+    let text = |first: &str| {
+        last(&format!(
+            "The tensor form is\n\n$$ \\mathbf I_O = {first}\\mathbf I_C + m\\left(r^2\\mathbf 1 - \\mathbf r\\mathbf r^T\\right) $$\n\nwith $\\mathbf r$ the position of the mass centre.\n"
+        ))
+    };
+    assert_eq!(text(""), 'p');
+    assert_eq!(text("2\\,"), 'u');
 }

@@ -124,10 +124,14 @@ impl Checker<'_> {
         })
     }
 
-    /// Whether a vector is written out by its own components, of which nothing is handed over.
+    /// Whether a vector or its rate is written out by its own components, of which nothing is handed over.
     fn is_by_own_components(&mut self, sides: &[Node]) -> bool {
         let [left, right] = sides else { return false };
-        let Kind::Symbol(symbol) = &inner(left).kind else {
+        let mut whole = undotted(left);
+        while let Kind::InFrame(inside, _) = &whole.kind {
+            whole = undotted(inside);
+        }
+        let Kind::Symbol(symbol) = &whole.kind else {
             return false;
         };
         let Meaning::Whole(entity) = self.meaning_of(symbol) else {

@@ -18,9 +18,16 @@ impl Checker<'_> {
         let [equation] = read.equations.as_slice() else {
             return false;
         };
-        let left = equation.left.entries.iter();
+        let (left, right) = (equation.left.entries.iter(), &equation.right.entries);
+        // A zero stands on both sides of the diagonal.
+        let mirrored = |at: usize| at % 3 * 3 + at / 3;
+        let lone = |at: usize| {
+            let zero = |at: usize| right.get(at).is_some_and(Zero::is_zero);
+            zero(at) != zero(mirrored(at))
+        };
         equation.left.rows == 3
             && equation.left.columns == 3
+            && !(0..9).any(lone)
             && left.zip(&equation.right.entries).all(|(own, written)| {
                 written.is_zero() || (own.clone() - written.clone()).is_zero()
             })

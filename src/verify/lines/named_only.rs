@@ -41,11 +41,51 @@ impl Checker<'_> {
             "which way the vertical points on the axes used is not known"
         } else if self.turns_the_arm_round(symbol, right) {
             "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
+        } else if claimed && self.equates_two_points(symbol, right) {
+            "what it is about one point does not follow so from what it is about the other"
         } else {
             return false;
         };
         finding.reason = Some(reason.to_owned());
         true
+    }
+
+    /// Whether an inertia or a momentum about a point is that about the mass centre and nothing more, or several times that
+    /// beside what one mass adds: `H_P = H_G`, `I_O = 2 I_C + m r²`.
+    fn equates_two_points(&self, symbol: &Symbol, right: &Node) -> bool {
+        let letter = Letter::of(symbol);
+        let quantity = self.reading.quantities.get(&letter);
+        let point = |s: &Symbol| match s.subscripts.as_slice() {
+            [one] => one.len() == 1 && one.starts_with(|c: char| c.is_ascii_uppercase()),
+            _ => false,
+        };
+        if !matches!(quantity, Some(Quantity::Momentum | Quantity::Inertia)) || !point(symbol) {
+            return false;
+        }
+        let centre = |s: &Symbol| point(s) && matches!(s.subscripts[0].as_str(), "C" | "G" | "S");
+        let other = |node: &Node| matches!(&inner(node).kind, Kind::Symbol(s) if Letter::of(s) == letter && centre(s) && s != symbol);
+        let times = |node: &Node| match &inner(node).kind {
+            Kind::Product(factors) => match &inner(&factors[0].node).kind {
+                Kind::Number(number) => Some(number.value.clone()),
+                _ => None,
+            },
+            _ => None,
+        };
+        match &inner(right).kind {
+            Kind::Symbol(_) => quantity == Some(&Quantity::Momentum) && other(right),
+            Kind::Sum(terms) => match terms.as_slice() {
+                [own, shift] => {
+                    let factors = match &inner(&own.node).kind {
+                        Kind::Product(factors) => factors.as_slice(),
+                        _ => return false,
+                    };
+                    let multiple = matches!(factors, [_, one] if other(&one.node));
+                    multiple && times(&own.node).is_some() && times(&own.node) != times(&shift.node)
+                }
+                _ => false,
+            },
+            _ => false,
+        }
     }
 
     /// Whether a momentum about another point has `m v × r`, or an arm that runs the other way, beside the one about the

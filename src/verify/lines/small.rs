@@ -287,10 +287,10 @@ impl Checker<'_> {
         let sides = [&equation.right, &equation.left];
         let shown = sides.into_iter().find(|side| !side.is_zero())?;
         let order = shown.entries.iter().map(|entry| self.order(entry)).max()?;
-        // What is said to vanish does so to the order to which it is written.
+        // What is said to vanish does so to the order to which it is written, and to first order where the words say so.
         let vanishes = equation.left.is_zero() || equation.right.is_zero();
         let order = match vanishes {
-            true => order,
+            true => order.max(u32::from(self.linear)),
             false => self.lowest_order(equation, order),
         };
         let entries = equation.residual.entries.iter();
