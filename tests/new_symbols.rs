@@ -6,6 +6,18 @@ mod outcome;
 use outcome::verdicts;
 
 #[test]
+fn what_is_no_root_of_the_equation_above_is_not_defined_as_one() {
+    let text = |four: &str| {
+        format!(
+            "We find the frequency equation\n\n$$ as^2 - bs - c = 0 $$\n\nwith the two roots\n\n\
+             $$ s_1 = \\frac{{b + \\sqrt{{b^2 + {four}ac}}}}{{2a}} $$\n"
+        )
+    };
+    assert!(verdicts(&text("4")).ends_with('a'));
+    assert!(verdicts(&text("")).ends_with('u'));
+}
+
+#[test]
 fn the_acceleration_of_a_point_is_the_rate_of_its_velocity() {
     let with = |centripetal: &str| {
         let text = r"The axes xyz turn with the body at $\vec\omega$. The vector $\vec\rho$ from $C$ to $Q$ is fixed in the body, $\left(\frac{d\vec\rho}{dt}\right)_{xyz} = \vec 0$. Suppose

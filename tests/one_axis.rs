@@ -7,6 +7,21 @@ mod outcome;
 use outcome::verdicts;
 
 #[test]
+fn two_states_of_a_body_have_one_momentum_where_it_is_conserved() {
+    let text = |words: &str, ratio: &str| {
+        format!(
+            "The moment of inertia of a platform changes from $J_1$ to $J_2$. {words}\n\n$$ J_1\\omega_1 = J_2\\omega_2 $$\n\n\
+             so that\n\n$$ \\omega_2 = {ratio}\\,\\omega_1 $$\n"
+        )
+    };
+    let conserved = "Its angular momentum is conserved:";
+    assert_eq!(verdicts(&text(conserved, r"\frac{J_1}{J_2}")), "pp");
+    assert_eq!(verdicts(&text(conserved, r"\frac{J_2}{J_1}")), "pr");
+    // Nothing says what happens between them.
+    assert!(verdicts(&text("Then", r"\frac{J_1}{J_2}")).starts_with('u'));
+}
+
+#[test]
 fn a_turn_about_one_axis_may_change_its_moment_of_inertia() {
     let text = r"A ring of mass $m$ slides out along a rod that turns about a fixed axis at the rate $\Omega$; $x(t)$ is its distance.
 

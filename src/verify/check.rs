@@ -15,6 +15,7 @@ use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
 use crate::verify::lines::line::Read;
+use crate::verify::lines::named_roots::Sought;
 use crate::verify::lines::signs::Order;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
@@ -126,6 +127,8 @@ pub(super) struct Checker<'a> {
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
     pub(super) oscillation: Option<(usize, Fraction)>,
+    /// The equation above, for one of its symbols.
+    pub(super) sought: Option<Sought>,
     /// Which quantities are greater than others.
     pub(super) orders: Vec<Order>,
     /// What lines or words call positive.
@@ -211,6 +214,7 @@ impl<'a> Checker<'a> {
             dimensions: Dimensions::default(),
             potential: None,
             oscillation: None,
+            sought: None,
             orders: vec![],
             positive: BTreeSet::new(),
             from_prose: vec![],
@@ -232,6 +236,7 @@ impl<'a> Checker<'a> {
         checker.tie_moving_point();
         checker.tie_particles();
         checker.note_cones();
+        checker.keep_momentum_between_states();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);
         }

@@ -33,6 +33,7 @@ pub(super) mod skew_marks;
 pub(super) mod space_axes;
 pub(super) mod triad;
 pub(super) mod two_points;
+pub(super) mod two_states;
 pub(super) mod usage;
 pub(super) mod votes;
 pub(super) mod wholes;

@@ -2,6 +2,7 @@
 
 pub(super) mod accept;
 pub(super) mod between_frames;
+pub(super) mod between_states;
 pub(super) mod cases;
 pub(super) mod characteristic;
 pub(super) mod claim;
@@ -37,6 +38,7 @@ pub(super) mod line;
 pub(super) mod mass_integrals;
 pub(super) mod moving_point;
 pub(super) mod named_only;
+pub(super) mod named_roots;
 pub(super) mod news;
 pub(super) mod numbers;
 pub(super) mod oscillation;

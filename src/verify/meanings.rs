@@ -8,6 +8,7 @@ use crate::verify::letters::raised_labels::lower_labels;
 use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
+use crate::verify::letters::two_states::tell_states_apart;
 use crate::verify::letters::world_labels::drop_world_labels;
 use crate::verify::lines::index::written_out;
 use crate::verify::lines::trust::{unexplained, withhold};
@@ -20,12 +21,14 @@ pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
     lower_labels(&mut document);
     lower_steps(&mut document);
+    let states = tell_states_apart(&mut document);
     drop_world_labels(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
     let document = &document;
     let mut reading = Reading::of(document);
     reading.summed = summed;
+    reading.states = states;
     // Steps in general inertia matrices are long.
     let any_axes = reading.writes_no_components(document);
     reading.on_chosen_axes = any_axes && reading.usage.counts_steps();

@@ -38,7 +38,9 @@ fn place_of_particle(document: &Document) -> Option<&Symbol> {
 pub(crate) fn place_among<'s>(met: &[&'s Symbol], index: &str) -> Option<&'s Symbol> {
     PLACES.iter().find_map(|name| {
         let place = |s: &&&Symbol| {
-            s.name == *name && s.style.vector && matches!(s.subscripts.as_slice(), [i] if i == index)
+            s.name == *name
+                && s.style.vector
+                && matches!(s.subscripts.as_slice(), [i] if i == index)
         };
         met.iter().find(place).copied()
     })

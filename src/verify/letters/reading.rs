@@ -8,10 +8,11 @@ use crate::notation::document::{Document, Format};
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::moving_point::MovingPoint;
-use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::particles::place_in_rigid_body;
+use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
+use crate::verify::letters::two_states::TwoStates;
 use crate::verify::letters::usage::{Letter, Usage, axis};
 use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::lines::summation::Indices;
@@ -45,6 +46,8 @@ pub(crate) struct Reading {
     pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
     pub(crate) apart: BTreeSet<Letter>,
+    /// Two states of a body whose momenta the document sets equal.
+    pub(crate) states: Option<TwoStates>,
     /// Letters that words call a length.
     pub(crate) lengths: BTreeSet<Letter>,
     /// Vectors from one point to another that are no position: their rate is the difference of two velocities.

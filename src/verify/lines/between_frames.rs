@@ -68,7 +68,8 @@ impl Checker<'_> {
 
     /// The velocity without a label in `v = {}^N dr/dt = …`: the rate of the only position, seen from space.
     pub(crate) fn rate_of_position(&mut self, symbol: &Symbol, sides: &[Node]) -> Option<Law> {
-        let velocity = self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Velocity);
+        let velocity =
+            self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Velocity);
         let bare = symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
         if !velocity || !bare || !symbol.style.vector || !self.has_one_position() {
             return None;

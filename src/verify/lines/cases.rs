@@ -97,6 +97,7 @@ impl Checker<'_> {
         self.cases.section = before.section + 1;
         self.cases.named = before.named;
         self.cases.attached = before.attached;
+        self.sought = None;
     }
 
     /// Keeps a premise of the document to the end of its section; definitions stay.

@@ -141,7 +141,10 @@ impl Checker<'_> {
     ) {
         let unknown = self.unknown_in(sides, Some(read));
         let loose = match decision {
-            Decision::False(_) => self.doubt(read).or_else(|| self.on_numbered_axes(sides)),
+            Decision::False(_) => self
+                .is_between_states(read)
+                .or_else(|| self.doubt(read))
+                .or_else(|| self.on_numbered_axes(sides)),
             _ => None,
         };
         let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);

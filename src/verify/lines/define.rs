@@ -113,6 +113,9 @@ impl Checker<'_> {
             finding.reason = Some(reason::MIXED.to_owned());
             return true;
         }
+        if self.is_no_root(left, &value, finding) {
+            return true;
+        }
         let Some(residuals) = self.bind(entity, place, &value) else {
             return false;
         };

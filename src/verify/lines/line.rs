@@ -49,6 +49,7 @@ impl Checker<'_> {
         self.note_doubt(line, &finding);
         self.note_energies(&line.sides, &finding);
         self.note_oscillation(&line.sides, &finding);
+        self.note_sought(&line.sides, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {
             match self.slips.len() <= SEARCHES {

@@ -109,7 +109,8 @@ impl Checker<'_> {
         finding.diagnosis = Some(Diagnosis {
             kind: "part-energy",
             message: format!(
-                "half the moment of inertia times the square of the rate, both with the label {label}, is something else"
+                "half the moment of inertia times the square of the rate, both with the label {}, is something else",
+                label.trim_matches(['(', ')'])
             ),
             suggestion: None,
             place: Some(finding.place),
