@@ -80,3 +80,25 @@ fn a_derivative_in_the_angle_of_a_cone_stays_open() {
                 $$ \\frac{dT}{d\\theta} = L^2\\left(\\frac1A - \\frac1C\\right)\\sin\\theta\\cos\\theta $$\n";
     assert!(verdicts(text).ends_with("pu"), "{}", verdicts(text));
 }
+
+#[test]
+fn a_display_with_a_stop_ends_the_sentence_before_the_angle() {
+    let text = |line: &str| {
+        format!(
+            "{BODY}With the angular momentum $\\vec L$ the angular velocity can be split as\n\n\
+             $$ \\vec\\omega = \\frac{{\\vec L}}{{A}} + \\left(1 - \\frac CA\\right)\\omega_3\\,\\hat e_3 . $$\n\n\
+             The normal goes round at the rate\n\n$$ \\Omega_p = \\frac LA . $$\n\n\
+             If $\\theta$ is the angle between $\\vec L$ and $\\hat e_3$, then\n\n$$ {line} $$\n"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(last("L\\cos\\theta = C\\,\\omega_3"), Some('p'));
+    assert_eq!(
+        last("\\Omega_p = \\frac{C\\,\\omega_3}{A\\cos\\theta}"),
+        Some('p')
+    );
+    assert_eq!(
+        last("\\Omega_p = \\frac{A\\,\\omega_3}{C\\cos\\theta}"),
+        Some('r')
+    );
+}

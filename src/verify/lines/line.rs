@@ -227,7 +227,7 @@ impl Checker<'_> {
         }
         let tried = self.read(sides, Frame::Moving);
         let ill_typed = tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped);
-        let numbers = ill_typed || defines && self.is_tensor_of_numbers(&sides[0], &bare);
+        let numbers = ill_typed || defines && self.is_made_of_numbers(&sides[0], &bare);
         if !numbers {
             return;
         }
@@ -235,24 +235,6 @@ impl Checker<'_> {
         if self.read(sides, Frame::Moving).is_err() {
             self.reading.scalars.clear();
         }
-    }
-
-    /// Whether a side with letters of the inertia, which are only ever numbers, is read as a tensor: the C of `M = C n\Omega`.
-    fn is_tensor_of_numbers(&mut self, side: &Node, bare: &BTreeSet<Letter>) -> bool {
-        let value = self.lowering(Frame::Moving).value(side);
-        let inertia = |l: &&Letter| self.reading.quantities.get(*l) == Some(&Quantity::Inertia);
-        let number = |letter: &Letter| {
-            let used = self.reading.usage.get(letter);
-            used.vector + used.tensor + used.component + used.double == 0
-        };
-        let tensor = value.is_ok_and(|value| value.rows == 3 && value.columns == 3);
-        let several = |letter: &&Letter| {
-            let quantity = self.reading.quantities.get(*letter);
-            quantity.is_some_and(|q| q.shape() != Shape::Scalar)
-        };
-        let others = bare.iter().filter(several).any(|letter| !inertia(&letter));
-        let mut letters = bare.iter().filter(inertia).peekable();
-        tensor && !others && letters.peek().is_some() && letters.all(number)
     }
 
     /// A velocity of the origin that the document speaks of is not zero.

@@ -8,6 +8,7 @@ use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
 use crate::verify::words::prose::{said, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition};
+use crate::verify::words::sentences::closes_sentence;
 
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
 const LONGEST_SENTENCE: usize = 1_000;
@@ -121,11 +122,7 @@ impl Checker<'_> {
             .collect();
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
-        let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
-        let inside = inside
-            .rfind("\\end{")
-            .map_or(inside, |i| inside[..i].trim_end());
-        if formula.display && inside.ends_with('.') {
+        if closes_sentence(self.document, formula) {
             self.sentence.clear();
         }
     }

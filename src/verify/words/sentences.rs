@@ -1,7 +1,7 @@
 //! The sentences of a document, with the symbols that stand in them.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
 use crate::verify::letters::usage::inner;
@@ -81,6 +81,16 @@ impl<'d> Sentence<'d> {
     }
 }
 
+/// Whether a display ends with a stop.
+pub(crate) fn closes_sentence(document: &Document, formula: &Formula) -> bool {
+    let text = document.source.slice(formula.span);
+    let inside = text.trim_end_matches(['$', '\\', ']', ')']).trim_end();
+    let inside = inside
+        .rfind("\\end{")
+        .map_or(inside, |i| inside[..i].trim_end());
+    formula.display && inside.ends_with('.')
+}
+
 /// The sentences of a document, each heading one of its own.
 pub(crate) fn sentences(document: &Document, paragraphs: Paragraphs) -> Vec<Sentence<'_>> {
     let mut all = vec![];
@@ -95,13 +105,18 @@ pub(crate) fn sentences(document: &Document, paragraphs: Paragraphs) -> Vec<Sent
                     }
                 }
             }
-            Item::Formula(formula) => formula.rows.iter().for_each(|row| {
-                let lone = match row {
-                    Row::Expression(node) => lone(node),
-                    _ => None,
-                };
-                open.push(lone.map_or(Piece::Formula, |s| Piece::Symbol(s, formula.span)));
-            }),
+            Item::Formula(formula) => {
+                for row in &formula.rows {
+                    let lone = match row {
+                        Row::Expression(node) => lone(node),
+                        _ => None,
+                    };
+                    open.push(lone.map_or(Piece::Formula, |s| Piece::Symbol(s, formula.span)));
+                }
+                if closes_sentence(document, formula) {
+                    all.push(std::mem::take(&mut open));
+                }
+            }
             Item::Heading { text, .. } => {
                 all.push(std::mem::take(&mut open));
                 open.push(Piece::Words(lowered(text)));
