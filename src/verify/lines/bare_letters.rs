@@ -14,6 +14,16 @@ impl Checker<'_> {
         let Ok(value) = self.lowering(Frame::Moving).value(side) else {
             return false;
         };
+        let vector = value.is_vector();
+        // A matrix in front of it is no factor of a number.
+        let met = self.entities([side]);
+        let mut shapes = met.iter().map(|&e| self.theory.atoms.info(e).shape);
+        if vector
+            && shapes
+                .any(|shape| !matches!(shape, Shape::Scalar | Shape::Vector | Shape::Symmetric))
+        {
+            return false;
+        }
         let quantity = |letter: &Letter| self.reading.quantities.get(letter).copied();
         let several =
             |letter: &&Letter| quantity(letter).is_some_and(|q| q.shape() != Shape::Scalar);
@@ -22,13 +32,16 @@ impl Checker<'_> {
             let used = self.reading.usage.get(letter);
             match quantity(letter) {
                 Some(Quantity::Inertia) => {
-                    used.vector + used.tensor + used.component + used.double == 0
+                    !vector && used.vector + used.tensor + used.component + used.double == 0
                 }
-                Some(q) => q.shape() == Shape::Vector && used.vector > 0 && used.crossed_bare == 0,
+                Some(q) => {
+                    let marked = used.vector > 0 && used.crossed_bare == 0;
+                    vector && q.shape() == Shape::Vector && marked
+                }
                 None => false,
             }
         };
-        let shaped = value.is_vector() || value.rows == 3 && value.columns == 3;
-        shaped && !letters.is_empty() && letters.iter().all(number)
+        let tensor = value.rows == 3 && value.columns == 3;
+        (vector || tensor) && !letters.is_empty() && letters.iter().all(number)
     }
 }
