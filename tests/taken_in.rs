@@ -309,3 +309,14 @@ fn an_inertia_about_another_point_has_that_about_the_centre_once() {
     assert_eq!(text(""), 'p');
     assert_eq!(text("2\\,"), 'u');
 }
+
+#[test]
+fn a_plane_of_symmetry_leaves_its_product() {
+    let text = |sign: char| {
+        last(&format!(
+            "The airframe is symmetric about its $x$-$z$ plane, so of the products of inertia only $J_{{xz}} = \\int xz\\,dm$ remains.\n\n$$ \\mathbf J = \\begin{{pmatrix}} J_x & 0 & -J_{{xz}} \\\\ 0 & J_y & 0 \\\\ {sign}J_{{xz}} & 0 & J_z \\end{{pmatrix}} $$\n"
+        ))
+    };
+    assert!("ap".contains(text('-')));
+    assert!(!"ap".contains(text('+')));
+}

@@ -153,7 +153,12 @@ pub(crate) fn said(text: &str) -> Vec<Said> {
     } else if stands(Topic::BodyAxes) {
         found.push(Said::SpeaksOfBodyAxes);
     }
-    let by_axis = || stands(Topic::AxisOfSymmetry) && !text.contains("plane");
+    // "Symmetric about its ⟨x⟩-⟨z⟩ plane": what it is symmetric about is not said yet.
+    let unsaid = ["symmetric about", "symmetrical about"]
+        .iter()
+        .filter_map(|words| Some(&text[text.rfind(words)? + words.len()..]))
+        .any(|rest| matches!(rest.trim(), "" | "its" | "the"));
+    let by_axis = || stands(Topic::AxisOfSymmetry) && !text.contains("plane") && !unsaid;
     if stands(Topic::Principal) || by_axis() || principal(text) {
         found.push(Said::Principal);
     }
