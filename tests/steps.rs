@@ -16,6 +16,15 @@ $$ \omega^k\cdot I d = 0 $$
 ";
 
 #[test]
+fn the_energy_behind_a_step_is_not_defined_by_a_claim() {
+    let text = "A free body has the momentum $L = I\\omega$ and the energy $E = \\frac12 L\\cdot\\omega$. One step is defined by\n\n\
+                $$ L_{n+1} = L_n + h\\,L_n\\times\\omega_n $$\n\nand the energy grows:\n\n\
+                $$ E_{n+1} = E_n + h^2\\,(L_n\\times\\omega_n)\\cdot I^{-1}(L_n\\times\\omega_n) $$\n";
+    let found = verdicts(text);
+    assert!(found.ends_with('u'), "{found}");
+}
+
+#[test]
 fn a_number_over_a_vector_counts_the_steps() {
     assert_eq!(verdicts(STEP), "aap");
     let bracketed = STEP.replace("^{k+1}", "^{(k+1)}").replace("^k", "^{(k)}");

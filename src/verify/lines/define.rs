@@ -83,6 +83,7 @@ impl Checker<'_> {
             || claimed && rest.is_empty() && self.is_frequency(left, right, finding)
             || claimed && rest.is_empty() && self.energy_of_part(left, right, finding)
             || claimed && self.goes_on_from_a_false_line(right, finding)
+            || claimed && self.is_energy_behind_a_step(left, finding)
         {
             return true;
         }

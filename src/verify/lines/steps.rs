@@ -2,9 +2,10 @@
 //! another step, and what the one before it said of the velocity behind the step is over.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::Node;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::Name;
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::values::atoms::{Entity, Owner};
@@ -71,6 +72,20 @@ impl Checker<'_> {
             let velocity = matches!(owner, Owner::Quantity(Quantity::AngularVelocity, step) if step.contains('+'));
             velocity && !said.contains(&Some(entity))
         })
+    }
+
+    /// Leaves the energy behind a step open: it is that of the state there, which no line gives it.
+    pub(crate) fn is_energy_behind_a_step(&self, left: &Node, finding: &mut Finding) -> bool {
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let energy = self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Energy);
+        let behind = symbol.subscripts.iter().any(|label| label.contains('+'));
+        if energy && behind {
+            finding.reason =
+                Some("nothing before says what the energy is behind a step".to_owned());
+        }
+        energy && behind
     }
 
     /// Notes a line that was taken in as a step.
