@@ -15,6 +15,21 @@ pub(crate) fn place_in_rigid_body(document: &Document) -> Option<Symbol> {
     rigid.then(|| place.clone())
 }
 
+/// Whether the words measure places from the mass centre.
+pub(crate) fn measures_from_centre(document: &Document) -> bool {
+    let text = document.source.text.to_lowercase();
+    let from = ["measured from", "relative to", "measure from", "origin at", "origin in"];
+    let centre = ["mass cent", "centre of mass", "center of mass"];
+    let sentences = text.split(['.', ';']);
+    sentences.into_iter().any(|sentence| {
+        let mut places = from.iter().filter_map(|words| sentence.split_once(words));
+        places.any(|(_, behind)| {
+            let near: String = behind.chars().take(24).collect();
+            centre.iter().any(|words| near.contains(words))
+        })
+    })
+}
+
 /// The vector with the index of a sum over masses that is the place of a particle.
 fn place_of_particle(document: &Document) -> Option<&Symbol> {
     fn within(node: &Node) -> Option<&Symbol> {

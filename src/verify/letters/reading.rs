@@ -8,7 +8,7 @@ use crate::notation::document::{Document, Format};
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::moving_point::MovingPoint;
-use crate::verify::letters::particles::place_in_rigid_body;
+use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::two_points::TwoPoints;
@@ -58,6 +58,8 @@ pub(crate) struct Reading {
     pub(crate) fixed_axis: Option<u8>,
     /// The place of a particle, which is fixed in the body.
     pub(crate) particle: Option<Symbol>,
+    /// Whether the places of particles are measured from the mass centre.
+    pub(crate) measures_from_centre: bool,
     /// What is taken about a point that moves, and the mass centre beside it.
     pub(crate) moving_point: Option<MovingPoint>,
     /// The label of the only point that moments are taken about, where it is none of the customary ones.
@@ -151,6 +153,7 @@ impl Reading {
         reading.typed_w(document.format == Format::Text);
         reading.note_moving_point(document);
         reading.particle = place_in_rigid_body(document);
+        reading.measures_from_centre = measures_from_centre(document);
         let matrix = reading.attitude.matrix.as_ref();
         let to_body = reading.attitude.convention.matrix_to_body;
         reading.space_axes = matrix

@@ -149,7 +149,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// The integral of a quadratic form in the coordinates, in terms of the inertia tensor.
+    /// The integral of a quadratic form in the coordinates, in terms of the inertia tensor. Measured from the mass centre,
+    /// what is linear in them adds up to nothing.
     pub(crate) fn moment_of(&mut self, entry: &Fraction, coordinates: &[u32]) -> Option<Fraction> {
         let second = self.second_moments();
         let mut rest: Polynomial = entry.numerator().clone();
@@ -177,6 +178,14 @@ impl Lowering<'_> {
                 let (x, y) = (Polynomial::variable(u), Polynomial::variable(v));
                 rest -= part.clone() * x * y;
                 sum += Fraction::from(part) * second[a][b].clone();
+            }
+        }
+        if self.reading.measures_from_centre {
+            for &u in coordinates {
+                let part = rest.coefficient_of(u, 1);
+                if !part.variables().iter().any(|v| coordinates.contains(v)) {
+                    rest -= part * Polynomial::variable(u);
+                }
             }
         }
         rest.is_zero().then(|| sum / below)
@@ -208,7 +217,12 @@ fn per_mass(body: &Node) -> Option<(Node, Node)> {
         Kind::Product(factors) if factors.len() > 1 => {
             let at = factors.iter().position(|factor| mass(&factor.node))?;
             let mut rest = factors.clone();
-            let variable = rest.remove(at).node;
+            let removed = rest.remove(at);
+            // The sign before the mass, in `r × m v`, is that before what follows it.
+            if let Some(next) = rest.get_mut(at).filter(|_| at > 0) {
+                (next.operator, next.sign) = (removed.operator, removed.sign);
+            }
+            let variable = removed.node;
             let kind = Kind::Product(rest);
             Some((
                 variable,
