@@ -18,7 +18,13 @@ pub(crate) fn place_in_rigid_body(document: &Document) -> Option<Symbol> {
 /// Whether the words measure places from the mass centre.
 pub(crate) fn measures_from_centre(document: &Document) -> bool {
     let text = document.source.text.to_lowercase();
-    let from = ["measured from", "relative to", "measure from", "origin at", "origin in"];
+    let from = [
+        "measured from",
+        "relative to",
+        "measure from",
+        "origin at",
+        "origin in",
+    ];
     let centre = ["mass cent", "centre of mass", "center of mass"];
     let sentences = text.split(['.', ';']);
     sentences.into_iter().any(|sentence| {

@@ -8,6 +8,7 @@ use crate::verify::theory::more_moments::OtherMoments;
 use crate::verify::theory::parallel_axes::{self, ParallelAxes};
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::subscript::step_index;
 use crate::verify::values::symbol::MAGNITUDE;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
@@ -132,6 +133,9 @@ fn part(
         });
         return Some(("magnitude", variable_fraction(length)));
     }
+    if quantity == Quantity::Energy && order == 0 && step_index(&variant) {
+        return energy_of_step(atoms, setting, &variant);
+    }
     if !variant.is_empty() && variant != MAGNITUDE {
         return None;
     }
@@ -151,6 +155,20 @@ fn part(
         return Some((name, atoms.derivative(&value)));
     }
     determined(atoms, setting, quantity, usize::from(component))
+}
+
+/// T_k = ½ ω_k · I ω_k, where the angular velocity of that step is written.
+fn energy_of_step(
+    atoms: &mut Atoms,
+    setting: Setting,
+    step: &str,
+) -> Option<(&'static str, Fraction)> {
+    let owner = Owner::Quantity(Quantity::AngularVelocity, step.to_owned());
+    let rate = atoms.entity_of_owner(&owner)?;
+    let rate = Vector3::from(atoms.vector(rate, 0));
+    let momentum = inertia(atoms, setting.products) * rate.clone();
+    let half = Fraction::from_ratio(1, 2);
+    Some(("energy", half * rate.dot(&momentum)))
 }
 
 /// Whether a rate has a law of its own, and not the rate of the law one order lower.

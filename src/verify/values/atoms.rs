@@ -121,6 +121,11 @@ impl Atoms {
         entity
     }
 
+    /// The entity of an owner that was met before.
+    pub(crate) fn entity_of_owner(&self, owner: &Owner) -> Option<Entity> {
+        self.by_owner.get(owner).copied()
+    }
+
     /// A quantity of the theory, made on first sight with its usual letter.
     pub(crate) fn quantity(&mut self, quantity: Quantity) -> Entity {
         let letter = usual_letter(quantity);

@@ -238,6 +238,7 @@ fn is_quantity(
         || reading.usage.wholes.is_vector(symbol);
     match quantity {
         Quantity::Inertia => sorted.variant.is_empty(),
+        Quantity::Energy if step_index(&sorted.variant) => reading.usage.counts_steps(),
         Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
         // The h_w of a wheel, never marked and without a component, is a number.
         Quantity::RelativeMomentum => {
