@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{FrameLabel, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::usage::inner;
 use crate::verify::words::book::has_any;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -49,6 +50,7 @@ const WORDS: &[(Frame, &[&str])] = &[
 /// What a label may stand behind that turns: "fixed in the rotor $R$".
 const BODIES: &[&str] = &[
     " body",
+    " solid",
     " rotor",
     " satellite",
     " spacecraft",
@@ -262,8 +264,9 @@ fn key(label: &str) -> String {
         .collect()
 }
 
-/// The label that a lone symbol would be.
+/// The label that a lone symbol would be, in brackets or not: "the solid $(S)$".
 fn name(node: &Node) -> Option<String> {
+    let node = inner(node);
     let Kind::Symbol(Symbol {
         name,
         subscripts,

@@ -3,7 +3,7 @@
 use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol};
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, worn};
 use crate::verify::letters::wholes::{is_cross, lone, terms};
-use crate::verify::values::written_out::{along_plain_units, plain_list};
+use crate::verify::values::written_out::{along_plain_units, along_vectors_xyz, plain_list};
 
 impl Usage {
     pub(crate) fn line(&mut self, line: &Line) {
@@ -17,6 +17,7 @@ impl Usage {
             self.listed.push((Letter::of(whole), names));
         }
         self.plain_units |= line.sides.iter().any(|side| along_plain_units(inner(side)));
+        self.vectors_xyz |= line.sides.iter().any(|side| along_vectors_xyz(inner(side)));
         let square = |side: &Node| matches!(inner(side).kind, Kind::Matrix(_) | Kind::Skew(_));
         if !line.sides.iter().any(square) {
             line.sides.iter().for_each(|side| self.under_tilde(side));

@@ -91,6 +91,8 @@ pub(crate) struct Usage {
     pub k_alone: bool,
     /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.
     pub plain_units: bool,
+    /// Whether vectors called x, y, z are the unit vectors: `p\vec x + q\vec y + r\vec z`.
+    pub vectors_xyz: bool,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }

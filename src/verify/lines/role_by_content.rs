@@ -2,13 +2,15 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols, undotted};
 use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::Role;
-use crate::verify::words::book::has_any;
+use crate::verify::words::book::{has_any, lowered};
+use num_traits::Zero;
 
 impl Checker<'_> {
     /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
@@ -26,7 +28,8 @@ impl Checker<'_> {
         let rates = sides.split_last().filter(|(last, _)| is_zero(last));
         let still = rates
             .is_some_and(|(_, rates)| rates.iter().all(|rate| self.is_said_to_be_constant(rate)));
-        if !self.displayed && still {
+        let on_principal_axes = rates.is_some_and(|(_, all)| self.says_of_principal_axes(all));
+        if !self.displayed && (still || on_principal_axes) {
             return Role::Assume;
         }
         if role == Role::Claim || self.firm {
@@ -70,6 +73,27 @@ impl Checker<'_> {
             own && self.is_free(entity) && !self.theory.mentions_entity(entity)
         });
         if new { role } else { Role::Claim }
+    }
+
+    /// "On the principal axes, ⟨D = E = F = 0⟩": products of inertia that vanish there.
+    fn says_of_principal_axes(&mut self, products: &[Node]) -> bool {
+        let words = self.sentence.rsplit('⟩').next().unwrap_or_default();
+        // One that was supposed to vanish before does so here.
+        lowered(words).contains("principal")
+            && products
+                .iter()
+                .any(|product| self.product_of_inertia(product).is_some())
+            && products.iter().all(|product| {
+                self.product_of_inertia(product).is_some() || self.vanishes(product)
+            })
+    }
+
+    fn vanishes(&mut self, node: &Node) -> bool {
+        let value = self.lowering(Frame::Moving).value(node);
+        value.is_ok_and(|value| {
+            let mut entries = value.entries.iter();
+            entries.all(|entry| self.theory.normal(entry).is_zero())
+        })
     }
 
     /// "They run at constant speed, ⟨\dot s = 0⟩": the rate of a symbol of the document, which no law determines; or of ω,

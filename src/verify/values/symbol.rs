@@ -190,7 +190,7 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     let beside = hatted("x") && hatted("y") && hatted("z") && !hatted("i") && !hatted("j");
     let is_letter = match symbol.name.as_str() {
         "i" | "j" | "k" => !beside,
-        _ => symbol.style.hat,
+        _ => symbol.style.hat || symbol.style.vector && reading.usage.vectors_xyz,
     };
     // Beside e₁, e₂, e₃ a lone k is a direction of its own.
     let alone = symbol.name == "k" && symbol.style.vector && reading.usage.k_alone;

@@ -39,13 +39,18 @@ pub(crate) fn plain_list(side: &Node) -> Option<[String; 3]> {
 
 /// Whether a side is a sum along the plain letters i, j, k, or a determinant with them in its first row.
 pub(crate) fn along_plain_units(side: &Node) -> bool {
-    let unit = |node: &Node, name: &str| matches!(&node.kind, Kind::Symbol(s) if s.name == name && s.subscripts.is_empty());
+    along(side, ["i", "j", "k"], |_| true)
+}
+
+/// The same of vectors called x, y, z.
+pub(crate) fn along_vectors_xyz(side: &Node) -> bool {
+    along(side, ["x", "y", "z"], |symbol| symbol.style.vector)
+}
+
+fn along(side: &Node, names: [&str; 3], fits: impl Fn(&Symbol) -> bool) -> bool {
+    let unit = |node: &Node, name: &str| matches!(&node.kind, Kind::Symbol(s) if s.name == name && s.subscripts.is_empty() && fits(s));
     let named = |nodes: &[&Node]| {
-        nodes.len() == 3
-            && nodes
-                .iter()
-                .zip(["i", "j", "k"])
-                .all(|(n, name)| unit(n, name))
+        nodes.len() == 3 && nodes.iter().zip(names).all(|(n, name)| unit(n, name))
     };
     match &side.kind {
         Kind::Sum(terms) => {

@@ -46,20 +46,23 @@ impl Checker<'_> {
     }
 
     fn only_product(&mut self, named: &[&Node], span: Span) {
-        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
-        let component = named.iter().find_map(|node| {
-            let value = self.lowering(Frame::Moving).value(node).ok()?;
-            let [entry] = value.entries.as_slice() else {
-                return None;
-            };
-            let entry = self.theory.normal(entry);
-            (3..6).find(|&c| {
-                let product = self.theory.atoms.value(inertia, c, 0);
-                entry == product || entry == -product
-            })
-        });
+        let component = named.iter().find_map(|node| self.product_of_inertia(node));
         if let Some((a, b)) = component.map(|c| [(0, 1), (0, 2), (1, 2)][usize::from(c) - 3]) {
             self.take(Said::OnlyProduct(a, b), span);
         }
+    }
+
+    /// The component of the tensor that an expression is, with either sign, if that is a product of inertia.
+    pub(crate) fn product_of_inertia(&mut self, node: &Node) -> Option<u8> {
+        let value = self.lowering(Frame::Moving).value(node).ok()?;
+        let [entry] = value.entries.as_slice() else {
+            return None;
+        };
+        let entry = self.theory.normal(entry);
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        (3..6).find(|&c| {
+            let product = self.theory.atoms.value(inertia, c, 0);
+            entry == product || entry == -product
+        })
     }
 }
