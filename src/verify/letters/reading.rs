@@ -170,7 +170,8 @@ impl Reading {
     /// only that makes sense of a line.
     pub(crate) fn is_scalar(&self, letter: &Letter) -> bool {
         let named = self.usage.components_named.contains_key(letter);
-        let number = named || self.usage.lengths.contains(letter);
+        let number =
+            named || self.usage.lengths.contains(letter) || self.usage.numbers.contains(letter);
         self.scalars.contains(letter) || (number && self.usage.get(letter).crossed_bare == 0)
     }
 

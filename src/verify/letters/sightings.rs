@@ -56,6 +56,7 @@ impl Usage {
         for pair in line.sides.windows(2) {
             self.named_component(&pair[0], &pair[1]);
             self.named_component(&pair[1], &pair[0]);
+            self.along_a_unit(&pair[0], &pair[1]);
             self.named_length(&pair[0], &pair[1]);
         }
     }
@@ -123,6 +124,24 @@ impl Usage {
         let index = component.subscripts.iter().find_map(|s| axis(s));
         if let (true, Some(index)) = (unmarked && bare.name == component.name, index) {
             self.components_named.insert(Letter::of(bare), index);
+        }
+    }
+
+    /// `\boldsymbol\omega = \omega\,\mathbf k`: the bare letter is a number.
+    fn along_a_unit(&mut self, whole: &Node, along: &Node) {
+        let (Kind::Symbol(whole), Kind::Product(factors)) =
+            (&inner(whole).kind, &inner(along).kind)
+        else {
+            return;
+        };
+        if let [bare, unit] = factors.as_slice()
+            && let (Kind::Symbol(bare), Kind::Symbol(unit)) = (&bare.node.kind, &unit.node.kind)
+            && (unit.style.hat || unit.style.vector)
+            && whole.style.vector
+            && !bare.style.vector
+            && (&bare.name, &bare.subscripts) == (&whole.name, &whole.subscripts)
+        {
+            self.numbers.insert(Letter::of(bare));
         }
     }
 

@@ -77,6 +77,8 @@ pub(crate) struct Usage {
     pub apart_under_tilde: BTreeSet<Letter>,
     /// Letters that without mark or index are the length of their vector: `L = |L|`.
     pub lengths: BTreeSet<Letter>,
+    /// Letters of vectors that without a mark are numbers: `\boldsymbol\omega = \omega\,\mathbf k`.
+    pub(crate) numbers: BTreeSet<Letter>,
     /// Lists of three plain letters: `[p, q, r]^T`.
     pub(crate) lists: BTreeSet<[String; 3]>,
     /// Letters that a line says to be such a list.

@@ -83,9 +83,9 @@ impl Checker<'_> {
             && products
                 .iter()
                 .any(|product| self.product_of_inertia(product).is_some())
-            && products.iter().all(|product| {
-                self.product_of_inertia(product).is_some() || self.vanishes(product)
-            })
+            && products
+                .iter()
+                .all(|product| self.product_of_inertia(product).is_some() || self.vanishes(product))
     }
 
     fn vanishes(&mut self, node: &Node) -> bool {

@@ -8,6 +8,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::prose::Said;
+use num_traits::Zero;
 
 const ONLY: &[&str] = &[
     "only product of inertia",
@@ -62,7 +63,8 @@ impl Checker<'_> {
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);
         (3..6).find(|&c| {
             let product = self.theory.atoms.value(inertia, c, 0);
-            entry == product || entry == -product
+            let product = self.theory.normal(&product);
+            !product.is_zero() && (entry == product || entry == -product)
         })
     }
 }
