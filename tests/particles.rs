@@ -46,3 +46,17 @@ fn momentum_and_energy_are_sums_over_particles() {
         }
     }
 }
+
+#[test]
+fn places_of_particles_are_fixed_in_the_body_and_measured_from_its_centre() {
+    let text = |sign: &str| {
+        format!(
+            "A rigid body has particles with the mass $m_i$ at $\\vec\\rho_i$, measured from the mass centre $G$.\n\n\
+             $$ \\vec H_G = \\sum_i \\vec\\rho_i\\times m_i\\dot{{\\vec\\rho}}_i $$\n\n\
+             $$ \\sum_i m_i\\vec\\rho_i = \\vec 0 $$\n\n$$ \\dot{{\\vec\\rho}}_i = {sign}\\vec\\omega\\times\\vec\\rho_i $$\n\n\
+             $$ \\vec H_G = \\sum_i m_i\\,\\vec\\rho_i\\times(\\vec\\omega\\times\\vec\\rho_i) $$\n"
+        )
+    };
+    assert!(matches!(verdicts(&text("")).as_str(), "pppp" | "appp"));
+    assert_eq!(verdicts(&text("-")).chars().nth(2), Some('r'));
+}

@@ -75,6 +75,22 @@ $$ I_{y'y'} = I_{xx}\sin^2\beta SIGN I_{xy}\sin 2\beta + I_{yy}\cos^2\beta $$
 }
 
 #[test]
+fn vectors_x_y_z_are_the_axes_where_a_vector_is_written_along_them() {
+    let text = |sign: &str| {
+        format!(
+            "The solid $(S)$ has the matrix of inertia\n\n\
+             $$ [I_G] = \\begin{{bmatrix}} A & -F & -E \\\\ -F & B & -D \\\\ -E & -D & C \\end{{bmatrix}} $$\n\n\
+             with the products $D = \\int yz\\,dm$, $E = \\int xz\\,dm$ and $F = \\int xy\\,dm$. \
+             The rotation vector is $\\vec\\Omega = p\\,\\vec x + q\\,\\vec y + r\\,\\vec z$. The kinetic moment is\n\n\
+             $$ \\vec\\sigma_G = [I_G]\\,\\vec\\Omega $$\n\n\
+             $$ \\vec M_G = \\left(\\frac{{d\\vec\\sigma_G}}{{dt}}\\right)_S {sign} \\vec\\Omega\\wedge\\vec\\sigma_G $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "apppapp");
+    assert_eq!(verdicts(&text("-")), "apppapr");
+}
+
+#[test]
 fn a_product_of_inertia_under_another_letter_is_none_on_no_axes() {
     let text = |sign: &str| {
         format!(

@@ -20,6 +20,7 @@ pub(super) mod role_words;
 pub(super) mod running_sentence;
 pub(super) mod sentences;
 pub(super) mod small_rates;
+pub(super) mod small_words;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;
 pub(super) mod torque_free;

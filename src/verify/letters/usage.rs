@@ -163,7 +163,9 @@ impl Usage {
 
     /// Whether a letter stands for a vector where nothing is written on it.
     pub(crate) fn is_vector(&self, letter: &Letter) -> bool {
-        self.letters.get(letter).is_some_and(|u| u.vector > 0)
+        // Beside the unit vectors x, y, z the bare letters are coordinates.
+        let coordinate = self.vectors_xyz && matches!(letter.name.as_str(), "x" | "y" | "z");
+        !coordinate && self.letters.get(letter).is_some_and(|u| u.vector > 0)
     }
 
     /// Whether this symbol, subscripts and all, is differentiated in time somewhere.

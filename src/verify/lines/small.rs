@@ -15,98 +15,13 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
+use crate::verify::words::small_words::{BEFORE, BEHIND, KEPT, LINEAR, is_hardly_changed};
 use num_traits::{One, Zero};
 
-/// Words before and behind symbols that are small.
-const BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
-const BEHIND: &[&str] = &[
-    "is small",
-    "are small",
-    "is very small",
-    "are very small",
-    "remain small",
-    "remains small",
-    "stay small",
-    "stays small",
-    "is a small",
-    "are both small",
-    "are all small",
-    "is negligible",
-    "is very nearly zero",
-    "is nearly zero",
-    "is of second order",
-    "small.",
-    "small,",
-    "small;",
-    "small:",
-    "small and",
-    "small compared",
-    "both small",
-    "being small",
-    "are much smaller",
-    "is much smaller",
-];
-/// Words behind a component of ω that leave out what is of second order in its rate.
-const KEPT: &[&str] = &["may be neglected", "can be neglected", "is negligible"];
-/// What may stand between a component of ω and the word "constant", where its rate is of second order in the others.
-const HARDLY: &[&str] = &[
-    "nearly",
-    "almost",
-    "approximately",
-    "essentially",
-    "practically",
-    "effectively",
-    "sensibly",
-    "very",
-    "a",
-    "as",
-    "to",
-    "be",
-    "is",
-    "remains",
-    "stays",
-    "may",
-    "can",
-    "taken",
-    "treated",
-    "regarded",
-    "considered",
-    "then",
-    "therefore",
-    "first",
-    "order",
-];
-/// Words that leave out what is of second order.
-const LINEAR: &[&str] = &[
-    "first order",
-    "first-order",
-    "linearis",
-    "lineariz",
-    "linear terms",
-    "products of small",
-    "products of the small",
-    "second-order terms",
-    "higher-order terms",
-    "higher order terms",
-    "terms of second order",
-    "terms of higher order",
-    "quadratic terms",
-    "perturb",
-];
 /// The end of the name of a premise that a component of ω hardly changes.
 const OF_SECOND: &str = " is of second order";
 /// The highest order to which the series of a sine and a cosine are taken.
 const HIGHEST: u32 = 3;
-
-/// Whether words behind a component of ω say that it hardly changes: "may be taken as a constant".
-fn is_hardly_changed(text: &str) -> bool {
-    let clause = text.split(['.', ',', ';', ':', '⟨']).next();
-    let mut words = clause.unwrap_or_default().split_whitespace();
-    let lead: Vec<&str> = words.by_ref().take_while(|w| *w != "constant").collect();
-    let nearly = lead.len() > 1 && lead.iter().all(|word| HARDLY.contains(word));
-    let ends = words.next().is_none_or(|word| word != "of");
-    nearly && ends && text.contains("constant")
-}
 
 impl Checker<'_> {
     /// Notes symbols of an expression that the words before it call small.

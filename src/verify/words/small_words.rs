@@ -1,0 +1,94 @@
+//! What words say of symbols that are small, and of what hardly changes or is left out beside them.
+
+/// Words before and behind symbols that are small.
+pub(crate) const BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
+pub(crate) const BEHIND: &[&str] = &[
+    "is small",
+    "are small",
+    "is very small",
+    "are very small",
+    "are so small",
+    "is so small",
+    "remain small",
+    "remains small",
+    "stay small",
+    "stays small",
+    "is a small",
+    "are both small",
+    "are all small",
+    "is negligible",
+    "is very nearly zero",
+    "is nearly zero",
+    "is of second order",
+    "small.",
+    "small,",
+    "small;",
+    "small:",
+    "small and",
+    "small compared",
+    "both small",
+    "being small",
+    "are much smaller",
+    "is much smaller",
+];
+/// Words behind a component of ω that leave out what is of second order in its rate.
+pub(crate) const KEPT: &[&str] = &["may be neglected", "can be neglected", "is negligible"];
+/// What may stand between a component of ω and the word "constant", where its rate is of second order in the others.
+const HARDLY: &[&str] = &[
+    "nearly",
+    "almost",
+    "approximately",
+    "essentially",
+    "practically",
+    "effectively",
+    "sensibly",
+    "very",
+    "a",
+    "as",
+    "to",
+    "be",
+    "is",
+    "remains",
+    "stays",
+    "may",
+    "can",
+    "taken",
+    "treated",
+    "regarded",
+    "considered",
+    "then",
+    "therefore",
+    "first",
+    "order",
+];
+/// Words that leave out what is of second order.
+pub(crate) const LINEAR: &[&str] = &[
+    "first order",
+    "first-order",
+    "linearis",
+    "lineariz",
+    "linear terms",
+    "products of small",
+    "products of the small",
+    "their product may be neglected",
+    "their product can be neglected",
+    "their product is negligible",
+    "neglect their product",
+    "drop their product",
+    "second-order terms",
+    "higher-order terms",
+    "higher order terms",
+    "terms of second order",
+    "terms of higher order",
+    "quadratic terms",
+    "perturb",
+];
+/// Whether words behind a component of ω say that it hardly changes: "may be taken as a constant".
+pub(crate) fn is_hardly_changed(text: &str) -> bool {
+    let clause = text.split(['.', ',', ';', ':', '⟨']).next();
+    let mut words = clause.unwrap_or_default().split_whitespace();
+    let lead: Vec<&str> = words.by_ref().take_while(|w| *w != "constant").collect();
+    let nearly = lead.len() > 1 && lead.iter().all(|word| HARDLY.contains(word));
+    let ends = words.next().is_none_or(|word| word != "of");
+    nearly && ends && text.contains("constant")
+}
