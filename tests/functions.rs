@@ -23,6 +23,34 @@ fn a_jacobian_in_words_is_that_of_the_function_before_it() {
 }
 
 #[test]
+fn numbered_functions_are_the_column_that_is_derived() {
+    let text = |entry: &str| {
+        format!(
+            "Principal axes, moments $J_1, J_2, J_3$, torques $u_1, u_2, u_3$. Write $\\dot\\omega_i = f_i$ with\n\n\
+             $$ f_1 = \\frac{{u_1 + (J_2 - J_3)\\omega_2\\omega_3}}{{J_1}}, \\quad f_2 = \\frac{{u_2 + (J_3 - J_1)\\omega_3\\omega_1}}{{J_2}}, \\quad \
+             f_3 = \\frac{{u_3 + (J_1 - J_2)\\omega_1\\omega_2}}{{J_3}} $$\n\nand\n\n\
+             $$ G = \\frac{{\\partial f}}{{\\partial u}} = \\begin{{bmatrix}} {entry} & 0 & 0 \\\\ 0 & 1/J_2 & 0 \\\\ 0 & 0 & 1/J_3 \\end{{bmatrix}} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("1/J_1")).chars().last(), Some('p'));
+    assert_eq!(verdicts(&text("J_1")).chars().last(), Some('r'));
+}
+
+#[test]
+fn a_residual_vanishes_where_its_root_is_found() {
+    let text = |factor: &str| {
+        format!(
+            "The inertia tensor is $I$, the time step $h$, the torque $\\tau$. The residual is the function\n\n\
+             $$ g(\\omega_{{k+1}}) = I(\\omega_{{k+1}} - \\omega_k) + h(\\omega_{{k+1}}\\times I\\omega_{{k+1}} - \\tau) $$\n\n\
+             After convergence $g = 0$. Multiplied by $\\omega_{{k+1}}^\\top$ it says\n\n\
+             $$ \\omega_{{k+1}}^\\top I(\\omega_{{k+1}} - \\omega_k) = {factor}h\\,\\omega_{{k+1}}^\\top\\tau $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("")), "aap");
+    assert_eq!(verdicts(&text("2")), "aar");
+}
+
+#[test]
 fn a_right_hand_side_of_several_arguments_has_its_name_from_the_left() {
     let text = |entry: &str| {
         format!(

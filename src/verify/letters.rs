@@ -11,6 +11,7 @@ pub(super) mod body;
 pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;
+pub(super) mod imaginary;
 pub(super) mod moving_point;
 pub(super) mod named_rates;
 pub(super) mod naming;

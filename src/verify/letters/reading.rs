@@ -7,6 +7,7 @@ use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::{Document, Format};
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
+use crate::verify::letters::imaginary::has_imaginary_unit;
 use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
@@ -70,6 +71,8 @@ pub(crate) struct Reading {
     pub(crate) wheel_axis: Option<u8>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.
     pub(crate) rotor_alone: bool,
+    /// Whether the plain letter i is the imaginary unit.
+    pub(crate) imaginary: bool,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
     pub(crate) beginnings: BTreeSet<u32>,
     /// Symbols with what they are at the beginning.
@@ -123,6 +126,7 @@ impl Reading {
             frames: Frames::of(document),
             ..Self::default()
         };
+        reading.imaginary = has_imaginary_unit(document, &reading.usage);
         reading.points = TwoPoints::of(document, &reading.usage);
         reading.by_front_matter(document);
         reading.listen(document);

@@ -95,6 +95,8 @@ pub(crate) struct Usage {
     pub plain_units: bool,
     /// Whether vectors called x, y, z are the unit vectors: `p\vec x + q\vec y + r\vec z`.
     pub vectors_xyz: bool,
+    /// Letters without an index that stand under a derivative, each with the letter it is taken in.
+    pub(crate) differentiated: Vec<(Letter, Letter)>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.
     pub components_named: BTreeMap<Letter, u8>,
 }
@@ -143,6 +145,7 @@ impl Usage {
             }
         }
         usage.angles_of_a_list();
+        usage.columns_of_functions();
         let vector = |name: &str| usage.get(&Letter::plain(name)).vector > 0;
         let mut bases = ["e", "b", "u", "a"].iter().map(|name| Letter::plain(name));
         let numbered = |letter: Letter| ["1", "2", "3"].iter().all(|i| usage.has_index(&letter, i));

@@ -112,7 +112,7 @@ impl Checker<'_> {
                 Meaning::Component(entity, component) => {
                     self.dimensions.known.get(&(entity, component)).copied()
                 }
-                Meaning::Pi => Some([0; 3]),
+                Meaning::Pi | Meaning::ImaginaryUnit => Some([0; 3]),
                 _ => None,
             }),
             Kind::Number(number) => Ok(is_count(number).then_some([0; 3])),

@@ -5,7 +5,8 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::theory::Premise;
+use crate::verify::lines::given::is_zero;
+use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::value::Value;
@@ -51,6 +52,35 @@ impl Checker<'_> {
         } else {
             self.claim(&sides[1..], finding);
         }
+        true
+    }
+
+    /// "After convergence ⟨r = 0⟩" of a function r: what is sought is found, and the function vanishes there.
+    pub(crate) fn finds_the_root(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let (Kind::Symbol(symbol), true) = (&inner(left).kind, is_zero(right)) else {
+            return false;
+        };
+        if self.displayed || self.asserted || self.obtained || !symbol.subscripts.is_empty() {
+            return false;
+        }
+        let Some(function) = self.functions.get(&symbol.name).cloned() else {
+            return false;
+        };
+        let name = self.line_name(finding);
+        let taken = self.theory.assume(Premise {
+            name: name.clone(),
+            residuals: function.value.entries,
+            preferred: vec![],
+            definition: false,
+        });
+        if taken == Taken::Contradiction {
+            return false;
+        }
+        self.keep(&name, false);
+        self.note_assumption(&name, Role::Assume);
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Assume;
         true
     }
 

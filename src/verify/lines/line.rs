@@ -177,6 +177,7 @@ impl Checker<'_> {
             self.tie_new_symbols(&sides, finding);
         }
         let settled = self.vanishes_for(&sides, finding)
+            || self.finds_the_root(&sides, finding)
             || self.slips_in_integral(&sides, finding)
             || self.slips_in_unnamed_law(&sides, finding)
             || self.brings_wheels(&sides, finding)

@@ -8,6 +8,7 @@ use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 impl Lowering<'_> {
     pub(crate) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
@@ -111,6 +112,9 @@ impl Lowering<'_> {
         if let Some(value) = self.applied(head, arguments)? {
             return Ok(value);
         }
+        if let Some(value) = self.made_of(head, arguments)? {
+            return Ok(value);
+        }
         Err(trouble(
             TroubleKind::Unsupported,
             node.span,
@@ -197,6 +201,28 @@ impl Lowering<'_> {
         let made_of = self.theory.normal(&value.entries[0]).variables();
         let depends = parameters.iter().any(|p| made_of.contains(p));
         Ok(depends.then_some(value))
+    }
+
+    /// `f(ω, u)` where earlier lines say what f is, in ω and u: that.
+    fn made_of(&mut self, head: &Node, arguments: &[Node]) -> Result<Option<Value>, Trouble> {
+        let lone = |node: &Node| matches!(inner(node).kind, Kind::Symbol(_));
+        if !lone(head) || !arguments.iter().all(lone) {
+            return Ok(None);
+        }
+        let value = self.value(head)?;
+        let entries = value.entries.iter().map(|entry| self.theory.normal(entry));
+        let met: BTreeSet<u32> = entries.flat_map(|entry| entry.variables()).collect();
+        for argument in arguments {
+            let at = self.value(argument)?;
+            if !at
+                .entries
+                .iter()
+                .any(|entry| entry.as_variable().is_some_and(|v| met.contains(&v)))
+            {
+                return Ok(None);
+            }
+        }
+        Ok(Some(value))
     }
 
     /// A defined function at arguments: the parameters' variables replaced.

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::Symbol;
 use crate::verify::letters::attitude_reading::Part;
+use crate::verify::letters::imaginary::is_plain_i;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::usage::Letter;
@@ -27,6 +28,8 @@ pub(crate) enum Meaning {
     Identity,
     /// π.
     Pi,
+    /// The root of −1.
+    ImaginaryUnit,
     /// The attitude quaternion, its conjugate or its vector part.
     Quaternion(Entity, Part),
 }
@@ -218,6 +221,7 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     let number = symbol.subscripts.is_empty() && !used.moving && used.vector == 0;
     match symbol.name.as_str() {
         "pi" if number => Some(Meaning::Pi),
+        "i" if reading.imaginary && is_plain_i(symbol) => Some(Meaning::ImaginaryUnit),
         _ if reading.is_identity(symbol) => Some(Meaning::Identity),
         _ => None,
     }
