@@ -37,6 +37,20 @@ fn numbered_functions_are_the_column_that_is_derived() {
 }
 
 #[test]
+fn a_step_is_not_derived_in_a_rate_that_it_is_not_made_of() {
+    let last = |by: &str| {
+        let text = format!(
+            "The inertia tensor is $I$ on body axes, the step $h$. The next rate is defined by\n\n\
+             $$ \\omega_{{k+1}} = \\omega_k + h\\,\\omega_k\\times I\\omega_k $$\n\nand its derivative is\n\n\
+             $$ \\frac{{\\partial\\omega_{{k+1}}}}{{\\partial{by}}} = \\mathbf 1 + h\\left([\\omega_k]_\\times I - [I\\omega_k]_\\times\\right) $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    assert_eq!(last("\\omega_k"), Some('p'));
+    assert_ne!(last("\\omega"), Some('r'));
+}
+
+#[test]
 fn a_residual_vanishes_where_its_root_is_found() {
     let text = |factor: &str| {
         format!(

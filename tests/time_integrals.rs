@@ -7,6 +7,19 @@ mod outcome;
 use outcome::verdicts;
 
 #[test]
+fn a_spin_grows_from_its_value_at_the_beginning() {
+    let text = |factor: &str| {
+        format!(
+            "The moments are $I_1 = I_2 = I_t$ and $I_3 = I_a$ on principal axes. The torque is $\\boldsymbol\\tau = \\tau_a\\,\\mathbf e_3$.\n\n\
+             $$ I_a\\dot\\omega_3 = \\tau_a $$\n\nFor a constant torque the spin grows linearly,\n\n\
+             $$ \\omega_3(t) = \\omega_3(0) + \\frac{{{factor}\\tau_a}}{{I_a}}t $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("")), "aaapa");
+    assert_ne!(verdicts(&text("2")), "aaapa");
+}
+
+#[test]
 fn a_rate_over_time_gives_the_angle() {
     let text = |angle: &str| {
         format!(

@@ -23,12 +23,15 @@ const LONGEST: usize = 60;
 
 /// Whether a difference does not change in time.
 fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {
-    let rest = theory.normal(difference);
-    if rest.numerator().len() > LONGEST {
-        return false;
-    }
-    let rate = theory.atoms.derivative(&rest);
-    theory.normal(&rate).is_zero()
+    // In the normal form a constant torque may be what it causes, of which the rate is not known to vanish.
+    let forms = [theory.normal(difference), difference.clone()];
+    forms.into_iter().any(|form| {
+        if form.numerator().len() > LONGEST {
+            return false;
+        }
+        let rate = theory.atoms.derivative(&form);
+        theory.normal(&rate).is_zero()
+    })
 }
 
 impl Checker<'_> {

@@ -8,7 +8,6 @@ use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
-use std::collections::BTreeSet;
 
 impl Lowering<'_> {
     pub(crate) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
@@ -210,8 +209,7 @@ impl Lowering<'_> {
             return Ok(None);
         }
         let value = self.value(head)?;
-        let entries = value.entries.iter().map(|entry| self.theory.normal(entry));
-        let met: BTreeSet<u32> = entries.flat_map(|entry| entry.variables()).collect();
+        let met = self.theory.reached_variables(value.entries.iter());
         for argument in arguments {
             let at = self.value(argument)?;
             if !at

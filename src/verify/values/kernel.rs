@@ -127,6 +127,10 @@ impl Lowering<'_> {
                 continue;
             }
             let by = self.value(variable)?;
+            if self.is_of_another_step(operand, variable, &value, &by) {
+                let message = "nothing before says at which step the derivative is taken";
+                return Err(unsupported(variable.span, message));
+            }
             if variables.len() == 1
                 && let Some(slope) = self.slope_of_function(operand, &by)
             {

@@ -1,6 +1,6 @@
 //! Derivatives of functions in what laws determine: ∂f/∂Π of `f(Π) = Π × I⁻¹Π`, where Π is Iω besides.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
@@ -9,6 +9,44 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 
 impl Lowering<'_> {
+    /// Whether the bare letter that a derivative is taken in is not what the same letter with an index is made of: the ω
+    /// of `\partial\omega_{k+1}/\partial\omega`, where ω_{k+1} is given by ω_k.
+    pub(crate) fn is_of_another_step(
+        &mut self,
+        operand: &Node,
+        variable: &Node,
+        value: &Value,
+        by: &Value,
+    ) -> bool {
+        let (Kind::Symbol(of), Kind::Symbol(bare)) = (&inner(operand).kind, &inner(variable).kind)
+        else {
+            return false;
+        };
+        let indexed = !of.subscripts.is_empty() || !of.superscripts.is_empty();
+        if of.name != bare.name || !indexed || !bare.subscripts.is_empty() {
+            return false;
+        }
+        let met = self.theory.reached_variables(value.entries.iter());
+        let made_of = by.entries.iter().flat_map(Fraction::variables);
+        let atoms = &self.theory.atoms;
+        let own = by.entries.iter().chain(&value.entries);
+        let own: Vec<_> = own
+            .flat_map(Fraction::variables)
+            .filter_map(|v| atoms.entity_of(v))
+            .collect();
+        let quantity = |v: Variable| match atoms.owner(v) {
+            Some(Owner::Quantity(quantity, _)) => Some(*quantity),
+            _ => None,
+        };
+        let bare: Vec<Variable> = made_of.collect();
+        let kind = bare.first().and_then(|&v| quantity(v));
+        let of_step = |&v: &Variable| {
+            let other = atoms.entity_of(v).is_some_and(|e| !own.contains(&e));
+            other && kind.is_some() && quantity(v) == kind
+        };
+        !bare.iter().any(|v| met.contains(v)) || met.iter().any(of_step)
+    }
+
     /// The Jacobian of a function that the document defined, in its own parameter; `None` where the operand is none, or
     /// has in it what changes along with the parameter.
     pub(crate) fn slope_of_function(&mut self, operand: &Node, by: &Value) -> Option<Value> {
