@@ -8,6 +8,7 @@ pub(super) mod attitude_reading;
 pub(super) mod axes_by_label;
 pub(super) mod beginnings;
 pub(super) mod body;
+pub(super) mod columns;
 pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;

@@ -91,17 +91,6 @@ impl Usage {
         }
     }
 
-    /// The f of `\partial f/\partial\omega` is a vector where f₁, f₂, f₃ are written, and ω₁ is too.
-    pub(super) fn columns_of_functions(&mut self) {
-        for (of, by) in std::mem::take(&mut self.differentiated) {
-            let numbered = ["1", "2", "3"].iter().all(|i| self.has_index(&of, i));
-            let lettered = ["x", "y", "z"].iter().all(|i| self.has_index(&of, i));
-            if (numbered || lettered) && self.get(&by).component > 0 {
-                self.letters.entry(of).or_default().vector += 1;
-            }
-        }
-    }
-
     /// Notes letters with a tilde that are a side or a term.
     fn under_tilde(&mut self, side: &Node) {
         match &inner(side).kind {
@@ -193,10 +182,7 @@ impl Usage {
             Kind::Derivative {
                 operand, variables, ..
             } => {
-                if let (Some(of), [by]) = (naked(operand), variables.as_slice()) {
-                    let by = naked(by).map(|by| (of, by));
-                    self.differentiated.extend(by);
-                }
+                self.derived(operand, variables);
                 let children = node.children().into_iter();
                 children.for_each(|child| self.node(child));
             }
@@ -318,16 +304,6 @@ impl Usage {
             .insert(symbol.superscripts.clone());
         let subscripts = self.subscripts.entry(Letter::of(symbol)).or_default();
         subscripts.extend(symbol.subscripts.iter().cloned());
-    }
-}
-
-/// The letter of a symbol that stands without mark and index.
-fn naked(node: &Node) -> Option<Letter> {
-    match &inner(node).kind {
-        Kind::Symbol(symbol) if symbol.subscripts.is_empty() && !symbol.style.vector => {
-            Some(Letter::of(symbol))
-        }
-        _ => None,
     }
 }
 

@@ -1,0 +1,35 @@
+//! Columns of numbered functions: the f of `\partial f/\partial\omega` beside f₁, f₂, f₃.
+
+use crate::notation::ast::{Kind, Node};
+use crate::verify::letters::usage::{Letter, Usage, inner};
+
+impl Usage {
+    /// Notes a letter under a derivative, and the one that it is taken in.
+    pub(super) fn derived(&mut self, operand: &Node, variables: &[Node]) {
+        if let (Some(of), [by]) = (naked(operand), variables) {
+            let by = naked(by).map(|by| (of, by));
+            self.differentiated.extend(by);
+        }
+    }
+
+    /// The f of `\partial f/\partial\omega` is a vector where f₁, f₂, f₃ are written, and ω₁ is too.
+    pub(super) fn columns_of_functions(&mut self) {
+        for (of, by) in std::mem::take(&mut self.differentiated) {
+            let numbered = ["1", "2", "3"].iter().all(|i| self.has_index(&of, i));
+            let lettered = ["x", "y", "z"].iter().all(|i| self.has_index(&of, i));
+            if (numbered || lettered) && self.get(&by).component > 0 {
+                self.letters.entry(of).or_default().vector += 1;
+            }
+        }
+    }
+}
+
+/// The letter of a symbol that stands without mark and index.
+fn naked(node: &Node) -> Option<Letter> {
+    match &inner(node).kind {
+        Kind::Symbol(symbol) if symbol.subscripts.is_empty() && !symbol.style.vector => {
+            Some(Letter::of(symbol))
+        }
+        _ => None,
+    }
+}
