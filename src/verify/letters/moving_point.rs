@@ -49,7 +49,8 @@ impl Reading {
     }
 
     fn moving_point_of(&self, document: &Document) -> Option<MovingPoint> {
-        if self.points.is_some() {
+        // Beside a resultant force, Newton's law for the mass centre ties the two points.
+        if self.points.is_some() || self.speaks_of(Quantity::Force) {
             return None;
         }
         let all = every_symbol(document);

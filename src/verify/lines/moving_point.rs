@@ -17,6 +17,8 @@ impl Checker<'_> {
         let Some(found) = self.reading.moving_point.clone() else {
             return;
         };
+        // The point moves in any way.
+        self.any_vector = true;
         let written = [&found.centre, &found.other].map(|at| [&at.position, &at.velocity]);
         let written = written.into_iter().flatten().flatten().chain([&found.arm]);
         for symbol in written {
