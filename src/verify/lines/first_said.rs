@@ -17,6 +17,10 @@ impl Checker<'_> {
     /// The one symbol of the document in a difference that no line before has, where it stands on one side alone and
     /// other symbols are known: the line may be what gives it its value.
     pub(crate) fn first_said(&mut self, read: &Read) -> Option<String> {
+        // A vector that may be any gets no value by a line.
+        if self.any_vector {
+            return None;
+        }
         let failing = read.equations.iter().find(|equation| {
             let mut entries = equation.residual.entries.iter();
             entries.any(|entry| !self.theory.normal(entry).is_zero())
