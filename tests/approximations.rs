@@ -56,6 +56,24 @@ fn a_disturbed_spin_is_linearised() {
 }
 
 #[test]
+fn products_of_what_is_small_may_be_dropped() {
+    let left_out = |words: &str, sign: &str| {
+        let text = format!(
+            "No torque acts. On principal axes put\n\n$$ \\omega_1 = a_1, \\quad \\omega_2 = s + a_2, \\quad \\omega_3 = a_3 $$\n\n\
+             with $s$ constant and small $a_i$. {words} This leaves\n\n$$ I_1\\dot a_1 = {sign}(I_2 - I_3)\\,s\\,a_3 $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    for words in [
+        "Products of two small quantities are dropped.",
+        "We neglect the product of any two disturbances.",
+    ] {
+        assert_eq!(left_out(words, ""), Some('p'), "{words}");
+        assert_eq!(left_out(words, "-"), Some('r'), "{words}");
+    }
+}
+
+#[test]
 fn a_case_of_small_angles_assumes_no_equation() {
     let text = "A body turns about a fixed axis with $\\ddot\\theta = -c\\,\\sin\\theta$. For small angles,\n\n\
                 $$ \\ddot\\theta + 2c\\,\\theta = 0 $$\n";

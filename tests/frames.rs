@@ -39,6 +39,11 @@ fn words_say_which_frame_turns() {
         transport("$P$ is fixed in the body, $Q$ does not rotate.", "Q", "P"),
         "p"
     );
+    let craft = "$P$ is an inertial frame and $Q$ is fixed in the spacecraft.";
+    assert_eq!(transport(craft, "P", "Q"), "p");
+    let ground = "$P$ is fixed to the ground and $Q$ is fixed to the drum.";
+    assert_eq!(transport(ground, "P", "Q"), "p");
+    assert_eq!(transport(ground, "Q", "P"), "r");
 }
 
 #[test]

@@ -129,6 +129,13 @@ fn sentences_keep_their_words_and_give_their_formulas() {
 }
 
 #[test]
+fn an_entry_of_a_list_of_symbols_may_name_several() {
+    let found = places("p, q, r    body rates\nhx hy hz\tangular momentum\nso it is\n");
+    let p_q_r = ["p\nq\nr", "(* h_x h_y h_z)"].map(str::to_owned);
+    assert_eq!(found, [(1, p_q_r[0].clone()), (2, p_q_r[1].clone())]);
+}
+
+#[test]
 fn a_formula_may_run_over_lines_and_carry_a_label() {
     let text = "\
   M_x = I_xx*wdot_x

@@ -158,21 +158,24 @@ pub(super) fn is_formula(text: &str) -> bool {
     related && is_mathematical(&body.replace("= integral of ", "= ∫ "))
 }
 
-/// The symbol of an entry in a list of symbols, `w    angular velocity`: its bytes, and those up to the words.
+/// The symbols of an entry in a list of symbols, `w    angular velocity`, `Mx, My, Mz    moments`: their bytes, and those
+/// up to the words.
 pub(super) fn entry(text: &str) -> Option<(usize, usize)> {
-    let symbol = text.split_whitespace().next()?;
-    let rest = &text[symbol.len()..];
-    let gap = rest.len() - rest.trim_start().len();
-    let set_off = rest.starts_with("  ") || rest.starts_with('\t');
-    let name = symbol.len() <= 6
-        && symbol.starts_with(char::is_alphabetic)
-        && symbol.chars().all(|c| c.is_alphanumeric() || c == '_')
-        && look(symbol) != Look::Words;
+    let end = text.find("  ").into_iter().chain(text.find('\t')).min()?;
+    let (symbols, rest) = text.split_at(end);
+    let name = |symbol: &str| {
+        symbol.len() <= 6
+            && symbol.starts_with(char::is_alphabetic)
+            && symbol.chars().all(|c| c.is_alphanumeric() || c == '_')
+            && look(symbol) != Look::Words
+    };
+    let mut names = symbols.split(&[',', ' ']).filter(|name| !name.is_empty());
+    let listed = !symbols.is_empty() && names.all(name);
     let words = rest.trim_start();
     let spoken = words.split_whitespace().next().is_some_and(|word| {
         word.len() > 2 && word.chars().all(char::is_alphabetic) && look(word) == Look::Words
     });
-    (set_off && name && spoken).then_some((symbol.len(), symbol.len() + gap))
+    (listed && spoken).then_some((end, text.len() - words.len()))
 }
 
 /// A run of mathematical words under construction.

@@ -251,8 +251,49 @@ pub(crate) fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
         .for_each(|child| labels(child, look));
 }
 
+/// Where something that is fixed may be so that it does not turn.
+const STILL: &[&str] = &[
+    "space",
+    "inertial",
+    "ground",
+    "earth",
+    "room",
+    "laborator",
+    "star",
+    "galile",
+    "newtonian",
+    "absolute",
+    "table",
+    "foundation",
+];
+
+/// "Fixed in the spacecraft" turns as that does.
+fn fixed_in(text: &str) -> Option<Frame> {
+    let lead = [
+        "fixed in ",
+        "fixed to ",
+        "fixed on ",
+        "fixed with respect to ",
+        "fixed relative to ",
+        "embedded in ",
+        "rigidly connected ",
+    ];
+    let place = lead
+        .iter()
+        .find_map(|lead| Some(text.split_once(lead)?.1))?;
+    Some(match has_any(place, STILL) {
+        true => Frame::Space,
+        false => Frame::Moving,
+    })
+}
+
 fn in_words(text: &str) -> Option<Frame> {
-    let said = WORDS.iter().find(|(_, words)| has_any(text, words));
+    // A spacecraft is no space.
+    let text = text.replace("spacecraft", "craft");
+    if let Some(frame) = fixed_in(&text) {
+        return Some(frame);
+    }
+    let said = WORDS.iter().find(|(_, words)| has_any(&text, words));
     said.map(|(frame, _)| *frame)
 }
 

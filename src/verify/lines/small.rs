@@ -15,7 +15,9 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
-use crate::verify::words::small_words::{BEFORE, BEHIND, KEPT, LINEAR, is_hardly_changed};
+use crate::verify::words::small_words::{
+    BEFORE, BEHIND, KEPT, is_hardly_changed, takes_first_order,
+};
 use num_traits::{One, Zero};
 
 /// The end of the name of a premise that a component of ω hardly changes.
@@ -81,7 +83,7 @@ impl Checker<'_> {
 
     /// Whether words in small letters take equations to first order in what is small, until the next heading.
     pub(crate) fn note_linear(&mut self, text: &str) {
-        self.linear |= LINEAR.iter().any(|words| text.contains(words));
+        self.linear |= takes_first_order(text);
         self.note_small_rates(text);
     }
 

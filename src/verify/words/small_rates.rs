@@ -4,6 +4,7 @@ use crate::notation::ast::Symbol;
 use crate::verify::check::Checker;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
+use crate::verify::words::small_words::DROPPED;
 
 /// What turns, in the plural.
 const RATES: &[&str] = &["rates", "angular velocities", "velocities"];
@@ -26,17 +27,6 @@ const OF: &[&str] = &[
     "the angular ",
     "body ",
     "these ",
-];
-const DROPPED: &[&str] = &[
-    "dropped",
-    "drop ",
-    "neglected",
-    "neglect",
-    "negligible",
-    "ignored",
-    "left out",
-    "omitted",
-    "second order",
 ];
 /// Words that pick some of them out.
 const SOME: &[&str] = &[
@@ -79,9 +69,10 @@ fn calls_rates_small(sentence: &str) -> bool {
 
 /// "Products of two rates are dropped."
 fn drops_products(sentence: &str) -> bool {
-    let Some((_, behind)) = sentence.split_once("products of ") else {
-        return false;
-    };
+    let behind = ["products of ", "product of "]
+        .iter()
+        .find_map(|lead| Some(sentence.split_once(lead)?.1));
+    let Some(behind) = behind else { return false };
     let dropped = DROPPED.iter().any(|word| sentence.contains(word));
     dropped
         && RATES.iter().any(|noun| {

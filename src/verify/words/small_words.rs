@@ -1,5 +1,7 @@
 //! What words say of symbols that are small, and of what hardly changes or is left out beside them.
 
+use crate::verify::words::book::has_any;
+
 /// Words before and behind symbols that are small.
 pub(crate) const BEFORE: &[&str] = &["small", "tiny", "infinitesimal"];
 pub(crate) const BEHIND: &[&str] = &[
@@ -31,6 +33,43 @@ pub(crate) const BEHIND: &[&str] = &[
     "are much smaller",
     "is much smaller",
 ];
+/// What becomes of a term that is not kept.
+pub(crate) const DROPPED: &[&str] = &[
+    "dropped",
+    "drop ",
+    "neglected",
+    "neglect",
+    "negligible",
+    "ignored",
+    "left out",
+    "omitted",
+    "discarded",
+    "second order",
+];
+/// What small things are called together.
+const SMALL_THINGS: &[&str] = &[
+    "small quantities",
+    "small ones",
+    "small numbers",
+    "small terms",
+    "small rates",
+    "disturbances",
+    "perturbations",
+    "deviations",
+];
+
+/// Whether words in small letters leave out what is of second order: "products of two small quantities are dropped".
+pub(crate) fn takes_first_order(text: &str) -> bool {
+    let dropped = |clause: &str| {
+        let product = ["product", "square"]
+            .iter()
+            .filter_map(|word| clause.find(word));
+        let of_small = |at: usize| has_any(&clause[at..], SMALL_THINGS);
+        product.into_iter().any(of_small) && has_any(clause, DROPPED)
+    };
+    has_any(text, LINEAR) || text.split(['.', ';']).any(dropped)
+}
+
 /// Words behind a component of ω that leave out what is of second order in its rate.
 pub(crate) const KEPT: &[&str] = &["may be neglected", "can be neglected", "is negligible"];
 /// What may stand between a component of ω and the word "constant", where its rate is of second order in the others.
@@ -62,7 +101,7 @@ const HARDLY: &[&str] = &[
     "order",
 ];
 /// Words that leave out what is of second order.
-pub(crate) const LINEAR: &[&str] = &[
+const LINEAR: &[&str] = &[
     "first order",
     "first-order",
     "linearis",
