@@ -127,3 +127,35 @@ fn what_is_taken_about_a_moving_point_is_tied_to_the_mass_centre() {
          $$ \\mathbf M_P = \\dot{\\mathbf H}_P - \\mathbf r_{C/P}\\times m\\,\\mathbf a_P $$\n";
     assert_eq!(verdicts(relative), "ppr");
 }
+
+#[test]
+fn beside_numbered_axes_z_is_the_vertical() {
+    let with = |power: &str, factor: &str| {
+        let text = r"A thin rod hangs from a hinge on a spindle that is driven at the constant rate $\nu$; it makes the angle $\beta$ with the downward vertical. The principal moments at the hinge are
+
+$$ I_1 = 0, \qquad I_2 = I_3 = K $$
+
+The angular velocity is
+
+$$ \omega_1 = -\nu\cos\beta $$
+
+$$ \omega_2 = \nu\sin\beta $$
+
+$$ \omega_3 = \dot\beta $$
+
+The angular momentum about the spindle is
+
+$$ L_z = K\nu\sinPOWER\beta $$
+
+so its rate is
+
+$$ \dot L_z = FACTOR K\nu\dot\beta\sin\beta\cos\beta $$
+";
+        let text = text.replace("POWER", power).replace("FACTOR", factor);
+        let found = verdicts(&text);
+        found[found.len() - 2..].to_owned()
+    };
+    assert_eq!(with("^2", "2"), "pp");
+    assert_eq!(with("^2", ""), "pr");
+    assert!(with("", "2").starts_with('r'));
+}

@@ -25,6 +25,7 @@ pub(super) mod first_said;
 pub(super) mod forward;
 pub(super) mod functions;
 pub(super) mod fundamental;
+pub(super) mod gimbals;
 pub(super) mod given;
 pub(super) mod given_body;
 pub(super) mod given_motion;

@@ -225,6 +225,16 @@ impl Usage {
             .is_some_and(|met| met.iter().any(lettered))
     }
 
+    /// Whether the z under a letter is the vertical: beside a vector k and numbered unit vectors, or where the angular
+    /// velocity has the components 1, 2, 3 and the letter no other than this one.
+    pub(crate) fn z_is_vertical(&self, letter: &Letter) -> bool {
+        let omega = Letter::plain("omega");
+        let all = |axes: [&str; 3]| axes.iter().all(|axis| self.has_index(&omega, axis));
+        let any = |letter: &Letter, axes: &[&str]| axes.iter().any(|a| self.has_index(letter, a));
+        let numbered = all(["1", "2", "3"]) && !any(&omega, &["x", "y", "z"]);
+        self.k_alone || numbered && !any(letter, &["1", "2", "3", "x", "y"])
+    }
+
     /// Whether symbols stand for values before and behind a step: `\omega_{k+1}`.
     pub(crate) fn counts_steps(&self) -> bool {
         let mut met = self.subscripts.values().flatten();

@@ -40,6 +40,10 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
             return true;
         }
+        // "⟨a = b = c = d⟩ is supposed": each of them equals the others.
+        if role == Role::Assume && !rest.is_empty() && self.are_new_names(sides) {
+            return false;
+        }
         let Some((entity, place)) = self.new_symbol(left) else {
             return rest.is_empty()
                 && (self.defines_entries(left, right, finding)
@@ -151,6 +155,11 @@ impl Checker<'_> {
             self.claim(&sides[1..], finding);
         }
         true
+    }
+
+    fn are_new_names(&mut self, sides: &[Node]) -> bool {
+        let mut names = sides.iter().map(|side| self.new_symbol(side));
+        names.all(|name| matches!(name, Some((_, None))))
     }
 
     /// Leaves a line open that its sentence derives from a false one: "⟨K = …⟩, so the effective moment is ⟨J = …⟩".

@@ -36,10 +36,10 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
-        if self.is_by_own_components(sides)
-            || self.integrates_another(sides)
-            || self.mixes_turns(first, last)
-        {
+        if self.is_by_own_components(sides) {
+            return self.lies_in_a_plane(sides);
+        }
+        if self.integrates_another(sides) || self.mixes_turns(first, last) {
             return false;
         }
         let mut named = sides.iter().flat_map(symbols);
@@ -147,6 +147,40 @@ impl Checker<'_> {
             && matches!(inner(right).kind, Kind::Sum(_))
             && met.iter().all(|m| own(m) || unit(m))
             && met.iter().any(own)
+    }
+
+    /// Whether a force, or a vector of the document, is written out by its own components but for one or two, of which
+    /// nothing is said: these vanish.
+    fn lies_in_a_plane(&mut self, sides: &[Node]) -> bool {
+        let own = self.entities([&sides[0]]).into_iter().all(|entity| {
+            match &self.theory.atoms.info(entity).owner {
+                Owner::Quantity(quantity, _) => *quantity == Quantity::Force,
+                Owner::Symbol(_) => true,
+            }
+        });
+        let Some(read) = self.read(sides, Frame::Moving).ok().filter(|_| own) else {
+            return false;
+        };
+        let right = read.equations.iter().flat_map(|e| &e.right.entries);
+        let written: Vec<u32> = right.flat_map(Fraction::variables).collect();
+        let entries: Vec<&Fraction> = read.residuals().filter(|rest| !rest.is_zero()).collect();
+        let left_out = |rest: &&Fraction| {
+            let part = rest.as_variable().filter(|v| !written.contains(v));
+            part.is_some_and(|v| !self.theory.mentions(v))
+        };
+        let left_out = entries.iter().all(left_out);
+        // What a force comes to follows from how the body moves, of which nothing is said.
+        let mut loose = |rest: &&Fraction| {
+            let normal = self.theory.normal(rest);
+            let moves = |v: u32| match self.theory.atoms.owner(v) {
+                Some(Owner::Quantity(quantity, _)) => {
+                    *quantity != Quantity::Mass && !self.theory.mentions(v)
+                }
+                _ => false,
+            };
+            normal == **rest || normal.variables().into_iter().any(moves)
+        };
+        !entries.is_empty() && left_out && entries.iter().all(&mut loose)
     }
 
     /// Whether a side has a symbol that the theory does not know, or is a number; `None` where a quantity stands in it

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::lines::given::is_zero;
 use crate::verify::lines::index::is_equality;
 use crate::verify::reason;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -54,8 +55,10 @@ impl Checker<'_> {
 
     /// `I_1 < I_2 < I_3`, `m > 0`: an order among what nothing determines, and numbers.
     fn orders_inputs(&mut self, line: &Line) -> bool {
+        let beside_zero = !self.displayed && line.sides.len() == 2 && is_zero(&line.sides[1]);
         let free = |checker: &mut Self, side: &Node| {
-            matches!(side.kind, Kind::Number(_)) || checker.is_free_input(side)
+            let own = beside_zero && checker.new_symbol(side).is_some();
+            matches!(side.kind, Kind::Number(_)) || checker.is_free_input(side) || own
         };
         line.sides.iter().all(|side| free(self, side))
     }

@@ -1,18 +1,20 @@
 //! What a new symbol is by the words before it and the laws: the vertical component of the angular momentum, the frequency
 //! of small swings.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Rational, Variable};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::Letter;
 use crate::verify::lines::points::Law;
-use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
-use crate::verify::values::quantity::Quantity;
+use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
+use crate::verify::values::lower::constant;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 /// Names of how often a body swings to and fro.
 const FREQUENCIES: &[&str] = &[
@@ -20,6 +22,16 @@ const FREQUENCIES: &[&str] = &[
     "angular frequency",
     "natural frequency",
     "harmonic",
+];
+
+/// Names of the momentum about what a body is carried round.
+const ABOUT_VERTICAL: &[&str] = &[
+    "angular momentum about the vertical",
+    "angular momentum about the shaft",
+    "angular momentum about the spindle",
+    "angular momentum about the post",
+    "angular momentum along the vertical",
+    "angular momentum about the fixed axis",
 ];
 
 impl Checker<'_> {
@@ -53,6 +65,13 @@ impl Checker<'_> {
     /// Whether the words before a line call what it speaks of the vertical component of the momentum.
     pub(crate) fn speaks_of_vertical_momentum(&self) -> bool {
         let sentence = lowered(&self.sentence);
+        let about = ABOUT_VERTICAL
+            .iter()
+            .filter_map(|words| sentence.rfind(words))
+            .max();
+        if about.is_some_and(|at| !sentence[at..].contains('⟩')) {
+            return true;
+        }
         let Some((_, behind)) = sentence.rsplit_once("vertical component of ") else {
             return false;
         };
@@ -73,13 +92,41 @@ impl Checker<'_> {
         }
         let vertical = match (self.vertical.clone(), self.reading.euler_angles.clone()) {
             (Some(vertical), _) => vertical,
-            (None, angles) => Value::column(self.first_axis(&angles?)?.as_slice().to_vec()),
+            (None, Some(angles)) => Value::column(self.first_axis(&angles)?.as_slice().to_vec()),
+            (None, None) => self.axis_of_drive()?,
         };
         let momentum = self.theory.atoms.quantity(Quantity::Momentum);
         let momentum = Value::column(self.theory.atoms.vector(momentum, 0));
         let entity = self.entity_named(symbol)?;
         let value = momentum.dot(&vertical).ok()?;
         Some(Law::new("component along the vertical", entity, value).said())
+    }
+
+    /// The direction in which the only rate that is no rate of an angle stands in the angular velocity: a turntable
+    /// carries the body round there.
+    fn axis_of_drive(&mut self) -> Option<Value> {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let omega = Value::column(self.theory.atoms.vector(omega, 0));
+        let omega = omega.map(|part| self.theory.normal(part));
+        let drive = |v: &Variable| match *self.theory.atoms.atom(*v) {
+            Atom::Part {
+                entity, order: 0, ..
+            } => {
+                let info = self.theory.atoms.info(entity);
+                info.shape == Shape::Scalar && matches!(info.owner, Owner::Symbol(_))
+            }
+            _ => false,
+        };
+        let met: BTreeSet<Variable> = omega
+            .entries
+            .iter()
+            .flat_map(Fraction::variables)
+            .filter(drive)
+            .collect();
+        let rate = met.first().copied().filter(|_| met.len() == 1)?;
+        let axis = omega.map(|part| part.partial(rate));
+        let square = axis.dot(&axis).ok()?.as_scalar()?.clone();
+        (self.theory.normal(&square) == constant(Rational::from(1))).then_some(axis)
     }
 
     /// The components of gravity, which points along the axis that the first of the body's angles turns about, or against

@@ -84,6 +84,7 @@ impl Checker<'_> {
         };
         let mut laws: Vec<Law> = self.law_in_words(first, sides.get(1)).into_iter().collect();
         laws.extend(met.iter().find_map(|s| self.turned_round(s)));
+        laws.extend(self.moment_about_gimbal(sides));
         let Kind::Symbol(left) = &first.kind else {
             return laws;
         };

@@ -29,7 +29,7 @@ impl Checker<'_> {
         let still = rates
             .is_some_and(|(_, rates)| rates.iter().all(|rate| self.is_said_to_be_constant(rate)));
         let on_principal_axes = rates.is_some_and(|(_, all)| self.says_of_principal_axes(all));
-        if !self.displayed && (still || on_principal_axes) {
+        if !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides)) {
             return Role::Assume;
         }
         if role == Role::Claim || self.firm {
@@ -86,6 +86,26 @@ impl Checker<'_> {
             && products
                 .iter()
                 .all(|product| self.product_of_inertia(product).is_some() || self.vanishes(product))
+    }
+
+    /// "The four speeds are equal, ⟨a = b = c = d⟩": symbols of the document that no law determines.
+    fn are_said_to_be_equal(&mut self, sides: &[Node]) -> bool {
+        let words = lowered(self.sentence.rsplit('⟩').next().unwrap_or_default());
+        let said = [
+            "are equal",
+            "are all equal",
+            "are the same",
+            "are all the same",
+            "is the same for",
+        ];
+        let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
+        if self.asserted || !has_any(&words, &said) || !sides.iter().all(lone) {
+            return false;
+        }
+        self.entities(sides).into_iter().all(|entity| {
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            own && self.is_free(entity)
+        })
     }
 
     fn vanishes(&mut self, node: &Node) -> bool {

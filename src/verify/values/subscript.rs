@@ -49,7 +49,7 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     for text in symbol.subscripts.iter().filter(|_| !whole) {
         let text = text.trim();
         // Beside axes 1, 2, 3, z is the vertical.
-        let vertical = reading.usage.k_alone && text == "z";
+        let vertical = text == "z" && reading.usage.z_is_vertical(&letter);
         if vertical
             || of_matrix && axis(text).is_some()
             || named_apart && matches!(text, "1" | "2" | "3")

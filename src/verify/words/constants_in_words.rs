@@ -208,17 +208,23 @@ impl Checker<'_> {
     /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say. The rate ω
     /// at which a body turns is a number of its own, where the letter is a vector elsewhere.
     fn constant_in_words(&mut self, node: &Node, supposed: bool) {
-        if self.stays(node, supposed) {
+        let bare = match &node.kind {
+            Kind::Symbol(symbol) if !symbol.style.vector => Letter::of(symbol),
+            _ => {
+                self.stays(node, supposed);
+                return;
+            }
+        };
+        // Where the vector has a mark, a letter without one is its length.
+        let number = self.reading.quantities.get(&bare) == Some(&Quantity::RelativeMomentum)
+            && self.reading.usage.get(&bare).vector > 0;
+        if !number && self.stays(node, supposed) {
             return;
         }
-        if let Kind::Symbol(symbol) = &node.kind
-            && !symbol.style.vector
-        {
-            let before = self.reading.scalars.clone();
-            self.reading.scalars.insert(Letter::of(symbol));
-            self.stays(node, supposed);
-            self.reading.scalars = before;
-        }
+        let before = self.reading.scalars.clone();
+        self.reading.scalars.insert(bare);
+        self.stays(node, supposed);
+        self.reading.scalars = before;
     }
 
     fn stays(&mut self, node: &Node, supposed: bool) -> bool {

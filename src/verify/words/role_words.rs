@@ -165,6 +165,10 @@ pub(super) const CLAIM: &[&str] = &[
     "for which",
     "equating",
     "equate",
+    "solving",
+    "solving for",
+    "and solve",
+    "comparing",
     "has the size",
     "keeps the value",
 ];
