@@ -74,6 +74,29 @@ fn products_of_what_is_small_may_be_dropped() {
 }
 
 #[test]
+fn a_disturbed_spin_about_another_axis_takes_the_place_of_the_first() {
+    let last = |line: &str| {
+        let text = format!(
+            "A body with three principal moments turns without torque.\n\n(a) About axis 2 put\n\n\
+             $$ \\omega_1 = a_1, \\quad \\omega_2 = s + a_2, \\quad \\omega_3 = a_3 $$\n\n\
+             with $s$ constant and small $a_i$. To first order\n\n$$ I_2\\dot a_2 = 0 $$\n\n\
+             (b) Now let it turn about axis 3 instead. We repeat this with\n\n\
+             $$ \\omega_1 = b_1, \\quad \\omega_2 = b_2, \\quad \\omega_3 = s + b_3 $$\n\nand find\n\n$$ {line} $$\n"
+        );
+        verdicts(&text).split_off(3)
+    };
+    let factor = r"rac{(I_3 - I_1)(I_3 - I_2)}{I_1 I_2}\,s^2\,b_1";
+    assert_eq!(
+        last(&format!(r"\ddot b_1 = -{factor}").replace(r"\", r"")),
+        "paaap"
+    );
+    assert_eq!(
+        last(&format!(r"\ddot b_1 = {factor}").replace(r"\", r"")),
+        "paaar"
+    );
+}
+
+#[test]
 fn a_case_of_small_angles_assumes_no_equation() {
     let text = "A body turns about a fixed axis with $\\ddot\\theta = -c\\,\\sin\\theta$. For small angles,\n\n\
                 $$ \\ddot\\theta + 2c\\,\\theta = 0 $$\n";

@@ -116,7 +116,7 @@ impl Checker<'_> {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);
                 self.note_assumption(&name, role);
-                if self.small_turns.len() == 2 {
+                if self.small_turns.len() == 2 || self.linear && !self.small.is_empty() {
                     self.drop_second_order();
                 }
             }

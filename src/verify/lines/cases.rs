@@ -7,8 +7,8 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::reason;
-use crate::verify::theory::Name;
 use crate::verify::theory::law::Axes;
+use crate::verify::theory::{Name, Premise};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
@@ -24,6 +24,8 @@ pub(crate) struct Cases {
     now: u32,
     /// In which case each assumption was made.
     kept: BTreeMap<Name, u32>,
+    /// In which case a display set the motion up.
+    set: BTreeMap<Name, u32>,
     /// Whether the sentence speaks of a case that is not the one at hand.
     pub hypothesis: bool,
     /// How many headings stand before.
@@ -110,6 +112,8 @@ impl Checker<'_> {
     pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
         if role == Role::Assume || role == Role::Given && !self.displayed {
             self.cases.kept.insert(name.to_owned(), self.cases.now);
+        } else if role != Role::Claim {
+            self.cases.set.insert(name.to_owned(), self.cases.now);
         }
     }
 
@@ -197,6 +201,9 @@ impl Checker<'_> {
         if role == Role::Assume || says {
             self.detach_axes(sides);
         }
+        if lone && matches!(role, Role::Assume | Role::Given) {
+            self.set_up_anew(sides);
+        }
         if role != Role::Assume && !says || self.cases.kept.values().all(|&c| c == self.cases.now) {
             return;
         }
@@ -228,6 +235,51 @@ impl Checker<'_> {
         self.cases.kept.retain(|name, _| !ended.contains(name));
         self.scopes.retain(|(name, _)| !ended.contains(name));
         self.theory.retain(|premise| !ended.contains(&premise.name));
+    }
+
+    /// Ends what an earlier case set a component of ω to, where a line sets it to something else; what stands there now
+    /// in the place of something small is small too.
+    fn set_up_anew(&mut self, sides: &[Node]) {
+        let now = self.cases.now;
+        if self.cases.set.values().all(|&case| case == now) {
+            return;
+        }
+        let mut lowering = self.lowering(Frame::Moving);
+        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
+        let Some(own) = sides.first().and_then(&mut part) else {
+            return;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        if self.theory.atoms.entity_of(own) != Some(omega) || !self.contradicts(sides) {
+            return;
+        }
+        let earlier = |p: &&Premise| {
+            let case = self.cases.set.get(&p.name);
+            case.is_some_and(|&case| case < now)
+                && p.residuals.iter().any(|r| r.variables().contains(&own))
+        };
+        let ended: Vec<Premise> = self
+            .theory
+            .premises()
+            .iter()
+            .filter(earlier)
+            .cloned()
+            .collect();
+        for premise in ended {
+            let before = premise.residuals.iter().flat_map(Fraction::variables);
+            let before = before.filter_map(|v| self.theory.atoms.entity_of(v));
+            if before
+                .collect::<Vec<_>>()
+                .iter()
+                .any(|e| self.small.contains(e))
+            {
+                self.small_as_before(&sides[1..]);
+            }
+            self.end_spin();
+            self.cases.set.remove(&premise.name);
+            self.scopes.retain(|(name, _)| *name != premise.name);
+            self.theory.retain(|kept| kept.name != premise.name);
+        }
     }
 
     /// Where two components of ω were small, those across this one are so now: the body spins about another axis in the

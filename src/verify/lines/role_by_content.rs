@@ -69,8 +69,13 @@ impl Checker<'_> {
             let Some(entity) = self.entity_named(symbol) else {
                 return false;
             };
+            let place = match self.meaning_of(symbol) {
+                Meaning::Component(_, place) => Some(place),
+                _ => None,
+            };
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
-            own && self.is_free(entity) && !self.theory.mentions_entity(entity)
+            let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
+            own && self.theory.rule(variable).is_none() && !self.theory.mentions_part(entity, place)
         });
         if new { role } else { Role::Claim }
     }

@@ -181,10 +181,25 @@ impl Checker<'_> {
         }
     }
 
+    /// Calls symbols small that nothing has spoken of: they stand in the place of others that were.
+    pub(crate) fn small_as_before(&mut self, sides: &[Node]) {
+        for entity in self.entities(sides) {
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            if own && !self.known.contains(&entity) {
+                self.small.insert(entity);
+            }
+        }
+    }
+
     /// Forgets which components were small.
     pub(crate) fn end_small_turns(&mut self) {
-        self.small_turns.clear();
         self.linear = false;
+        self.end_spin();
+    }
+
+    /// Forgets which component was the spin, as the body turns about another axis.
+    pub(crate) fn end_spin(&mut self) {
+        self.small_turns.clear();
         if self.theory.setting.dropped_axis.is_some() {
             self.theory.set(|setting| setting.dropped_axis = None);
         }
