@@ -75,6 +75,7 @@ fn a_function_without_brackets_takes_what_belongs_to_it() {
         ),
         (r"e^{-\lambda t}", "(exp (- (* lambda t)))"),
         (r"\mathrm{e}^{\lambda t}", "(exp (* lambda t))"),
+        (r"e^{\mathrm{i}\lambda t}", "(exp (* up:i lambda t))"),
         (r"\sqrt{a}\,b", "(* (sqrt a) b)"),
         (r"\theta(t)", "(call theta t)"),
         (r"\omega(0) = \omega_0", "(call omega 0) = omega_0"),

@@ -31,6 +31,7 @@ pub(super) mod given_body;
 pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod gravity_gradient;
+pub(super) mod growth;
 pub(super) mod homogeneity;
 pub(super) mod index;
 pub(super) mod inequality;

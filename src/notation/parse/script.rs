@@ -212,10 +212,9 @@ fn is_label(kinds: &[Lexeme<'_>]) -> bool {
         [Lexeme::Char('*') | Lexeme::Command("ast" | "star" | "dagger" | "circledast")] => true,
         [Lexeme::Letter(c)] => c.is_ascii_uppercase(),
         [Lexeme::Text(_)] => true,
-        [
-            Lexeme::Command("mathcal" | "mathrm" | "mathscr" | "mathsf" | "mathbf" | "rm"),
-            ..,
-        ] => !kinds.iter().any(|k| matches!(k, Lexeme::Number(_))),
+        [Lexeme::Command(font), ..] if is_font(font) => {
+            !kinds.iter().any(|k| matches!(k, Lexeme::Number(_))) && is_set_in_fonts(kinds)
+        }
         [Lexeme::Char('+' | '-')] => true,
         [Lexeme::Letter(a), Lexeme::Char('/'), Lexeme::Letter(b)] => {
             a.is_ascii_uppercase() && b.is_ascii_uppercase()
@@ -223,6 +222,32 @@ fn is_label(kinds: &[Lexeme<'_>]) -> bool {
         [Lexeme::Letter(a), Lexeme::Letter(b)] => a.is_ascii_uppercase() && b.is_ascii_uppercase(),
         _ => false,
     }
+}
+
+fn is_font(command: &str) -> bool {
+    matches!(
+        command,
+        "mathcal" | "mathrm" | "mathscr" | "mathsf" | "mathbf" | "rm"
+    )
+}
+
+/// Whether every letter stands in a group with a font of its own, as in `\mathcal{B}/\mathcal{N}`: the exponent
+/// `\mathrm{i}\lambda t` begins with such a group.
+fn is_set_in_fonts(kinds: &[Lexeme<'_>]) -> bool {
+    let mut rest = kinds;
+    while let [first, behind @ ..] = rest {
+        rest = match (first, behind) {
+            (Lexeme::Command("rm"), _) => return true,
+            (Lexeme::Command(font), [Lexeme::Open, inside @ ..]) if is_font(font) => {
+                let end = inside.iter().position(|k| *k == Lexeme::Close);
+                &inside[end.map_or(inside.len(), |at| at + 1)..]
+            }
+            (Lexeme::Command(font), [_, behind @ ..]) if is_font(font) => behind,
+            (Lexeme::Letter(_) | Lexeme::Command(_), _) => return false,
+            _ => behind,
+        };
+    }
+    true
 }
 
 fn wrap(node: Node, kind: impl FnOnce(Box<Node>) -> Kind) -> Node {

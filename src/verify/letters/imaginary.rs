@@ -1,20 +1,45 @@
 //! The imaginary unit: who joins two equations in one complex equation writes it i.
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
-use crate::verify::letters::usage::{Letter, Usage};
+use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
+use crate::verify::repair::lines;
 
 /// Words of those who calculate with complex numbers, and what they write for the unit.
 const SAID: &[&str] = &["complex", "imaginary", "\\sqrt{-1}"];
 
-/// Whether the plain letter i is the imaginary unit: complex numbers are spoken of, and i is never anything that moves,
-/// has an index or a direction.
+/// Whether the plain letter i is the imaginary unit: complex numbers are spoken of or written, and i is never anything
+/// that moves, has an index or a direction.
 pub(crate) fn has_imaginary_unit(document: &Document, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
     let number = used.bare > 0 && used.vector + used.component + used.double + used.tensor == 0;
     let plain = number && !used.moving && used.hats == 0 && !usage.plain_units;
     let text = plain.then(|| document.source.text.to_lowercase());
     text.is_some_and(|text| SAID.iter().any(|said| text.contains(said)))
+        || plain && lines(document).flat_map(|line| &line.sides).any(joins)
+}
+
+/// An upright i, or `\omega_1 + i\omega_2`: one component of a vector, and i times another.
+fn joins(node: &Node) -> bool {
+    let upright = |s: &Symbol| is_plain_i(s) && s.style.upright;
+    if symbols(node).into_iter().any(upright) {
+        return true;
+    }
+    let Kind::Sum(terms) = &inner(node).kind else {
+        return node.children().into_iter().any(joins);
+    };
+    let component = |symbols: &[&Symbol]| match symbols {
+        [one] if one.subscripts.iter().any(|s| axis(s).is_some()) => Some(Letter::of(one)),
+        _ => None,
+    };
+    let [real, imaginary] = terms.as_slice() else {
+        return false;
+    };
+    let met = symbols(&imaginary.node);
+    let (units, others): (Vec<&Symbol>, Vec<&Symbol>) =
+        met.into_iter().partition(|s| is_plain_i(s));
+    let first = component(&symbols(&real.node));
+    units.len() == 1 && first.is_some() && first == component(&others)
 }
 
 /// Whether a symbol is a letter i and nothing else.

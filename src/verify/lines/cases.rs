@@ -237,6 +237,22 @@ impl Checker<'_> {
         self.theory.retain(|premise| !ended.contains(&premise.name));
     }
 
+    /// Whether an assumption of an earlier case said what a lone symbol is.
+    pub(crate) fn is_set_in_an_earlier_case(&mut self, symbol: &Node) -> bool {
+        let Ok(value) = self.lowering(Frame::Moving).value(symbol) else {
+            return false;
+        };
+        let own: Option<Vec<u32>> = value.entries.iter().map(Fraction::as_variable).collect();
+        let earlier = |p: &Premise| {
+            let made = self.cases.kept.get(&p.name);
+            made.is_some_and(|&case| case < self.cases.now)
+        };
+        let mut premises = self.theory.premises().iter();
+        own.is_some_and(|own| {
+            premises.any(|p| earlier(p) && own.iter().all(|v| p.preferred.contains(v)))
+        })
+    }
+
     /// Ends what an earlier case set a component of ω to, where a line sets it to something else; what stands there now
     /// in the place of something small is small too.
     fn set_up_anew(&mut self, sides: &[Node]) {

@@ -70,6 +70,7 @@ impl Checker<'_> {
             if self.seeks_roots(sides, finding)
                 || self.hands_over_a_load(sides, finding)
                 || self.goes_on(sides, &read, finding)
+                || self.grows_from_the_beginning(sides, finding)
                 || self.settled_by_numbers(sides, &read, open, finding)
                 || self.holds_still(sides, finding)
             {

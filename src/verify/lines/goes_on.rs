@@ -11,7 +11,6 @@ use crate::verify::names;
 use crate::verify::theory::Theory;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::substituted;
-use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -121,11 +120,6 @@ impl Checker<'_> {
         lone && timed
             && !self.theory.mentions_entity(entity)
             && !self.entities([left]).contains(&entity)
-    }
-
-    fn is_time(&self, variable: Variable) -> bool {
-        let owner = self.theory.atoms.owner(variable);
-        owner == Some(&Owner::Quantity(Quantity::Time, String::new()))
     }
 
     /// A value at t = 0.

@@ -60,6 +60,9 @@ impl Checker<'_> {
             return role;
         }
         let by_turning = self.gives_rate_of_angle(left, rest);
+        if alone_left && self.is_set_in_an_earlier_case(left) {
+            return role;
+        }
         if alone_left && (rest.iter().any(number) || !by_turning && self.is_free_value(left))
             || self.new_symbol(left).is_some()
         {

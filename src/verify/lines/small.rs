@@ -227,7 +227,10 @@ impl Checker<'_> {
         };
         let entries = equation.residual.entries.iter();
         let whole: Vec<Fraction> = entries.map(|entry| self.theory.normal(entry)).collect();
-        if order > HIGHEST || !whole.iter().any(|entry| self.has_small(entry)) {
+        if order > HIGHEST
+            || !whole.iter().any(|entry| self.has_small(entry))
+            || whole.iter().any(|entry| self.divides_by_small(entry))
+        {
             return None;
         }
         let higher = whole.into_iter().map(|whole| {
@@ -271,6 +274,16 @@ impl Checker<'_> {
         });
         let low = Polynomial::from_terms(kept.cloned().collect());
         Fraction::new(low, whole.denominator().clone()).unwrap_or_else(|| whole.clone())
+    }
+
+    /// Whether a value is divided by something small, or has the root of it, which is as small as what it is taken of.
+    fn divides_by_small(&self, entry: &Fraction) -> bool {
+        let root = |v: Variable| {
+            matches!(self.theory.atoms.atom(v), Atom::Kernel { function: Function::Sqrt, argument }
+                if self.has_small(argument))
+        };
+        let below = entry.denominator().variables();
+        below.into_iter().any(|v| self.is_small(v)) || entry.variables().into_iter().any(root)
     }
 
     /// The highest order of a term as it is written.

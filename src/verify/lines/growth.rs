@@ -1,0 +1,133 @@
+//! What grows or decays from its value at the beginning: `\omega_1(t) = \omega_1(0)\,e^{-kt/I_1}`.
+//!
+//! The right side of such a line changes at a multiple of itself, and is what the left side is at the beginning. So the
+//! line holds just where the left side changes at that multiple of itself too.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Function, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::lines::line::Read;
+use crate::verify::names;
+use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::lower::substituted;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Role};
+use num_traits::Zero;
+
+/// Terms of a side whose rate is taken.
+const LONGEST: usize = 60;
+
+impl Checker<'_> {
+    /// Decides a line of this form by the rate of its left side.
+    pub(crate) fn grows_from_the_beginning(
+        &mut self,
+        sides: &[Node],
+        finding: &mut Finding,
+    ) -> bool {
+        let [left, right] = sides else { return false };
+        let mut lowering = self.lowering(Frame::Moving);
+        let (Ok(left), Ok(right)) = (lowering.value(left), lowering.value(right)) else {
+            return false;
+        };
+        let (Some(left), Some(right)) = (left.as_scalar().cloned(), right.as_scalar().cloned())
+        else {
+            return false;
+        };
+        let Some(factor) = self.growth(&right) else {
+            return false;
+        };
+        if left.numerator().len() > LONGEST {
+            return false;
+        }
+        let starts = [&left, &right].map(|side| self.at_the_beginning(side));
+        let [first, second] = starts;
+        if !self.theory.kernels_reduced(first - second).is_zero() {
+            return false;
+        }
+        let [rate, multiple] =
+            [self.theory.atoms.derivative(&left), factor * left].map(Value::scalar);
+        let Ok(residual) = rate.plus(&multiple, true) else {
+            return false;
+        };
+        let mut equations = vec![Equation {
+            left: rate,
+            right: multiple,
+            residual,
+        }];
+        let to_order = self.keep_order(&mut equations);
+        match decide(&mut self.theory, &equations) {
+            Decision::True(_) => {
+                self.accept(sides, Role::Given, finding);
+                let how = "both sides change at the same multiple of themselves, and are equal at the beginning";
+                finding.remarks.push(how.to_owned());
+            }
+            decision @ Decision::False(_) => {
+                let read = Read {
+                    equations,
+                    unlabelled: Frame::Moving,
+                    ambiguous: false,
+                    to_order,
+                };
+                self.failed(sides, &read, decision, finding);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// The constant that the rate of a function of time is this function times.
+    fn growth(&mut self, value: &Fraction) -> Option<Fraction> {
+        let exponential = |v: u32| {
+            let atom = self.theory.atoms.atom(v);
+            matches!(atom, Atom::Kernel { function: Function::Exp, argument }
+                if argument.variables().into_iter().any(|v| self.is_time(v)))
+        };
+        if !value.variables().into_iter().any(exponential) || value.numerator().len() > LONGEST {
+            return None;
+        }
+        let rate = self.theory.atoms.derivative(value);
+        let factor = self.theory.normal(&(rate / value.clone()));
+        let lasts = factor.is_valid() && !factor.is_zero() && self.lasts(&factor);
+        lasts.then_some(factor)
+    }
+
+    /// Whether a value is the same at all times.
+    fn lasts(&mut self, value: &Fraction) -> bool {
+        let rate = self.theory.atoms.derivative(value);
+        value.numerator().len() <= LONGEST && self.theory.normal(&rate).is_zero()
+    }
+
+    /// A value at t = 0, with what moves in it as it is then.
+    fn at_the_beginning(&mut self, value: &Fraction) -> Fraction {
+        let mut images: Vec<(Variable, Fraction)> = vec![];
+        for variable in value.variables() {
+            let image = match self.theory.atoms.atom(variable).clone() {
+                _ if self.is_time(variable) => Fraction::zero(),
+                Atom::Kernel { function, argument } => {
+                    let argument = self.at_the_beginning(&argument);
+                    let kernel = self.lowering(Frame::Moving).kernel(function, argument);
+                    kernel.unwrap_or_else(|| variable_fraction(variable))
+                }
+                Atom::Part { .. } if !self.lasts(&variable_fraction(variable)) => {
+                    let start = names::at_instant(&mut self.theory.atoms, variable, "0");
+                    self.theory.atoms.value(start, 0, 0)
+                }
+                _ => variable_fraction(variable),
+            };
+            images.push((variable, image));
+        }
+        let image = |v: Variable| {
+            let found = images.iter().find(|(own, _)| *own == v);
+            found.map_or_else(|| variable_fraction(v), |(_, image)| image.clone())
+        };
+        substituted(value, &image)
+    }
+
+    pub(crate) fn is_time(&self, variable: Variable) -> bool {
+        let owner = self.theory.atoms.owner(variable);
+        owner == Some(&Owner::Quantity(Quantity::Time, String::new()))
+    }
+}

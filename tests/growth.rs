@@ -1,0 +1,65 @@
+//! What grows or decays from its value at the beginning, in one case and in the next.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+/// A line about rates that a feedback damps, on principal axes.
+fn damped(line: &str) -> Option<char> {
+    let text = format!(
+        "On principal axes, for small rates, the product of two rates is dropped. Choose the torque\n\n\
+         $$ \\mathbf M = -c\\,\\boldsymbol\\omega $$\n\nwith a constant $c$. The solution is\n\n$$ {line} $$\n"
+    );
+    verdicts(&text).chars().last()
+}
+
+#[test]
+fn a_rate_decays_from_its_value_at_the_beginning() {
+    assert_eq!(damped(r"\omega_2(t) = \omega_2(0)\,e^{-ct/I_2}"), Some('a'));
+    assert_eq!(
+        damped(r"\omega_2(t) = \omega_2(0)\,e^{-2ct/I_2}"),
+        Some('r')
+    );
+    assert_eq!(damped(r"\omega_2(t) = \omega_2(0)\,e^{ct/I_2}"), Some('r'));
+}
+
+/// A feedback that takes the place of another one.
+fn cancelled(line: &str) -> Option<char> {
+    let text = format!(
+        "On body axes $J\\dot\\omega = -\\omega\\times J\\omega + u$ with the torque $u$ and the inertia matrix $J$.\n\n\
+         **First law.** Choose $u = -c\\,\\omega$.\n\n**Second law.** Take instead\n\n\
+         $$ u = \\omega\\times J\\omega - c J\\omega $$\n\nso that\n\n$$ {line} $$\n"
+    );
+    verdicts(&text).chars().last()
+}
+
+#[test]
+fn another_law_takes_the_place_of_the_first() {
+    assert_eq!(cancelled(r"\dot\omega = -c\,\omega"), Some('p'));
+    assert_eq!(cancelled(r"J\dot\omega = -c\,\omega"), Some('r'));
+    assert_eq!(
+        cancelled(r"\lVert\omega(t)\rVert = \lVert\omega(0)\rVert\,e^{-ct}"),
+        Some('a')
+    );
+    assert_eq!(
+        cancelled(r"\lVert\omega(t)\rVert = \lVert\omega(0)\rVert\,e^{-ct/2}"),
+        Some('r')
+    );
+}
+
+#[test]
+fn a_complex_rate_turns_from_its_value_at_the_beginning() {
+    let turned = |sign: &str| {
+        let text = format!(
+            "The body rates are $p$, $q$, $r$. No torque acts on a body with $A = B$ on principal axes. With $\\zeta = p + \\mathrm{{i}} q$ and\n\n\
+             $$ A\\dot p = (A - C)\\,q r, \\quad A\\dot q = (C - A)\\,r p, \\quad C\\dot r = 0 $$\n\n\
+             $$ \\lambda = \\frac{{C - A}}{{A}}\\,r $$\n\nthe solution is\n\n\
+             $$ \\zeta(t) = \\zeta(0)\\,e^{{{sign}\\mathrm{{i}}\\lambda t}} $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    assert_ne!(turned("-"), Some('a'));
+    assert_eq!(turned(""), Some('a'));
+}
