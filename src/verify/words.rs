@@ -15,6 +15,7 @@ pub(super) mod points_in_words;
 pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod quantity_names;
+pub(super) mod residuals;
 pub(super) mod role;
 pub(super) mod role_words;
 pub(super) mod running_sentence;

@@ -21,6 +21,7 @@ impl Reading {
             let apart = free && self.apart.contains(&letter)
                 || self.arms.contains(&letter)
                 || self.periods.contains(&letter);
+            let apart = apart || self.residuals.contains(&letter);
             if self.quantities.contains_key(&letter) || apart {
                 continue;
             }

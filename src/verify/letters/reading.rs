@@ -47,6 +47,8 @@ pub(crate) struct Reading {
     pub(crate) identities: BTreeSet<Letter>,
     /// Letters that a list of symbols says to be something else than any quantity known here.
     pub(crate) apart: BTreeSet<Letter>,
+    /// Letters that words call a residual: what must vanish at the root that is looked for.
+    pub(crate) residuals: BTreeSet<Letter>,
     /// Two states of a body whose momenta the document sets equal.
     pub(crate) states: Option<TwoStates>,
     /// Letters that words call a length.

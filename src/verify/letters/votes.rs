@@ -3,7 +3,7 @@
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::naming::{jacobian_named, named_letters};
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::letters::usage::{Letter, axis, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::legend::{
     in_a_legend, listed_apart, names_a_length, names_a_size, names_wheel_speeds,
@@ -13,6 +13,7 @@ use crate::verify::words::phrases::{
     speaks_of_wheels,
 };
 use crate::verify::words::prose::turns_to_numbered_axes;
+use crate::verify::words::residuals::names_a_residual;
 use crate::verify::words::running_sentence::keep_end;
 use crate::verify::words::torque_free::torque_free;
 use std::collections::BTreeMap;
@@ -24,6 +25,8 @@ impl Reading {
     /// Votes of the words that stand before and after a letter.
     pub(crate) fn listen(&mut self, document: &Document) {
         let mut before = String::new();
+        // The words since the last formula with a letter in it.
+        let mut since = String::new();
         let mut last: Vec<Letter> = vec![];
         let mut listed: Vec<Letter> = vec![];
         // Whether no paragraph ended since the last formula, and whether one did right behind it.
@@ -49,7 +52,8 @@ impl Reading {
                     self.speaks_of_roll |= text.contains("roll") && text.contains("pitch");
                     let after = said_after(&text).filter(|_| !opens);
                     let after = after.or_else(|| apposition(&text, near));
-                    if calls_identity(&text) {
+                    since.push_str(&text);
+                    if calls_identity(&since) {
                         self.identities.extend(last.iter().cloned());
                     }
                     if let Some(quantity) = after.or_else(|| in_a_legend(&text, near, ended)) {
@@ -70,6 +74,12 @@ impl Reading {
                 }
                 Item::Formula(formula) => {
                     keep_end(&mut before, NEAR);
+                    // "⟨E⟩ the ⟨3 × 3⟩ identity": a size names nothing.
+                    if !formula.display && formula.rows.iter().all(is_without_letters) {
+                        before.push('⟨');
+                        continue;
+                    }
+                    since.clear();
                     // What opens a paragraph, or an entry of a list, is not named by the one before.
                     if std::mem::take(&mut opens_paragraph) && !formula.display {
                         before.clear();
@@ -85,6 +95,9 @@ impl Reading {
                         .extend(rows.filter_map(|row| jacobian_named(row, called)));
                     if names_a_length(&before) {
                         self.lengths.extend(named.iter().cloned());
+                    }
+                    if names_a_residual(&before) {
+                        self.residuals.extend(named.iter().take(1).cloned());
                     }
                     if names_a_size(&before) {
                         self.apart.extend(named.iter().cloned());
@@ -248,6 +261,11 @@ impl Reading {
             }
         }
     }
+}
+
+/// Whether a row is an expression of numbers alone.
+fn is_without_letters(row: &Row) -> bool {
+    matches!(row, Row::Expression(node) if symbols(node).is_empty())
 }
 
 /// The letters that a vector mostly has.

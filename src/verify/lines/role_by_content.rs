@@ -35,6 +35,10 @@ impl Checker<'_> {
         if role == Role::Claim || self.firm {
             return role;
         }
+        // What a derivative is follows from what is differentiated.
+        if role == Role::Define && matches!(inner(left).kind, Kind::Derivative { .. }) {
+            return Role::Claim;
+        }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
         // `T = 2π/Ω = 3.1 s` works a number out.
         let numeral = |side: &Node| symbols(side).iter().all(|symbol| symbol.name == "pi");

@@ -151,7 +151,13 @@ impl Lowering<'_> {
                 let free = places
                     .iter()
                     .all(|&p| self.theory.rule(p).is_none() && self.theory.cone(p).is_none());
-                let jacobian = free.then(|| self.jacobian(&value, &places));
+                let written = value.entries.iter().flat_map(Fraction::variables);
+                let stands = written.into_iter().any(|v| places.contains(&v));
+                let jacobian = match free {
+                    true => Some(self.jacobian(&value, &places)),
+                    false if stands => self.slope_as_written(&value, &by, &places).map(Some),
+                    false => None,
+                };
                 jacobian.ok_or(
                     "this symbol is determined by others; the derivative in it is not defined here",
                 )

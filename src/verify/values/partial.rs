@@ -57,6 +57,17 @@ impl Lowering<'_> {
         let function = self.functions.get(name)?.clone();
         let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
         let places = places.filter(|places| *places == function.parameter)?;
+        self.slope_as_written(&function.value, by, &places)
+    }
+
+    /// The Jacobian of what is written, in a symbol that stands in it by itself and that a line or a law determines;
+    /// `None` where anything else there changes along with it.
+    pub(crate) fn slope_as_written(
+        &mut self,
+        written: &Value,
+        by: &Value,
+        places: &[u32],
+    ) -> Option<Value> {
         let free: Vec<u32> = (0..places.len())
             .map(|i| {
                 let latex = format!("\\text{{(parameter {})}}", i + 1);
@@ -67,8 +78,8 @@ impl Lowering<'_> {
             let place = from.iter().position(|&p| p == v);
             variable_fraction(place.map_or(v, |i| to[i]))
         };
-        let there = |v: u32| image(&places, &free, v);
-        let value = function.value.map(|entry| substituted(entry, &there));
+        let there = |v: u32| image(places, &free, v);
+        let value = written.map(|entry| substituted(entry, &there));
         let value = value.map(|entry| self.theory.normal(entry));
         let normals: Vec<Fraction> = by.entries.iter().map(|e| self.theory.normal(e)).collect();
         let moves = |v: &u32| {
@@ -85,7 +96,7 @@ impl Lowering<'_> {
             return None;
         }
         let jacobian = self.jacobian(&value, &free)?;
-        let back = |v: u32| image(&free, &places, v);
+        let back = |v: u32| image(&free, places, v);
         Some(jacobian.map(|entry| substituted(entry, &back)))
     }
 }

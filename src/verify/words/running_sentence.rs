@@ -51,6 +51,7 @@ impl Checker<'_> {
             if let Some(axes) = &mut self.reading.space_axes {
                 axes.left |= turns_to_body(&whole);
             }
+            self.residual_vanishes(&whole, span);
             for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
                 self.take(said, span);
             }
