@@ -151,6 +151,9 @@ impl Monomial {
                 return Self(Form::Packed(sum.into()));
             }
         }
+        if let Form::Packed(Word([0, 0])) = other.0 {
+            return self.clone();
+        }
         self.merged(other, |a, b| a + b)
     }
 

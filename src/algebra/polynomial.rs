@@ -56,7 +56,7 @@ impl Polynomial {
             collected.pop();
         }
         Self {
-            terms: Terms::Any(collected),
+            terms: collected.into(),
         }
     }
 

@@ -242,11 +242,15 @@ impl Argument {
     /// Whether multiplier · value = Σ cofactor · fact, with facts before `end` alone.
     fn combines(&self, value: &Polynomial, by: &Combination, end: usize) -> Option<()> {
         self.allows(&by.multiplier)?;
-        let mut left = by.multiplier.clone() * value.clone();
+        let mut products = Vec::with_capacity(by.cofactors.len());
         for (fact, cofactor) in &by.cofactors {
-            left -= cofactor.clone() * self.facts[..end].get(*fact)?.value.clone();
+            products.push((cofactor, &self.facts[..end].get(*fact)?.value));
         }
-        holds(left.is_zero())
+        let sum = Polynomial::sum_of_products(&products);
+        holds(match by.multiplier.is_one() {
+            true => sum == *value,
+            false => sum == by.multiplier.clone() * value.clone(),
+        })
     }
 
     /// Whether a divisor is a number that is not zero, times powers of conditions.

@@ -31,6 +31,7 @@ use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::speaks_of_any_vector;
+use crate::verify::words::text::Text;
 use std::cell::OnceCell;
 use std::collections::{BTreeSet, HashMap};
 
@@ -43,8 +44,7 @@ fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
 /// What is in force at a place of the document.
 pub(super) struct Checker<'a> {
     pub(super) document: &'a Document,
-    /// The whole text in lower case, once it was asked for.
-    lower: OnceCell<String>,
+    pub(super) text: &'a Text<'a>,
     /// The symbols as the document writes them, and its labels of frames, once they were asked for.
     pub(super) written: OnceCell<Vec<Vec<&'a str>>>,
     pub(super) frame_labels: OnceCell<[String; 2]>,
@@ -138,7 +138,8 @@ pub(super) struct Checker<'a> {
 }
 
 impl<'a> Checker<'a> {
-    pub(super) fn new(document: &'a Document, reading: Reading) -> Self {
+    pub(super) fn new(text: &'a Text<'a>, reading: Reading) -> Self {
+        let document: &Document = text;
         let (products, convention) = convention(document, &reading);
         let own_rate = reading
             .quantities
@@ -168,7 +169,7 @@ impl<'a> Checker<'a> {
         };
         let mut checker = Self {
             document,
-            lower: OnceCell::new(),
+            text,
             written: OnceCell::new(),
             frame_labels: OnceCell::new(),
             words: HashMap::new(),
@@ -254,12 +255,6 @@ impl<'a> Checker<'a> {
             passed: self.passed,
             variables: names::all(&self.theory.atoms),
         }
-    }
-
-    /// The text of the document in lower case.
-    pub(super) fn whole_text(&self) -> &str {
-        self.lower
-            .get_or_init(|| self.document.source.text.to_lowercase())
     }
 
     fn readings_in_words(&self) -> Vec<String> {

@@ -15,6 +15,7 @@ use crate::verify::lines::trust::{unexplained, withhold};
 use crate::verify::reason;
 use crate::verify::verdict::Report;
 use crate::verify::words::euler_words::sequences;
+use crate::verify::words::text::Text;
 
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
@@ -25,7 +26,7 @@ pub fn check(document: &Document) -> Report {
     drop_world_labels(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
-    let document = &document;
+    let document = &Text::of(&document);
     let mut reading = Reading::of(document);
     reading.summed = summed;
     reading.states = states;
@@ -100,13 +101,13 @@ fn grows(report: &Report) -> bool {
 }
 
 /// The verdicts of a reading that may not be kept: nobody looks for the mistakes of its false lines, which takes longest.
-fn tried(document: &Document, reading: &Reading) -> Report {
+fn tried<'d>(document: &'d Text<'d>, reading: &Reading) -> Report {
     let mut reading = reading.clone();
     reading.on_trial = true;
     checked(document, reading).0
 }
 
-fn checked(document: &Document, reading: Reading) -> (Report, bool) {
+fn checked<'d>(document: &'d Text<'d>, reading: Reading) -> (Report, bool) {
     let mut checker = Checker::new(document, reading);
     for (at, item) in document.items.iter().enumerate() {
         checker.look_ahead(at);
@@ -122,8 +123,8 @@ fn checked(document: &Document, reading: Reading) -> (Report, bool) {
 }
 
 /// The reading with the angles that the words name, if it proves more lines than it refutes.
-fn with_angles(
-    document: &Document,
+fn with_angles<'d>(
+    document: &'d Text<'d>,
     reading: Reading,
     first: (Report, bool),
 ) -> (Reading, (Report, bool)) {

@@ -24,5 +24,6 @@ pub(super) mod small_rates;
 pub(super) mod small_words;
 pub(super) mod suppositions;
 pub(super) mod symmetric_body;
+pub(super) mod text;
 pub(super) mod torque_free;
 pub(super) mod turning_axes;

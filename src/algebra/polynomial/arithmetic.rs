@@ -5,6 +5,9 @@ use crate::algebra::{Monomial, Polynomial, Rational};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+/// Products of terms up to which all are sorted at once, which is faster than sums of ordered ones.
+const FEW_PRODUCTS: usize = 256;
+
 impl Polynomial {
     /// The product with one term.
     pub fn times_term(&self, monomial: &Monomial, coefficient: &Rational) -> Self {
@@ -19,6 +22,23 @@ impl Polynomial {
     /// The product, unless it could have more than `most` terms before like terms are collected.
     pub fn product_within(&self, other: &Self, most: usize) -> Option<Self> {
         (self.len().saturating_mul(other.len()) <= most).then(|| self.clone() * other.clone())
+    }
+
+    /// The sum of products of pairs.
+    pub fn sum_of_products(pairs: &[(&Self, &Self)]) -> Self {
+        let size = |(a, b): &(&Self, &Self)| a.len().saturating_mul(b.len());
+        let size = pairs.iter().map(size).fold(0, usize::saturating_add);
+        if size > FEW_PRODUCTS {
+            let products = pairs.iter().map(|&(a, b)| a.clone() * b.clone());
+            return products.fold(Self::zero(), |sum, product| sum + product);
+        }
+        let mut terms = Vec::with_capacity(size);
+        for (a, b) in pairs {
+            for (m, c) in a.terms() {
+                terms.extend(b.terms().iter().map(|(n, d)| (m.times(n), c.times(d))));
+            }
+        }
+        Self::from_terms(terms)
     }
 
     /// A power, by the binomial theorem with one more term at a time. In (t + r)ⁿ the summands with tⁿ, tⁿ⁻¹ r, … come

@@ -1,13 +1,13 @@
 //! Which letters of a document are its attitude matrix and the parts of its quaternion.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::document::Document;
 use crate::verify::letters::attitude_layouts::{Layout, is_vector_part};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::theory::attitude_law::Convention;
-use crate::verify::words::attitude_words::{Sentence, Way, rate_in_space, sentences, way};
+use crate::verify::words::attitude_words::{Sentence, Way, rate_in_space, way};
 use crate::verify::words::book::has_any;
+use crate::verify::words::text::Text;
 use std::collections::BTreeMap;
 
 /// A part of a quaternion.
@@ -53,16 +53,16 @@ const STARS: &[&str] = &[
 
 impl AttitudeReading {
     /// Reads the document; `taken` tells letters that stand for something else.
-    pub(crate) fn of(document: &Document, taken: &impl Fn(&Letter) -> bool) -> Self {
+    pub(crate) fn of(document: &Text, taken: &impl Fn(&Letter) -> bool) -> Self {
         let mut reading = Self::default();
-        let sentences = sentences(document);
+        let sentences = document.named_sentences();
         let speaks = |word: &str| sentences.iter().any(|s| s.text.contains(word));
         let all: Vec<&Symbol> = lines(document)
             .flat_map(|line| &line.sides)
             .flat_map(symbols)
             .collect();
         if speaks("quaternion") || speaks("euler parameter") {
-            reading.find_quaternion(&all, &sentences, taken);
+            reading.find_quaternion(&all, sentences, taken);
             reading.name_parts(document, taken);
             lines(document)
                 .for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
@@ -73,9 +73,9 @@ impl AttitudeReading {
             reading.scalar_last |=
                 speaks("scalar last") || speaks("scalar-last") || speaks("scalar part last");
         }
-        reading.find_matrix(document, &sentences, taken);
+        reading.find_matrix(document, sentences, taken);
         let labelled = |s: &Symbol| s.name == "omega" && !s.superscripts.is_empty();
-        reading.listen(&sentences, all.iter().any(|s| labelled(s)));
+        reading.listen(sentences, all.iter().any(|s| labelled(s)));
         reading.layouts = reading.layouts(document, taken);
         reading
     }

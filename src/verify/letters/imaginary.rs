@@ -1,22 +1,23 @@
 //! The imaginary unit: who joins two equations in one complex equation writes it i.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::document::Document;
 use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
 use crate::verify::repair::lines;
+use crate::verify::words::book::has_any;
+use crate::verify::words::text::Text;
 
 /// Words of those who calculate with complex numbers, and what they write for the unit.
 const SAID: &[&str] = &["complex", "imaginary", "\\sqrt{-1}"];
 
 /// Whether the plain letter i is the imaginary unit: complex numbers are spoken of or written, and i is never anything
 /// that moves, has an index or a direction.
-pub(crate) fn has_imaginary_unit(document: &Document, usage: &Usage) -> bool {
+pub(crate) fn has_imaginary_unit(text: &Text, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
     let number = used.bare > 0 && used.vector + used.component + used.double + used.tensor == 0;
     let plain = number && !used.moving && used.hats == 0 && !usage.plain_units;
-    let text = plain.then(|| document.source.text.to_lowercase());
-    text.is_some_and(|text| SAID.iter().any(|said| text.contains(said)))
-        || plain && lines(document).flat_map(|line| &line.sides).any(joins)
+    plain
+        && (has_any(text.lower(), SAID)
+            || lines(text).flat_map(|line| &line.sides).any(joins))
 }
 
 /// An upright i, or `\omega_1 + i\omega_2`: one component of a vector, and i times another.

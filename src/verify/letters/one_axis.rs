@@ -6,7 +6,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::attitude_words::sentences;
+use crate::verify::words::text::Text;
 use std::collections::BTreeSet;
 
 impl Reading {
@@ -27,7 +27,7 @@ impl Reading {
     }
 
     /// "The rotor turns about the fixed ⟨z⟩ axis": a bare ω of which no component is written is the one about that axis.
-    pub(crate) fn about_fixed_axis(&mut self, document: &Document) {
+    pub(crate) fn about_fixed_axis(&mut self, document: &Text) {
         let letter = self.quantities.iter().find_map(|(letter, quantity)| {
             let used = self.usage.get(letter);
             let bare = used.bare > 0 && used.component == 0 && used.crossed_bare == 0;
@@ -43,7 +43,8 @@ impl Reading {
         if letter.is_none() && !others && !self.plane && self.euler_angles.is_none() {
             return self.through_an_angle(document);
         }
-        let axis = sentences(document)
+        let axis = document
+            .named_sentences()
             .iter()
             .find_map(|s| fixed_axis(&s.text, number))
             .or_else(|| {
@@ -74,13 +75,16 @@ impl Reading {
     }
 
     /// "The rotor turns about the ⟨z⟩ axis through the angle ⟨φ⟩", where no ω is written.
-    fn through_an_angle(&mut self, document: &Document) {
+    fn through_an_angle(&mut self, document: &Text) {
         let rates = |q: &Quantity| *q == Quantity::AngularVelocity;
         if self.usage.only_angle().is_none() || self.quantities.values().any(rates) {
             return;
         }
         let said = |s: &str| fixed_axis(s, true).filter(|_| s.contains("angle"));
-        self.fixed_axis = sentences(document).iter().find_map(|s| said(&s.text));
+        self.fixed_axis = document
+            .named_sentences()
+            .iter()
+            .find_map(|s| said(&s.text));
         self.turns_by_angle = self.fixed_axis.is_some();
     }
 
@@ -118,7 +122,7 @@ impl Reading {
     }
 
     /// "A wheel along the second body axis with the momentum ⟨h⟩": a number is the component along that axis.
-    pub(crate) fn wheel_along_axis(&mut self, document: &Document) {
+    pub(crate) fn wheel_along_axis(&mut self, document: &Text) {
         let of_wheels = |q: &Quantity| *q == Quantity::RelativeMomentum;
         let mut letters = self.quantities.iter().filter(|(_, q)| of_wheels(q));
         let (Some((letter, _)), None) = (letters.next(), letters.next()) else {
@@ -129,7 +133,10 @@ impl Reading {
             return;
         }
         let letter = letter.clone();
-        let axis = sentences(document).iter().find_map(|s| wheel_axis(&s.text));
+        let axis = document
+            .named_sentences()
+            .iter()
+            .find_map(|s| wheel_axis(&s.text));
         if let Some(axis) = axis {
             self.quantities.remove(&letter);
             self.components

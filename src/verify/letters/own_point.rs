@@ -1,11 +1,10 @@
 //! The point that a document takes moments about, where it has a letter of its own: "the angular momentum about ⟨A⟩".
 
-use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::subscript::POINTS;
-use crate::verify::words::sentences::{Paragraphs, sentences};
+use crate::verify::words::text::Text;
 use std::collections::BTreeSet;
 
 /// What stands before the letter of such a point.
@@ -18,7 +17,7 @@ const ABOUT: &[&str] = &[
 
 impl Reading {
     /// Finds the point by its label on momenta and moments, where that is the only one and the words take them about it.
-    pub(crate) fn note_own_point(&mut self, document: &Document) {
+    pub(crate) fn note_own_point(&mut self, text: &Text) {
         let directed = |q: &Quantity| matches!(q, Quantity::Momentum | Quantity::Moment);
         let letters = self.quantities.iter().filter(|(_, q)| directed(q));
         let labels = letters.filter_map(|(letter, _)| self.usage.subscripts.get(letter));
@@ -35,16 +34,14 @@ impl Reading {
             return;
         }
         let mark = format!("⟨{label}⟩");
-        let named = sentences(document, Paragraphs::Apart)
-            .iter()
-            .any(|sentence| {
-                let text = sentence.named();
-                text.match_indices(&mark).any(|(at, _)| {
-                    ABOUT
-                        .iter()
-                        .any(|words| text[..at].trim_end().ends_with(words))
-                })
-            });
+        let named = text.sentences().iter().any(|sentence| {
+            let text = sentence.named();
+            text.match_indices(&mark).any(|(at, _)| {
+                ABOUT
+                    .iter()
+                    .any(|words| text[..at].trim_end().ends_with(words))
+            })
+        });
         self.own_point = named.then(|| label.clone());
     }
 }

@@ -4,20 +4,19 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::usage::symbols;
 use crate::verify::repair::lines;
+use crate::verify::words::text::Text;
 
 /// Letters of the place of a particle.
 const PLACES: &[&str] = &["r", "rho", "R", "s", "x", "xi"];
 
 /// The place of a particle of a body that the document calls rigid.
-pub(crate) fn place_in_rigid_body(document: &Document) -> Option<Symbol> {
+pub(crate) fn place_in_rigid_body(document: &Text) -> Option<Symbol> {
     let place = place_of_particle(document)?;
-    let rigid = document.source.text.to_lowercase().contains("rigid");
-    rigid.then(|| place.clone())
+    document.lower().contains("rigid").then(|| place.clone())
 }
 
 /// Whether the words measure places from the mass centre.
-pub(crate) fn measures_from_centre(document: &Document) -> bool {
-    let text = document.source.text.to_lowercase();
+pub(crate) fn measures_from_centre(text: &Text) -> bool {
     let from = [
         "measured from",
         "relative to",
@@ -26,7 +25,7 @@ pub(crate) fn measures_from_centre(document: &Document) -> bool {
         "origin in",
     ];
     let centre = ["mass cent", "centre of mass", "center of mass"];
-    let sentences = text.split(['.', ';']);
+    let sentences = text.lower().split(['.', ';']);
     sentences.into_iter().any(|sentence| {
         let mut places = from.iter().filter_map(|words| sentence.split_once(words));
         places.any(|(_, behind)| {

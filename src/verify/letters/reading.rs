@@ -4,7 +4,7 @@
 //! in this field, given how they are used.
 
 use crate::notation::ast::{Node, Symbol};
-use crate::notation::document::{Document, Format};
+use crate::notation::document::Format;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::imaginary::has_imaginary_unit;
@@ -19,6 +19,7 @@ use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::lines::summation::Indices;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::moments_in_words::NamedMoment;
+use crate::verify::words::text::Text;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What letters stand for.
@@ -122,7 +123,7 @@ pub(crate) struct Reading {
 
 impl Reading {
     /// Reads the letters of a document.
-    pub(crate) fn of(document: &Document) -> Self {
+    pub(crate) fn of(document: &Text) -> Self {
         let mut reading = Self {
             usage: Usage::of(document),
             frames: Frames::of(document),
@@ -211,7 +212,7 @@ impl Reading {
     }
 
     /// The letters of the attitude, those apart that stand for something else.
-    fn by_attitude(&mut self, document: &Document) {
+    fn by_attitude(&mut self, document: &Text) {
         let taken = |letter: &Letter| {
             self.components.contains_key(letter) || self.quantities.contains_key(letter)
         };

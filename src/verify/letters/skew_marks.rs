@@ -36,15 +36,18 @@ pub(crate) fn note_skew_marks(document: &mut Document) {
             marks.look(line);
         }
     }
-    // Where the words or the inertia put ω on those axes, the lines can be read.
-    let said = sentences(document);
-    let in_space = said.iter().any(|s| rate_in_space(&s.text) == Some(true));
-    if in_space || turns_a_tensor(document) {
-        marks.turning.clear();
+    let hats = has_any(&document.source.text, &[" hat", "\nhat", "Hat"]);
+    if hats || !marks.turning.is_empty() {
+        let said = sentences(document);
+        // Where the words or the inertia put ω on those axes, the lines can be read.
+        let in_space = said.iter().any(|s| rate_in_space(&s.text) == Some(true));
+        if in_space || turns_a_tensor(document) {
+            marks.turning.clear();
+        }
+        let matrix = ["matrix", "skew", "cross product"];
+        let named = |text: &str| text.contains(" hat ") && has_any(text, &matrix);
+        marks.hat_map |= said.iter().any(|s| named(&format!(" {}", s.text)));
     }
-    let matrix = ["matrix", "skew", "cross product"];
-    let named = |text: &str| text.contains(" hat ") && has_any(text, &matrix);
-    marks.hat_map |= said.iter().any(|s| named(&format!(" {}", s.text)));
     if marks.hat_map {
         let usage = Usage::of(document);
         let plain = usage

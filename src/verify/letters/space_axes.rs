@@ -7,8 +7,9 @@ use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::spatial::{LETTERS, WORDS};
-use crate::verify::words::attitude_words::{SPACE as WORDS_OF_SPACE, rate_in_space, sentences};
+use crate::verify::words::attitude_words::{SPACE as WORDS_OF_SPACE, rate_in_space};
 use crate::verify::words::book::has_any;
+use crate::verify::words::text::Text;
 use std::collections::BTreeMap;
 
 /// Labels of the body's axes, beside the one that the document writes on its tensor.
@@ -57,7 +58,7 @@ pub(crate) fn turns_to_body(sentence: &str) -> bool {
 impl SpaceAxes {
     /// Looks for a line that says what the inertia is on space axes, by the matrix that is the document's attitude.
     pub(crate) fn of(
-        document: &Document,
+        document: &Text,
         matrix: Option<&Letter>,
         quantities: &BTreeMap<Letter, Quantity>,
         to_body: bool,
@@ -91,7 +92,7 @@ impl SpaceAxes {
         let labelled_rate = all.any(|s| s.name == "omega" && found.without_label(s).is_some());
         let on_body =
             |clause: &str| clause.contains("⟨omega⟩") && rate_in_space(clause) == Some(false);
-        let said = sentences(document);
+        let said = document.named_sentences();
         let mut clauses = said.iter().flat_map(|s| s.text.split([',', ';']));
         let denied = clauses.any(on_body);
         (labelled_rate || !denied).then_some(found)

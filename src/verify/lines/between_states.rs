@@ -30,7 +30,7 @@ impl Checker<'_> {
         let Some(states) = self.reading.states.clone() else {
             return;
         };
-        let text = self.whole_text();
+        let text = self.text.lower();
         let kept = text
             .split(['.', ';', '\n'])
             .any(|sentence| sentence.contains("momentum") && has_any(sentence, KEPT));

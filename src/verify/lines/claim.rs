@@ -32,7 +32,7 @@ impl Checker<'_> {
         let (mut failed, mut emptied) = (None, false);
         for read in readings {
             match decide(&mut self.theory, &read.equations) {
-                Decision::True(_) if self.is_emptied(sides, &read) => emptied = true,
+                Decision::True(proof) if self.is_emptied(sides, &read, &proof) => emptied = true,
                 Decision::True(proof) => {
                     self.note_written_out(sides, &read);
                     self.proved(&read, proof, finding);

@@ -229,7 +229,7 @@ impl Checker<'_> {
         if steady && let Ok(readings) = self.readings(sides) {
             for read in readings {
                 if let Decision::True(proof) = decide(&mut self.theory, &read.equations)
-                    && !self.is_emptied(sides, &read)
+                    && !self.is_emptied(sides, &read, &proof)
                 {
                     self.proved(&read, proof, finding);
                     finding

@@ -1,6 +1,7 @@
 //! Lines or terms of which nothing is left: they vanish by what the document supposes, and so they would with any
 //! factor.
 
+use crate::algebra::Proof;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -17,7 +18,13 @@ impl Checker<'_> {
     /// Whether a line that holds says that nothing is nothing: no side is written as a zero, each is one by assumptions,
     /// and without some of these, so that anything is left of the sides, it does not hold. Or whether a term of a sum is
     /// nothing in that way.
-    pub(crate) fn is_emptied(&mut self, sides: &[Node], read: &Read) -> bool {
+    pub(crate) fn is_emptied(&mut self, sides: &[Node], read: &Read, proof: &Proof) -> bool {
+        // What is nothing by an assumption is proved to be equal by it.
+        let premises = self.theory.premises();
+        let inside = proof.premises();
+        if !premises.iter().any(|p| inside.contains(p.name.as_str())) {
+            return false;
+        }
         let values: Vec<Value> = read
             .equations
             .iter()

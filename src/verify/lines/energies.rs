@@ -85,7 +85,7 @@ impl Checker<'_> {
     }
 
     fn take_lagrange_equations(&mut self, lagrangian: Entity) {
-        let text = self.whole_text();
+        let text = self.text.lower();
         let conservative = !has_any(text, OTHER_FORCES);
         let named = text.contains("lagrang");
         let kinetic = self.theory.atoms.quantity(Quantity::Energy);

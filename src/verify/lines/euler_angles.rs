@@ -168,7 +168,7 @@ impl Checker<'_> {
     /// The readings that the words allow, the likelier first.
     fn allowed(&self, sequences: &[Sequence], [phi, theta, psi]: &[Letter; 3]) -> Vec<EulerAngles> {
         let turning = self.theory.setting.axes == Axes::Turning;
-        let axes = match turning || leaves_out_the_spin(self.document) {
+        let axes = match turning || leaves_out_the_spin(self.text) {
             true => [On::Nodes, On::Body, On::Space],
             false => [On::Body, On::Nodes, On::Space],
         };

@@ -14,7 +14,7 @@ use num_traits::Zero;
 impl Checker<'_> {
     /// Whether the right side of an equation is this moment for a vector of the document.
     pub(crate) fn is_gravity_gradient(&mut self, read: &Read) -> bool {
-        let text = self.whole_text();
+        let text = self.text.lower();
         if !text.contains("gravity") && !text.contains("gravitational") {
             return false;
         }

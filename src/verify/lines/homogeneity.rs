@@ -71,7 +71,7 @@ impl Checker<'_> {
             && whole.iter().map(owner).all(|owner| inertia(&owner))
             && made_of.iter().map(owner).all(|owner| length(&owner));
         let of_unit = ["unit mass", "per mass", "divided by the mass"];
-        if missing && !has_any(self.whole_text(), &of_unit) {
+        if missing && !has_any(self.text.lower(), &of_unit) {
             finding.verdict = Verdict::Refuted;
             finding.diagnosis = Some(Diagnosis {
                 kind: "dimension",

@@ -142,7 +142,7 @@ impl Checker<'_> {
     /// Whether an equation of motion holds but for symbols of the document and rates of turning, where no letter stands
     /// for a moment: these are what acts, as in `I\dot\omega_1 + … = -c\omega_1`.
     pub(crate) fn writes_load_out(&mut self, read: &Read) -> bool {
-        if self.writes_moments() || !speaks_of_a_torque(self.whole_text()) {
+        if self.writes_moments() || !speaks_of_a_torque(self.text.lower()) {
             return false;
         }
         let moment = self.theory.atoms.quantity(Quantity::Moment);

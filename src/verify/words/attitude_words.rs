@@ -41,7 +41,11 @@ pub(crate) const SPACE: &[&str] = &[
 
 /// The sentences of a document, those with nothing in them left out.
 pub(crate) fn sentences(document: &Document) -> Vec<Sentence> {
-    let all = sentences::sentences(document, Paragraphs::Apart);
+    named(&sentences::sentences(document, Paragraphs::Apart))
+}
+
+/// The same of sentences that were found.
+pub(crate) fn named(all: &[sentences::Sentence]) -> Vec<Sentence> {
     let spoken = all.iter().map(|sentence| Sentence {
         text: sentence.named(),
         letters: sentence.symbols().map(|(s, _)| s.name.clone()).collect(),
@@ -54,13 +58,16 @@ pub(crate) fn sentences(document: &Document) -> Vec<Sentence> {
 /// "Takes body components to space components" goes to space; "rotates the space axes into the body axes" does not say
 /// where components go, and so says nothing here.
 pub(crate) fn way(text: &str) -> Option<Way> {
+    if !text.contains("body") {
+        return None;
+    }
     let text = text
         .replace("relative to", "against")
         .replace("with respect to", "against");
-    if text.contains("column") && text.contains("body") {
+    if text.contains("column") {
         return Some(Way::ToSpace);
     }
-    if text.contains(" rows") && text.contains("body") {
+    if text.contains(" rows") {
         return Some(Way::ToBody);
     }
     let verb = [
@@ -100,7 +107,9 @@ pub(crate) fn way(text: &str) -> Option<Way> {
 /// on the body's (`false`).
 pub(crate) fn rate_in_space(text: &str) -> Option<bool> {
     let says = |words: &[&str]| has_any(text, words);
-    let rate = says(&["angular velocity", "body rate", "⟨omega⟩", "⟨ω⟩"]);
+    if !says(&["angular velocity", "body rate", "⟨omega⟩", "⟨ω⟩"]) {
+        return None;
+    }
     let resolved = says(&[
         "component",
         "resolved",
@@ -116,7 +125,7 @@ pub(crate) fn rate_in_space(text: &str) -> Option<bool> {
         "⟨omega⟩ in the inertial",
     ]);
     match (text.contains("body"), says(SPACE)) {
-        _ if !(rate && resolved) => None,
+        _ if !resolved => None,
         (true, _) => Some(false),
         (false, true) => Some(true),
         _ => None,

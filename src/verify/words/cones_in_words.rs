@@ -9,7 +9,6 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::words::book::has_any;
-use crate::verify::words::sentences::{Paragraphs, sentences};
 
 const AXES: &[&str] = &[
     "symmetry axis",
@@ -59,7 +58,7 @@ impl Checker<'_> {
     /// Notes what the words call such an angle, and ties the parts of the angular velocity.
     pub(crate) fn note_cones(&mut self) {
         let mut spoken_of = false;
-        for sentence in sentences(self.document, Paragraphs::Apart) {
+        for sentence in self.text.sentences() {
             let text = sentence.numbered();
             spoken_of |= has_any(&text, AXES);
             let symbols: Vec<&Symbol> = sentence.symbols().map(|(symbol, _)| symbol).collect();

@@ -1,8 +1,7 @@
 //! What the words say of three angles: about which axes the body is turned by them, one after the other.
 
-use crate::notation::document::Document;
-use crate::verify::words::attitude_words::sentences;
 use crate::verify::words::book::has_any;
+use crate::verify::words::text::Text;
 
 /// The axes of three turns, each about an axis that the turns before have carried along.
 pub(crate) type Sequence = [u8; 3];
@@ -37,15 +36,15 @@ const TELLING: [&str; 6] = [
 const BETWEEN: usize = 4;
 
 /// The sequences that a document may mean, the likelier first; none where it speaks of no such angles.
-pub(crate) fn sequences(document: &Document) -> Vec<Sequence> {
-    let said = sentences(document);
+pub(crate) fn sequences(document: &Text) -> Vec<Sequence> {
+    let said = document.named_sentences();
     let text: Vec<&str> = said.iter().map(|s| s.text.as_str()).collect();
     let text = text.join(" ");
     let mut found: Vec<Sequence> = vec![];
     let turned = said
         .iter()
         .filter_map(|sentence| one_after_the_other(&sentence.text));
-    for sequence in written(&document.source.text).into_iter().chain(turned) {
+    for sequence in written(document.lower()).into_iter().chain(turned) {
         if !found.contains(&sequence) {
             found.push(sequence);
         }
@@ -67,7 +66,7 @@ pub(crate) fn sequences(document: &Document) -> Vec<Sequence> {
 }
 
 /// Whether the words say that the axes used leave out the last turn.
-pub(crate) fn leaves_out_the_spin(document: &Document) -> bool {
+pub(crate) fn leaves_out_the_spin(text: &Text) -> bool {
     let words = [
         "not the spin",
         "not in the spin",
@@ -75,14 +74,16 @@ pub(crate) fn leaves_out_the_spin(document: &Document) -> bool {
         "nodal",
         "do not turn with",
     ];
-    let said = sentences(document);
-    said.iter().any(|sentence| has_any(&sentence.text, &words))
+    let mut said = text.named_sentences().iter();
+    said.any(|sentence| has_any(&sentence.text, &words))
 }
 
-/// Sequences as such: "3-1-3", "z-x'-z''", "ZYX", "the x-convention".
+/// Sequences as such, in small letters: "3-1-3", "z-x'-z''", "zyx", "the x-convention".
 fn written(source: &str) -> Vec<Sequence> {
+    if !has_any(source, &TELLING) {
+        return vec![];
+    }
     let plain: String = source
-        .to_lowercase()
         .chars()
         .filter(|c| !matches!(c, '$' | '{' | '}' | '\'' | '′' | '″' | '’'))
         .collect();
