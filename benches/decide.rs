@@ -9,6 +9,10 @@ use polhode::notation::{document::Format, read};
 use polhode::verify::{Report, check};
 use std::hint::black_box;
 
+/// The one of the command.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const OPENING: &str = "The axes are attached to the body.\n\n";
 /// Lines of the lecture, each proved by the laws alone.
 const LINES: [&str; 5] = [
