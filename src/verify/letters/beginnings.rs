@@ -28,17 +28,18 @@ impl Reading {
             else {
                 continue;
             };
-            let joined = AT.contains(&text.trim().to_lowercase().as_str());
+            if !AT.contains(&text.trim().to_lowercase().as_str()) {
+                continue;
+            }
             let (Some(line), Some(instant)) = (only_line(formula), only_line(instant)) else {
                 continue;
             };
             let [first, value] = line.sides.as_slice() else {
                 continue;
             };
-            let solved = lone(first).filter(|s| is_solved(s, document));
-            if let Some(symbol) = solved
-                && joined
+            if let Some(symbol) = lone(first)
                 && names_time(instant)
+                && is_solved(symbol, document)
             {
                 let starts = [line, instant].map(|line| line.span.start);
                 self.beginnings.extend(starts);
