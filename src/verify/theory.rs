@@ -206,8 +206,8 @@ impl Theory {
         if self.premises.len() != before {
             self.solutions.clear();
             self.mentioned = Mentioned::default();
-            for premise in &self.premises {
-                self.mentioned.add(premise, &self.atoms);
+            for (place, premise) in self.premises.iter().enumerate() {
+                self.mentioned.add(place, premise, &self.atoms);
             }
             self.rebuild();
         }
@@ -243,7 +243,8 @@ impl Theory {
             self.premises.pop();
             self.rebuild();
         } else {
-            self.mentioned.add(&premise, &self.atoms);
+            self.mentioned
+                .add(self.premises.len() - 1, &premise, &self.atoms);
         }
         taken
     }

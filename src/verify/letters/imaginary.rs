@@ -15,9 +15,7 @@ pub(crate) fn has_imaginary_unit(text: &Text, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
     let number = used.bare > 0 && used.vector + used.component + used.double + used.tensor == 0;
     let plain = number && !used.moving && used.hats == 0 && !usage.plain_units;
-    plain
-        && (has_any(text.lower(), SAID)
-            || lines(text).flat_map(|line| &line.sides).any(joins))
+    plain && (has_any(text.lower(), SAID) || lines(text).flat_map(|line| &line.sides).any(joins))
 }
 
 /// An upright i, or `\omega_1 + i\omega_2`: one component of a vector, and i times another.

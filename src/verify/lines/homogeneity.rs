@@ -89,7 +89,7 @@ impl Checker<'_> {
         if !several(value.numerator()) && !several(value.denominator()) {
             return false;
         }
-        let known = self.dimensions_of_symbols();
+        let known = self.dimensions_of_symbols(value);
         let mixes = |p: &Polynomial| {
             let terms = p.terms().iter();
             let mut all = terms.filter_map(|(m, _)| self.powers_of(m.factors(), &known));
@@ -99,18 +99,23 @@ impl Checker<'_> {
         mixes(value.numerator()) || mixes(value.denominator())
     }
 
-    /// The dimensions of symbols, as far as the premises give them.
-    fn dimensions_of_symbols(&self) -> Known {
+    /// The dimensions of symbols in a value, as far as the premises give them.
+    fn dimensions_of_symbols(&self, value: &Fraction) -> Known {
         let mut known = Known::new();
         for pair in self.theory.setting.parallel_axes.iter().flatten() {
             let lengths = pair.distances(&self.theory.atoms).into_iter();
             known.extend(lengths.map(|length| (length, powers(0, 1, 0))));
             known.extend(pair.inertias().map(|inertia| (inertia, powers(1, 2, 0))));
         }
+        let atoms = &self.theory.atoms;
+        let inside = value.variables().into_iter();
+        let inside = inside.filter_map(|v| atoms.entity_of(v)).collect();
+        let premises = self
+            .theory
+            .premises_about(inside, |entity| self.powers_of_quantity(entity).is_none());
         for _ in 0..ROUNDS {
             let before = known.len();
-            let premises = self.theory.premises().iter();
-            for residual in premises.flat_map(|premise| &premise.residuals) {
+            for residual in premises.iter().flat_map(|premise| &premise.residuals) {
                 self.learn_from(residual.numerator(), &mut known);
             }
             if known.len() == before {

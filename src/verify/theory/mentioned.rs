@@ -3,18 +3,20 @@
 use crate::algebra::{Fraction, Variable};
 use crate::verify::theory::{Premise, Theory};
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The variables that premises mention, those in the arguments of functions too, and whose parts they are.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Mentioned {
     variables: BTreeSet<Variable>,
     parts: BTreeSet<(Entity, u8)>,
+    /// The places of the premises that mention an entity.
+    premises: BTreeMap<Entity, Vec<usize>>,
 }
 
 impl Mentioned {
-    /// Notes what a premise mentions.
-    pub(crate) fn add(&mut self, premise: &Premise, atoms: &Atoms) {
+    /// Notes what the premise at a place mentions.
+    pub(crate) fn add(&mut self, place: usize, premise: &Premise, atoms: &Atoms) {
         let written = premise.residuals.iter().flat_map(Fraction::variables);
         for variable in written.flat_map(|v| atoms.with_arguments(v)) {
             self.variables.insert(variable);
@@ -23,12 +25,42 @@ impl Mentioned {
             } = *atoms.atom(variable)
             {
                 self.parts.insert((entity, component));
+                let places = self.premises.entry(entity).or_default();
+                if places.last() != Some(&place) {
+                    places.push(place);
+                }
             }
         }
     }
 }
 
 impl Theory {
+    /// The premises that some entities lead to, over the entities of those as well, as far as these are to be followed.
+    pub(crate) fn premises_about(
+        &self,
+        mut open: Vec<Entity>,
+        follow: impl Fn(Entity) -> bool,
+    ) -> Vec<&Premise> {
+        let (mut seen, mut places) = (BTreeSet::new(), BTreeSet::new());
+        while let Some(entity) = open.pop() {
+            if !follow(entity) || !seen.insert(entity) {
+                continue;
+            }
+            for &place in self.mentioned.premises.get(&entity).into_iter().flatten() {
+                let Some(premise) = self.premises.get(place).filter(|_| places.insert(place))
+                else {
+                    continue;
+                };
+                let written = premise.residuals.iter().flat_map(Fraction::variables);
+                open.extend(written.filter_map(|v| self.atoms.entity_of(v)));
+            }
+        }
+        let found = places
+            .into_iter()
+            .filter_map(|place| self.premises.get(place));
+        found.collect()
+    }
+
     /// Whether a premise mentions a variable.
     pub(crate) fn mentions(&self, variable: Variable) -> bool {
         self.mentioned.variables.contains(&variable)
