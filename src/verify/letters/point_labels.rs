@@ -85,11 +85,22 @@ pub(crate) fn about(symbol: &Symbol) -> Option<(String, Place)> {
         {
             label.push_str(point);
             place = Place::Entry(component(pair));
+        } else if let Some((point, index)) = of_one_axis(piece) {
+            label.push_str(point);
+            place = Place::Entry(index);
         } else {
             label.push_str(piece);
         }
     }
     Some((label, place))
+}
+
+/// `Gx`: the moment about the axis x through G.
+fn of_one_axis(piece: &str) -> Option<(&str, u8)> {
+    let (point, index) = piece.split_at_checked(piece.len().checked_sub(1)?)?;
+    let point = Some(point).filter(|p| p.len() == 1 && p.starts_with(char::is_uppercase))?;
+    let lettered = matches!(index, "x" | "y" | "z");
+    axis(index).filter(|_| lettered).map(|axis| (point, axis))
 }
 
 fn component((row, column): (u8, u8)) -> u8 {

@@ -250,10 +250,24 @@ fn relations(document: &Document) -> Vec<Vec<&Symbol>> {
         let terms = sides.iter().flat_map(terms).filter_map(lone);
         relates(&terms.collect::<Vec<_>>(), sides)
     });
-    let met = related.map(|sides| sides.iter().flat_map(symbols).collect::<Vec<_>>());
+    let met = related.map(|sides| {
+        let all = sides.iter().flat_map(symbols).collect::<Vec<_>>();
+        (all, sides.iter().any(shifts))
+    });
     let distance = |line: &[&Symbol]| line.iter().any(|s| calls_distance(document, s));
-    met.filter(|line| mass(line).is_some() || distance(line))
+    met.filter(|(line, shifts)| mass(line).is_some() || *shifts || distance(line))
+        .map(|(line, _)| line)
         .collect()
+}
+
+/// Whether a side has the dyad, the cross product matrix or the length of a vector, as what a tensor changes by from
+/// point to point has.
+fn shifts(side: &Node) -> bool {
+    let own = matches!(
+        side.kind,
+        Kind::Transpose(_) | Kind::Skew(_) | Kind::Norm(_)
+    );
+    own || side.children().into_iter().any(shifts)
 }
 
 /// Whether all tensors of a line stand alone or as terms, under one letter with two labels: a balance of many bodies is

@@ -38,6 +38,8 @@ impl Checker<'_> {
     /// Notes what a line that was left open leaves in doubt.
     pub(crate) fn note_doubt(&mut self, line: &Line, finding: &Finding) {
         self.note_false_value(line, finding);
+        let without_value = self.has_no_value(&line.sides, finding);
+        self.doubts.symbols.extend(without_value);
         let open = match finding.verdict {
             Verdict::Undecided => !finding.reason.as_deref().is_some_and(leaves_no_doubt),
             Verdict::Unreadable => true,

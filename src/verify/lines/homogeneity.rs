@@ -20,6 +20,15 @@ pub(crate) type Powers = [Rational; 3];
 /// What is known of symbols.
 type Known = BTreeMap<Entity, Powers>;
 
+/// Words by which a mass may be missing.
+const OF_UNIT: &[&str] = &[
+    "unit mass",
+    "per mass",
+    "divided by the mass",
+    "unit length",
+    "unit radius",
+];
+
 /// Rounds in which dimensions are handed from premise to premise.
 const ROUNDS: usize = 4;
 
@@ -51,6 +60,7 @@ impl Checker<'_> {
             finding.remarks.clear();
             finding.reason = Some("its terms are measured in different units".to_owned());
             self.misses_the_mass(sides, finding);
+            self.adds_unlike(sides, finding);
         }
     }
 
@@ -70,8 +80,7 @@ impl Checker<'_> {
             && !made_of.is_empty()
             && whole.iter().map(owner).all(|owner| inertia(&owner))
             && made_of.iter().map(owner).all(|owner| length(&owner));
-        let of_unit = ["unit mass", "per mass", "divided by the mass"];
-        if missing && !has_any(self.text.lower(), &of_unit) {
+        if missing && !has_any(self.text.lower(), OF_UNIT) {
             finding.verdict = Verdict::Refuted;
             finding.diagnosis = Some(Diagnosis {
                 kind: "dimension",
@@ -79,6 +88,43 @@ impl Checker<'_> {
                     .to_owned(),
                 suggestion: None,
                 place: Some(right.span),
+            });
+        }
+    }
+
+    /// What a line gives no value but one of another dimension.
+    pub(crate) fn has_no_value(&mut self, sides: &[Node], finding: &Finding) -> Vec<Entity> {
+        let kind = finding.diagnosis.as_ref().map(|diagnosis| diagnosis.kind);
+        match (&finding.verdict, kind) {
+            (Verdict::Refuted, Some("dimension")) => self.entities(sides.iter().rev().skip(1)),
+            _ => vec![],
+        }
+    }
+
+    /// Refutes `I = m r^2 + R^2` beside two lengths by the words: what is added there are a moment of inertia and the
+    /// square of a length.
+    fn adds_unlike(&mut self, sides: &[Node], finding: &mut Finding) {
+        let Some(last) = sides.last() else { return };
+        let value = self.lowering(Frame::Moving).value(last);
+        let Some(sum) = value.ok().and_then(|value| value.as_scalar().cloned()) else {
+            return;
+        };
+        let terms = sum.numerator().terms().iter();
+        let said = Known::new();
+        let powers = terms.map(|(term, _)| self.powers_of(term.factors(), &said));
+        let Some(powers) = powers.collect::<Option<Vec<_>>>() else {
+            return;
+        };
+        let unlike = powers.windows(2).any(|pair| pair[0] != pair[1]);
+        let alone = matches!(inner(&sides[0]).kind, Kind::Symbol(_));
+        let unit = has_any(self.text.lower(), OF_UNIT);
+        if unlike && alone && sum.is_polynomial() && !unit {
+            finding.verdict = Verdict::Refuted;
+            finding.diagnosis = Some(Diagnosis {
+                kind: "dimension",
+                message: "terms that are measured in different units are added".to_owned(),
+                suggestion: None,
+                place: Some(last.span),
             });
         }
     }

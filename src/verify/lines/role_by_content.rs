@@ -110,8 +110,15 @@ impl Checker<'_> {
             "are all the same",
             "is the same for",
         ];
+        // "For a cube, ⟨a = b = c⟩".
+        let clause = words.rsplit(['.', ';', ')']).next().unwrap_or_default();
+        let kinds = ["for a ", "for an ", "in the case of a ", "if it is a "];
+        let case = clause.trim_end().ends_with(',')
+            && kinds
+                .iter()
+                .any(|words| clause.trim_start().starts_with(words));
         let lone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
-        if self.asserted || !has_any(&words, &said) || !sides.iter().all(lone) {
+        if self.asserted || !case && !has_any(&words, &said) || !sides.iter().all(lone) {
             return false;
         }
         self.entities(sides).into_iter().all(|entity| {

@@ -1,6 +1,7 @@
 //! A mass, or another number, that a vector of a false line has lost.
 
 use crate::notation::ast::{Kind, Line, Node, Operator};
+use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
@@ -38,7 +39,20 @@ impl Checker<'_> {
                 cost: 12,
             }
         };
-        places.into_iter().map(edit).collect()
+        let mut edits: Vec<Edit> = places.into_iter().map(edit).collect();
+        let mut tails = vec![];
+        line.sides
+            .iter()
+            .for_each(|side| tails_of_sums(side, &mut tails));
+        let tails = tails.into_iter().take(PLACES);
+        edits.extend(tails.map(|span| Edit {
+            span,
+            text: format!("{mass} ({})", self.document.source.slice(span)),
+            kind: "factor",
+            message: format!("a factor {mass} is missing"),
+            cost: 12,
+        }));
+        edits
     }
 
     /// The mass as the document first writes it.
@@ -56,6 +70,19 @@ impl Checker<'_> {
         let value = self.lowering(Frame::Moving).value(node);
         value.is_ok_and(|value| value.entries.len() == 3)
     }
+}
+
+/// The last terms of a sum, two of them or more but not all: those of `I_G + d^2 - d d^T` that lack a mass.
+fn tails_of_sums(node: &Node, tails: &mut Vec<Span>) {
+    if let Kind::Sum(terms) = &inner(node).kind
+        && let [_, rest @ .., last] = terms.as_slice()
+    {
+        let first = rest.iter().filter(|term| !term.negative);
+        tails.extend(first.map(|term| term.node.span.to(last.node.span)));
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| tails_of_sums(child, tails));
 }
 
 /// Sides, terms and operands of ×, outermost first.

@@ -14,6 +14,7 @@ use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, ROTOR_ALONE, decide};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
+use crate::verify::values::atoms::Entity;
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
@@ -26,6 +27,9 @@ impl Checker<'_> {
     pub(crate) fn take(&mut self, said: Said, span: Span) {
         // Of two sets of axes, the words do not tell which is principal.
         if said == Said::Principal && self.reading.usage.has_primed_axes() {
+            return;
+        }
+        if said == Said::Principal && self.central_axes_are_principal(span) {
             return;
         }
         let name = said.words();
@@ -122,6 +126,11 @@ impl Checker<'_> {
     /// Assumes that components of a quantity are zero.
     pub(crate) fn vanish(&mut self, name: &str, quantity: Quantity, components: &[u8]) -> bool {
         let entity = self.theory.atoms.quantity(quantity);
+        self.vanishes_in(name, entity, components)
+    }
+
+    /// Components of an entity vanish by words.
+    pub(crate) fn vanishes_in(&mut self, name: &str, entity: Entity, components: &[u8]) -> bool {
         let residuals: Vec<Fraction> = components
             .iter()
             .map(|&c| self.theory.atoms.value(entity, c, 0))
@@ -139,7 +148,8 @@ impl Checker<'_> {
         let taken = self.theory.assume(premise);
         let new = matches!(taken, Taken::Solved | Taken::Kept);
         // A tensor of which the document only writes the diagonal is on principal axes under every heading.
-        let lasts = quantity == Quantity::Inertia && self.reading.writes_only_diagonal();
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let lasts = entity == inertia && self.reading.writes_only_diagonal();
         if new && !lasts {
             self.scopes.push((name.to_owned(), self.level));
         }
