@@ -230,7 +230,9 @@ impl<'a> Checker<'a> {
         }
         checker.single_moments();
         checker.moments_in_words();
-        checker.turns_about_fixed_axis();
+        if checker.reading.turns_from.is_none() {
+            checker.turns_about_fixed_axis();
+        }
         checker.wheel_lies_along_axis();
         checker.rotor_is_alone();
         checker.note_parallel_axes();
@@ -286,6 +288,9 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
+        if self.reading.turns_from == Some(formula.span.start) {
+            self.turns_about_fixed_axis();
+        }
         if formula.display {
             self.named.clear();
         }

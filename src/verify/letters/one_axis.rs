@@ -9,6 +9,9 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::words::text::Text;
 use std::collections::BTreeSet;
 
+/// How a sentence begins that turns to one motion of several.
+const CASES: &[&str] = &["consider", "now", "suppose", "let", "for", "in the case"];
+
 impl Reading {
     /// Whether the inertia and the rate of turning are only ever numbers, as of a turn about one fixed axis.
     pub(crate) fn is_flat(&self) -> bool {
@@ -74,18 +77,26 @@ impl Reading {
         }
     }
 
-    /// "The rotor turns about the ⟨z⟩ axis through the angle ⟨φ⟩", where no ω is written.
+    /// "The rotor turns about the ⟨z⟩ axis through the angle ⟨φ⟩", where no ω is written before.
     fn through_an_angle(&mut self, document: &Text) {
         let rates = |q: &Quantity| *q == Quantity::AngularVelocity;
-        if self.usage.only_angle().is_none() || self.quantities.values().any(rates) {
+        let written = self.quantities.values().any(rates);
+        if self.usage.only_angle().is_none() {
             return;
         }
-        let said = |s: &str| fixed_axis(s, true).filter(|_| s.contains("angle"));
-        self.fixed_axis = document
-            .named_sentences()
-            .iter()
-            .find_map(|s| said(&s.text));
-        self.turns_by_angle = self.fixed_axis.is_some();
+        let found = document.sentences().iter().find_map(|sentence| {
+            let text = sentence.named();
+            let axis = fixed_axis(&text, true).filter(|_| text.contains("angle"))?;
+            let begins = CASES.iter().any(|word| text.trim_start().starts_with(word));
+            let from = sentence.symbols().next().filter(|_| begins);
+            if written && (from.is_none() || !text.contains("through the angle")) {
+                return None;
+            }
+            Some((axis, from.map(|(_, span)| span.start)))
+        });
+        self.fixed_axis = found.map(|(axis, _)| axis);
+        self.turns_from = found.and_then(|(_, from)| from);
+        self.turns_by_angle = found.is_some();
     }
 
     /// The axis k of the only moment I_k that a number ω multiplies: of `T = \frac12 I_1\omega^2`.
@@ -234,9 +245,11 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
         "spinning",
         "runs",
         "rotation",
+        "motion",
         "angular velocity ⟨omega⟩",
         "angular speed ⟨omega⟩",
     ];
+    let sentence = &sentence.replace("of motion", "");
     let at = turns.iter().filter_map(|verb| sentence.find(verb)).min()?;
     let about = &sentence[at + sentence[at..].find("about")? + "about".len()..];
     let near: String = about.chars().take(40).collect();
@@ -251,7 +264,7 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
     let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
     let named = words.find_map(|word| {
         let letter = word.trim_matches(['⟨', '⟩']);
-        matches!(letter, "x" | "y" | "z").then(|| axis(letter))
+        matches!(letter, "x" | "y" | "z" | "1" | "2" | "3").then(|| axis(letter))
     });
     named.flatten().filter(|_| fixed || rate)
 }

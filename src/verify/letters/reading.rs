@@ -68,6 +68,8 @@ pub(crate) struct Reading {
     pub(crate) moving_point: Option<MovingPoint>,
     /// The label of the only point that moments are taken about, where it is none of the customary ones.
     pub(crate) own_point: Option<String>,
+    /// Where the sentence stands from which on it does so, where other motions are spoken of before.
+    pub(crate) turns_from: Option<u32>,
     /// Whether the rate of the only angle is ω about that axis.
     pub(crate) turns_by_angle: bool,
     /// The axis that the only wheel lies along.

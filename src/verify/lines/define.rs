@@ -253,7 +253,7 @@ impl Checker<'_> {
         }
         // What words have named and no line speaks of may be so, or not.
         if finding.role == Role::Claim && self.known.contains(&entity) {
-            if self.accept_definition(sides, finding) {
+            if self.accept_definition(sides, finding) && !self.is_law_of_orbit(&sides[1]) {
                 finding.verdict = Verdict::Undecided;
                 finding.role = Role::Claim;
                 finding.reason = Some(TAKEN_AS_GIVEN.to_owned());

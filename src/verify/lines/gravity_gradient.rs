@@ -1,13 +1,16 @@
 //! The moment that the gradient of gravity exerts on a body in orbit, 3μ/R⁵ R×(I R) with R from the centre of the planet
 //! (Hughes, Spacecraft Attitude Dynamics, section 8.1): 3n² u×(I u) with a unit vector u and the orbital rate n.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Polynomial};
+use crate::notation::ast::Node;
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::Letter;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Shape;
+use crate::verify::words::points_in_words::called_unit;
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -36,6 +39,25 @@ impl Checker<'_> {
             .is_some_and(|&u| self.is_moment_along(&written, u))
     }
 
+    /// Whether sides say what the rate of a circular orbit is: Kepler's `n^2 = \mu/R^3`, or `GM/R^3`.
+    pub(crate) fn is_law_of_orbit(&mut self, right: &Node) -> bool {
+        if !self.whole_text().contains("orbit") {
+            return false;
+        }
+        let Some(value) = self.lowering(Frame::Moving).scalar(right) else {
+            return false;
+        };
+        let one = |p: &Polynomial| p.len() == 1 && p.leading_coefficient() == 1.into();
+        let (above, below) = (value.numerator(), value.denominator());
+        let degrees = |p: &Polynomial| -> Vec<u32> {
+            p.variables().into_iter().map(|v| p.degree_in(v)).collect()
+        };
+        one(above)
+            && one(below)
+            && matches!(degrees(above).as_slice(), [1] | [1, 1])
+            && degrees(below) == [3]
+    }
+
     fn is_moment_along(&mut self, written: &[Fraction], along: Entity) -> bool {
         let u = Vector3::from(self.theory.atoms.vector(along, 0));
         let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
@@ -51,11 +73,9 @@ impl Checker<'_> {
         let entries = written.iter().zip(whole.iter());
         let mut apart = entries.map(|(entry, of)| entry.clone() - factor.clone() * of.clone());
         let name = &self.theory.atoms.info(along).latex;
-        let used = self
-            .reading
-            .usage
-            .get(&Letter::plain(name.trim_start_matches('\\')));
-        let unit = used.hatted + used.hats > 0;
+        let letter = Letter::plain(name.trim_start_matches('\\'));
+        let used = self.reading.usage.get(&letter);
+        let unit = used.hatted + used.hats > 0 || called_unit(self.document, &letter);
         apart.all(|rest| rest.is_zero()) && self.is_strength(&factor, unit)
     }
 
@@ -65,9 +85,8 @@ impl Checker<'_> {
         let three = above.len() == 1 && above.leading_coefficient() == 3.into() && below.len() == 1;
         let number = |v: &u32| matches!(*self.theory.atoms.atom(*v), Atom::Part { entity, order: 0, .. } if self.theory.atoms.info(entity).shape == Shape::Scalar);
         let numbers = factor.variables().iter().all(number);
-        let powers = |p: &crate::algebra::Polynomial| -> u32 {
-            p.variables().into_iter().map(|v| p.degree_in(v)).sum()
-        };
+        let powers =
+            |p: &Polynomial| -> u32 { p.variables().into_iter().map(|v| p.degree_in(v)).sum() };
         let length = if unit { 0 } else { 2 };
         let fits = match (powers(above), powers(below)) {
             (1, k) => k == 3 + length,

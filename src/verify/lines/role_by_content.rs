@@ -12,6 +12,15 @@ use crate::verify::verdict::Role;
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 
+/// What turns steadily.
+const STEADY: &[&str] = &[
+    "constant speed",
+    "constant rate",
+    "constant spin",
+    "constant angular velocity",
+    "constant angular speed",
+];
+
 impl Checker<'_> {
     /// The role that a sentence gives, unless the line could not play it: what the laws determine and nothing new
     /// stands in is a claim, whatever "with" or "where" is before it.
@@ -29,7 +38,10 @@ impl Checker<'_> {
         let still = rates
             .is_some_and(|(_, rates)| rates.iter().all(|rate| self.is_said_to_be_constant(rate)));
         let on_principal_axes = rates.is_some_and(|(_, all)| self.says_of_principal_axes(all));
-        if !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides)) {
+        let steady = still && self.displayed && self.names_a_steady_case();
+        if steady
+            || !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides))
+        {
             return Role::Assume;
         }
         if role == Role::Claim || self.firm {
@@ -85,6 +97,22 @@ impl Checker<'_> {
             own && self.theory.rule(variable).is_none() && !self.theory.mentions_part(entity, place)
         });
         if new { role } else { Role::Claim }
+    }
+
+    /// "At constant speed we have": words that name a case and claim nothing.
+    fn names_a_steady_case(&self) -> bool {
+        let words = lowered(self.sentence.rsplit('⟩').next().unwrap_or_default());
+        let clause = words.trim().trim_end_matches([',', ':', '.']);
+        let clause = clause.rsplit('.').next().unwrap_or_default().trim();
+        let clause = ["we have", "one has", "this means", "that is", "i.e."]
+            .iter()
+            .find_map(|end| clause.strip_suffix(end))
+            .unwrap_or(clause);
+        let clause = clause.trim().trim_end_matches(',');
+        let clause = ["at a ", "at ", "for a ", "for ", "in a "]
+            .iter()
+            .find_map(|lead| clause.strip_prefix(lead));
+        clause.is_some_and(|clause| STEADY.contains(&clause))
     }
 
     /// "On the principal axes, ⟨D = E = F = 0⟩": products of inertia that vanish there.
@@ -144,13 +172,7 @@ impl Checker<'_> {
         let clause = words.trim().trim_end_matches([',', ':']);
         let clause = clause.rsplit(['.', '\n']).next().unwrap_or_default().trim();
         let clause = clause.strip_prefix("at ").unwrap_or(clause);
-        let case = [
-            "constant speed",
-            "constant rate",
-            "constant spin",
-            "constant angular velocity",
-        ];
-        let case = !self.asserted && case.contains(&clause);
+        let case = !self.asserted && STEADY.contains(&clause) || self.names_a_steady_case();
         let Kind::TimeDerivative { operand, .. } = &inner(left).kind else {
             return false;
         };

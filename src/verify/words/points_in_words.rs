@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::words::book::has_any;
 
 const CENTRES: &[&str] = &[
@@ -113,6 +113,17 @@ pub(crate) fn calls_distance(document: &Document, symbol: &Symbol) -> bool {
                 |pair| matches!(pair, [word, of] | [of, word] if *of == "distance" && own(word)),
             )
         })
+}
+
+/// Whether words call a letter a unit vector: "let ⟨c⟩ be the unit vector towards the Earth".
+pub(crate) fn called_unit(document: &Document, letter: &Letter) -> bool {
+    let own = |node: &Node| lone(node).is_some_and(|s| Letter::of(s) == *letter);
+    named(document, own).any(|(before, behind)| {
+        let mut rest = behind.split_whitespace().filter(|w| !NAMING.contains(w));
+        let next = [rest.next(), rest.next()];
+        before.trim_end().ends_with("unit vector")
+            || next[0] == Some("unit") && next[1].is_some_and(|w| w.starts_with("vector"))
+    })
 }
 
 /// Lists of three symbols that words call the place of a point, or that a vector is set equal to.

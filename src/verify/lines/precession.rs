@@ -1,0 +1,108 @@
+//! The rate at which the axis of a free symmetric body goes round its angular momentum: |L| over the transverse moment
+//! (Goldstein, Classical Mechanics, section 5.6, as it is seen from space).
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::undotted;
+use crate::verify::lines::line::Read;
+use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::symbol::MAGNITUDE;
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Role};
+use crate::verify::words::book::{has_any, lowered};
+use num_traits::Zero;
+
+/// Words of what is seen from space.
+const FROM_SPACE: &[&str] = &[
+    "inertial",
+    "in space",
+    "from space",
+    "space cone",
+    "about the angular momentum",
+    "around the angular momentum",
+    "about the fixed angular momentum",
+    "direction of the angular momentum",
+    "about the direction of",
+    "circles the direction of",
+    "around the direction of",
+];
+/// Words of what is seen from the body.
+const FROM_BODY: &[&str] = &[
+    "in the body",
+    "from the body",
+    "body frame",
+    "body axes",
+    "body cone",
+    "body-fixed",
+    "relative to the body",
+];
+
+impl Checker<'_> {
+    /// Decides what a new symbol, or its rate, is said to be by words that call it this rate.
+    pub(crate) fn precesses(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let words = lowered(&self.sentence);
+        let called = words.contains("precess") && has_any(&words, FROM_SPACE);
+        let rated = matches!(&left.kind, Kind::TimeDerivative { order: 1, .. } | Kind::Symbol(_));
+        if !called || has_any(&words, FROM_BODY) || !rated || self.new_symbol(undotted(left)).is_none() {
+            return false;
+        }
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let Some(law) = self.precession().filter(|_| value.is_scalar()) else {
+            return false;
+        };
+        let law = Value::scalar(law);
+        // Its sense is the author's own.
+        let decided = [value.clone(), value.negated()].map(|value| {
+            let residual = law.plus(&value, true).ok()?;
+            let equation = Equation {
+                left: law.clone(),
+                right: value,
+                residual,
+            };
+            Some((decide(&mut self.theory, std::slice::from_ref(&equation)), equation))
+        });
+        let [Some((first, equation)), Some((second, _))] = decided else {
+            return false;
+        };
+        match (first, second) {
+            (Decision::True(_), _) | (_, Decision::True(_)) => {
+                self.accept(sides, Role::Given, finding);
+                let how = "it is the angular momentum over the transverse moment of inertia";
+                finding.remarks.push(how.to_owned());
+            }
+            (decision @ Decision::False(_), Decision::False(_)) => {
+                let read = Read {
+                    equations: vec![equation],
+                    unlabelled: Frame::Moving,
+                    ambiguous: false,
+                    to_order: false,
+                };
+                self.failed(sides, &read, decision, finding);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// |L| over the transverse moment, of a body that is symmetric and free.
+    fn precession(&mut self) -> Option<Fraction> {
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let moment = self.theory.atoms.vector(moment, 0);
+        if !moment.iter().all(|part| self.theory.normal(part).is_zero()) {
+            return None;
+        }
+        let [_, first, _] = self.theory.symmetry()?;
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let transverse = self.theory.atoms.value(inertia, first as u8, 0);
+        let owner = Owner::Quantity(Quantity::Momentum, MAGNITUDE.to_owned());
+        let length = self.theory.atoms.entity(&owner, Shape::Scalar, false, "L");
+        Some(self.theory.atoms.value(length, 0, 0) / transverse)
+    }
+}
