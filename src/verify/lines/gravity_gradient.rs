@@ -41,7 +41,7 @@ impl Checker<'_> {
 
     /// Whether sides say what the rate of a circular orbit is: Kepler's `n^2 = \mu/R^3`, or `GM/R^3`.
     pub(crate) fn is_law_of_orbit(&mut self, right: &Node) -> bool {
-        if !self.whole_text().contains("orbit") {
+        if !self.text.lower().contains("orbit") {
             return false;
         }
         let Some(value) = self.lowering(Frame::Moving).scalar(right) else {
