@@ -48,6 +48,7 @@ pub(super) mod oscillation;
 pub(super) mod part_energy;
 pub(super) mod particles;
 pub(super) mod points;
+pub(super) mod precession;
 pub(super) mod put_in;
 pub(super) mod role_by_content;
 pub(super) mod signs;

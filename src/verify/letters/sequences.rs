@@ -62,7 +62,8 @@ impl Reading {
     }
 
     fn moments_in_a_row(&mut self) {
-        let rates = self.components.contains_key(&Letter::plain("p"));
+        let mut rates = ["p", "P"].into_iter().map(Letter::plain);
+        let rates = rates.any(|letter| self.components.contains_key(&letter));
         for names in [["ell", "m", "n"], ["l", "m", "n"]] {
             let lower = names.map(Letter::plain);
             let sides = rates && lower.iter().all(|l| self.left_sides.contains(l));

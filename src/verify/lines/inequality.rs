@@ -58,9 +58,16 @@ impl Checker<'_> {
         let beside_zero = !self.displayed && line.sides.len() == 2 && is_zero(&line.sides[1]);
         let free = |checker: &mut Self, side: &Node| {
             let own = beside_zero && checker.new_symbol(side).is_some();
+            let own = own || checker.names_moment(side);
             matches!(side.kind, Kind::Number(_)) || checker.is_free_input(side) || own
         };
         line.sides.iter().all(|side| free(self, side))
+    }
+
+    /// Whether a side is a symbol that words call a moment of inertia.
+    fn names_moment(&self, side: &Node) -> bool {
+        let mut named = self.reading.moments.iter();
+        matches!(&side.kind, Kind::Symbol(symbol) if named.any(|moment| moment.symbol == *symbol))
     }
 
     /// `a ≠ b` keeps a case apart, and is false where the sides are equal by what stands before.

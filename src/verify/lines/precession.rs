@@ -14,7 +14,7 @@ use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role};
 use crate::verify::words::book::{has_any, lowered};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 /// Words of what is seen from space.
 const FROM_SPACE: &[&str] = &[
@@ -47,17 +47,28 @@ impl Checker<'_> {
         let [left, right] = sides else { return false };
         let words = lowered(&self.sentence);
         let called = words.contains("precess") && has_any(&words, FROM_SPACE);
-        let rated = matches!(&left.kind, Kind::TimeDerivative { order: 1, .. } | Kind::Symbol(_));
-        if !called || has_any(&words, FROM_BODY) || !rated || self.new_symbol(undotted(left)).is_none() {
+        let rated = matches!(
+            &left.kind,
+            Kind::TimeDerivative { order: 1, .. } | Kind::Symbol(_)
+        );
+        if !called
+            || has_any(&words, FROM_BODY)
+            || !rated
+            || self.new_symbol(undotted(left)).is_none()
+        {
             return false;
         }
         let Ok(value) = self.lowering(Frame::Moving).value(right) else {
             return false;
         };
-        let Some(law) = self.precession().filter(|_| value.is_scalar()) else {
+        let Some((length, moment)) = self.momentum_and_moment() else {
             return false;
         };
-        let law = Value::scalar(law);
+        // Over the length of the momentum, numbers are found without roots.
+        let (Some(value), law) = (value.as_scalar().cloned(), Fraction::one() / moment) else {
+            return false;
+        };
+        let (law, value) = (Value::scalar(law), Value::scalar(value / length));
         // Its sense is the author's own.
         let decided = [value.clone(), value.negated()].map(|value| {
             let residual = law.plus(&value, true).ok()?;
@@ -66,7 +77,10 @@ impl Checker<'_> {
                 right: value,
                 residual,
             };
-            Some((decide(&mut self.theory, std::slice::from_ref(&equation)), equation))
+            Some((
+                decide(&mut self.theory, std::slice::from_ref(&equation)),
+                equation,
+            ))
         });
         let [Some((first, equation)), Some((second, _))] = decided else {
             return false;
@@ -78,6 +92,7 @@ impl Checker<'_> {
                 finding.remarks.push(how.to_owned());
             }
             (decision @ Decision::False(_), Decision::False(_)) => {
+                self.now_known(&sides[..1]);
                 let read = Read {
                     equations: vec![equation],
                     unlabelled: Frame::Moving,
@@ -85,14 +100,17 @@ impl Checker<'_> {
                     to_order: false,
                 };
                 self.failed(sides, &read, decision, finding);
+                finding.follows_from = None;
+                let over = "the values are over the length of the angular momentum";
+                finding.remarks.push(over.to_owned());
             }
             _ => return false,
         }
         true
     }
 
-    /// |L| over the transverse moment, of a body that is symmetric and free.
-    fn precession(&mut self) -> Option<Fraction> {
+    /// |L| and the transverse moment, of a body that is symmetric and free.
+    fn momentum_and_moment(&mut self) -> Option<(Fraction, Fraction)> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         let moment = self.theory.atoms.vector(moment, 0);
         if !moment.iter().all(|part| self.theory.normal(part).is_zero()) {
@@ -103,6 +121,6 @@ impl Checker<'_> {
         let transverse = self.theory.atoms.value(inertia, first as u8, 0);
         let owner = Owner::Quantity(Quantity::Momentum, MAGNITUDE.to_owned());
         let length = self.theory.atoms.entity(&owner, Shape::Scalar, false, "L");
-        Some(self.theory.atoms.value(length, 0, 0) / transverse)
+        Some((self.theory.atoms.value(length, 0, 0), transverse))
     }
 }

@@ -52,7 +52,7 @@ impl Theory {
     }
 
     /// The axis about which the moments of inertia are equal, and the other two.
-    fn symmetry(&mut self) -> Option<[usize; 3]> {
+    pub(crate) fn symmetry(&mut self) -> Option<[usize; 3]> {
         let inertia = self.atoms.quantity(Quantity::Inertia);
         let moments = [0, 1, 2].map(|c| self.atoms.value(inertia, c, 0));
         let moments = moments.map(|moment| self.normal(&moment));

@@ -41,6 +41,8 @@ pub(crate) struct NamedMoment {
 struct Numbered<'d> {
     text: String,
     symbols: Vec<(&'d Symbol, Span)>,
+    /// Whether the sentence before it speaks of the axis of symmetry, which "this axis" then is.
+    behind_axis: bool,
 }
 
 const PHRASES: &[&str] = &[
@@ -92,9 +94,15 @@ const BETWEEN: &[&str] = &[
 /// The moments that a document names in words.
 pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
     let all = sentences(document, Paragraphs::Joined);
-    let numbered = all.iter().map(|sentence| Numbered {
-        text: sentence.numbered(),
-        symbols: sentence.symbols().collect(),
+    let mut behind_axis = false;
+    let numbered = all.iter().map(|sentence| {
+        let text = sentence.numbered();
+        let speaks = has_any(&text, AXIAL) || text.contains("symmetric about");
+        Numbered {
+            symbols: sentence.symbols().collect(),
+            behind_axis: std::mem::replace(&mut behind_axis, speaks),
+            text,
+        }
     });
     let sentences: Vec<Numbered> = numbered.collect();
     let Some(along) = sentences.iter().find_map(axis_of_symmetry).or(Some(2)) else {
@@ -194,6 +202,11 @@ impl Numbered<'_> {
             (_, Some(end)) => Some((Named::Transverse, &words[end..])),
             (Some(end), None) => Some((Named::Axial, &words[end..])),
             (None, None) => {
+                let this = ["this axis", "that axis"];
+                let this = this.iter().find_map(|axis| words.strip_prefix(axis));
+                if let Some(rest) = this.filter(|_| self.behind_axis) {
+                    return Some((Named::Axial, rest));
+                }
                 let (at, _) = words.match_indices("axis").next()?;
                 let near = |text: &str, from_end: bool| {
                     let mut all = text.split([' ', '-']).filter(|w| !w.is_empty());
@@ -240,10 +253,26 @@ impl Numbered<'_> {
 
 /// The axis that is said to be the one of symmetry: "the ⟨x⟩ axis is the shaft".
 fn axis_of_symmetry(sentence: &Numbered) -> Option<u8> {
-    if !has_any(&sentence.text, AXIAL) {
+    let text = &sentence.text;
+    let about = ["symmetric about ", "symmetrical about "].iter();
+    let about = about.filter_map(|words| Some(text.split_once(words)?.1));
+    let said = about.filter_map(|rest| {
+        let words: Vec<&str> = rest.split([' ', ',', '.', ';']).take(5).collect();
+        let at = words.iter().position(|word| *word == "axis")?;
+        let near = [
+            words.get(at + 1),
+            at.checked_sub(1).and_then(|i| words.get(i)),
+        ];
+        near.into_iter()
+            .flatten()
+            .find_map(|word| sentence.axis_called(word))
+    });
+    if let Some(axis) = said.into_iter().next() {
+        return Some(axis);
+    }
+    if !has_any(text, AXIAL) {
         return None;
     }
-    let text = &sentence.text;
     sentence
         .symbols
         .iter()

@@ -1,0 +1,42 @@
+//! A free symmetric body: the moments that words name, and how its axis goes round the angular momentum.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+/// A line about a free body that is symmetric about x.
+fn free(words: &str, line: &str) -> Option<char> {
+    let text = format!(
+        "The probe is symmetric about its spin axis $x$. We write $J_a$ for the moment of inertia about this axis and \
+         $J_t$ for the one about any transverse axis. No torque acts, and $\\mathbf H$ is the angular momentum.\n\n\
+         {words}\n\n$$ {line} $$\n"
+    );
+    verdicts(&text).chars().last()
+}
+
+#[test]
+fn words_name_the_moments_about_this_axis_and_across() {
+    let euler = "Euler's equations read";
+    let line = |sign: &str| format!(r"J_t\,\dot\omega_y {sign} (J_a - J_t)\,\omega_z\omega_x = 0");
+    assert_eq!(free(euler, &line("+")), Some('p'));
+    assert_eq!(free(euler, &line("-")), Some('r'));
+}
+
+#[test]
+fn the_axis_goes_round_the_angular_momentum() {
+    let words = "The axis circles the direction of $\\mathbf H$ with the inertial precession rate";
+    assert_eq!(free(words, r"\dot\psi = \frac{H}{J_t}"), Some('a'));
+    assert_eq!(free(words, r"\dot\psi = \frac{H}{J_a}"), Some('r'));
+    assert_eq!(free(words, r"\Omega_p = \frac{H}{J_t - J_a}"), Some('r'));
+    let other = "As seen from the body, the precession rate in space of something else is";
+    assert_ne!(free(other, r"\dot\psi = \frac{H}{J_a}"), Some('r'));
+}
+
+#[test]
+fn small_letters_are_moments_beside_large_rates() {
+    let text = "The body rates are $P$, $Q$, $R$ and the moments $\\ell$, $m$, $n$. On principal axes\n\n\
+                $$ m = J_y\\dot Q + (J_x - J_z)\\,PR $$\n\n$$ n = J_z\\dot R + (J_x - J_y)\\,PQ $$\n";
+    assert_eq!(verdicts(text), "pr");
+}
