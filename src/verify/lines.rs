@@ -37,6 +37,7 @@ pub(super) mod index;
 pub(super) mod inequality;
 pub(super) mod labelled_space;
 pub(super) mod laws_in_words;
+pub(super) mod libration;
 pub(super) mod line;
 pub(super) mod mass_integrals;
 pub(super) mod moving_point;

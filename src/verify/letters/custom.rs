@@ -1,6 +1,6 @@
 //! What letters mean by the custom of the field, where no word says it.
 
-use crate::notation::ast::{Kind, Node, Symbol, Term};
+use crate::notation::ast::{Function, Kind, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
@@ -35,7 +35,8 @@ impl Reading {
         }
     }
 
-    /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, are no kinetic energies.
+    /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, or with a term beside
+    /// that of a rate in which nothing moves but the angle, are no kinetic energies.
     pub(crate) fn note_totals(&mut self, document: &Document) {
         for line in lines(document) {
             let [left, rest @ ..] = line.sides.as_slice() else {
@@ -43,7 +44,8 @@ impl Reading {
             };
             let weight = |symbol: &Symbol| symbol.name == "g" && symbol.subscripts.is_empty();
             if let Kind::Symbol(symbol) = &inner(left).kind
-                && rest.iter().flat_map(symbols).any(weight)
+                && (rest.iter().flat_map(symbols).any(weight)
+                    || symbol.name != "T" && rest.iter().any(adds_a_potential))
             {
                 self.totals.insert(Letter::of(symbol));
             }
@@ -290,7 +292,8 @@ impl Reading {
             }
             "F" if !used.moving && used.tensor == 0 => Some(Quantity::Force),
             "a" if used.vector > 0 && taken(Quantity::Force) => Some(Quantity::Acceleration),
-            "r" if used.vector > 0 => Some(Quantity::Position),
+            // Under a hat it is a direction.
+            "r" if used.vector > used.hatted => Some(Quantity::Position),
             "v" | "V" if directed && self.drifts(letter) => Some(Quantity::CentreVelocity),
             "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
@@ -299,4 +302,40 @@ impl Reading {
             _ => None,
         }
     }
+}
+
+/// Whether a sum has a term with the rate of an angle, and another that has this angle under a sine or cosine and no rate.
+fn adds_a_potential(side: &Node) -> bool {
+    let Kind::Sum(terms) = &inner(side).kind else {
+        return false;
+    };
+    let rate = |name: &str| matches!(name, "omega" | "Omega" | "w" | "p" | "q" | "r");
+    let moves =
+        |term: &Node| rates(term).next().is_some() || symbols(term).iter().any(|s| rate(&s.name));
+    let angles: Vec<Symbol> = terms.iter().flat_map(|term| rates(&term.node)).collect();
+    let potential = |term: &Term| {
+        let turned = symbols(&term.node).into_iter().any(|s| angles.contains(s));
+        turned && !moves(&term.node) && has_turn(&term.node)
+    };
+    terms.iter().any(potential)
+}
+
+/// The symbols under a derivative in time.
+fn rates(node: &Node) -> impl Iterator<Item = Symbol> {
+    fn collect(node: &Node, found: &mut Vec<Symbol>) {
+        match &node.kind {
+            Kind::TimeDerivative { operand, .. } => {
+                found.extend(symbols(operand).into_iter().cloned())
+            }
+            _ => node.each_child(&mut |child| collect(child, found)),
+        }
+    }
+    let mut found = vec![];
+    collect(node, &mut found);
+    found.into_iter()
+}
+
+fn has_turn(node: &Node) -> bool {
+    matches!(node.kind, Kind::Function(Function::Sin | Function::Cos, _))
+        || node.children().into_iter().any(has_turn)
 }

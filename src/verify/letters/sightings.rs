@@ -31,7 +31,10 @@ impl Usage {
                 let used = self.letters.entry(Letter::of(symbol)).or_default();
                 match columns {
                     1 if is_long(&pair[1]) => {}
-                    1 => used.vector += 1,
+                    1 => {
+                        used.vector += 1;
+                        used.hatted += usize::from(symbol.style.vector && symbol.style.hat);
+                    }
                     _ => used.tensor += 1,
                 }
             }

@@ -9,7 +9,7 @@ use crate::verify::letters::usage::Letter;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
-use crate::verify::values::quantity::Shape;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::points_in_words::called_unit;
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -31,7 +31,11 @@ impl Checker<'_> {
             .filter_map(|v| self.theory.atoms.entity_of(v))
             .filter(|&e| {
                 let info = self.theory.atoms.info(e);
-                matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Vector
+                let from_planet = match &info.owner {
+                    Owner::Symbol(_) => true,
+                    Owner::Quantity(quantity, _) => *quantity == Quantity::Position,
+                };
+                from_planet && info.shape == Shape::Vector
             })
             .collect();
         vectors

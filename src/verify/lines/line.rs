@@ -165,6 +165,7 @@ impl Checker<'_> {
         self.note_scalars(&sides);
         self.note_other_moments(&sides);
         self.note_other_energy(&sides, role);
+        self.note_libration(&sides);
         let role = self.role_by_content(role, &sides);
         finding.role = role;
         if role == Role::Claim && self.names_a_moment(&sides) {

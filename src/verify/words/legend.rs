@@ -43,7 +43,14 @@ const SIZES: &[&str] = &[
 /// Whether the last word before a symbol calls it a size: "a rod of length ⟨".
 pub(crate) fn names_a_size(before: &str) -> bool {
     let last = before.split_whitespace().next_back();
-    last.is_some_and(|word| SIZES.contains(&word))
+    last.is_some_and(|word| SIZES.contains(&word)) && !names_a_side_of_an_equation(before)
+}
+
+/// "The right-hand sides ⟨": of equations, and no lengths.
+fn names_a_side_of_an_equation(before: &str) -> bool {
+    let words = before.trim_end_matches(['⟨', ',', ' ']);
+    let of = words.trim_end_matches('s').strip_suffix("side");
+    of.is_some_and(|of| of.trim_end_matches([' ', '-']).ends_with("hand"))
 }
 
 /// What is measured as a length.
@@ -71,6 +78,7 @@ pub(crate) fn names_a_length(before: &str) -> bool {
         .map(|word| word.trim_end_matches(['⟨', ',']))
         .find(|last| word(last))
         .is_some_and(|last| LENGTHS.contains(&last))
+        && !names_a_side_of_an_equation(before)
 }
 
 /// Whether the words behind a symbol call it the speeds of wheels.
