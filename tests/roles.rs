@@ -32,6 +32,25 @@ fn a_force_may_lie_in_a_plane() {
 }
 
 #[test]
+fn the_power_of_a_unit_in_words_is_no_formula() {
+    let text = "Take $A = 5$ and $B = 7$ (both in kg m$^2$), $C = 9$.\n\n$$ A + B - C = 3 $$\n";
+    assert_eq!(verdicts(text), "aaap");
+}
+
+#[test]
+fn a_rotor_may_turn_about_an_axis_parallel_to_one() {
+    let with = |sum: &str| {
+        verdicts(&format!(
+            "A carrier with the principal moments $J_1, J_2, J_3$ has a rotor, which turns about an axis parallel to axis 2. \
+             Its angular momentum relative to the carrier is denoted by $h$, so that the total becomes\n\n\
+             $$ \\mathbf H = \\mathbf J\\boldsymbol\\omega + {sum} $$\n"
+        ))
+    };
+    assert_eq!(with("h\\,\\mathbf e_2"), "p");
+    assert_eq!(with("h\\,\\mathbf e_3"), "r");
+}
+
+#[test]
 fn what_is_said_to_be_equal_is_supposed() {
     let text = "The four speeds are equal, $n_1 = n_2 = n_3 = n_4$.\n\n$$ n_1 - n_2 + n_3 - n_4 = 0 $$\n\n\
                 $$ n_1 + n_2 + n_3 = 2n_4 $$\n";

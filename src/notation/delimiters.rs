@@ -277,6 +277,12 @@ impl Scan<'_> {
             self.at += 1;
             return;
         }
+        // The power of a unit in words: `kg m$^2$`.
+        let of_text = start.checked_sub(1).and_then(|at| self.bytes.get(at));
+        if text.starts_with(b"^") && of_text.is_some_and(u8::is_ascii_alphanumeric) {
+            self.at = end + 1;
+            return;
+        }
         // In one dialect backticks stand inside the dollars.
         let ticked = length > 2 && text.starts_with(b"`") && text.ends_with(b"`");
         let inside = inner + usize::from(ticked)..end - usize::from(ticked);

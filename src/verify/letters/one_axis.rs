@@ -280,7 +280,12 @@ fn wheel_axis(sentence: &str) -> Option<u8> {
         .iter()
         .filter_map(|w| sentence.find(w))
         .min()?;
-    let about = ["along the ", "about the ", "parallel to the "];
+    let about = [
+        "along the ",
+        "about the ",
+        "parallel to the ",
+        "parallel to ",
+    ];
     let at = about
         .iter()
         .filter_map(|words| Some(sentence[wheel..].find(words)? + words.len()))
@@ -289,8 +294,8 @@ fn wheel_axis(sentence: &str) -> Option<u8> {
     if !near.contains("axis") {
         return None;
     }
-    let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
-    words.find_map(|word| match word.trim_matches(['⟨', '⟩']) {
+    let mut words = near.split(|c: char| c.is_whitespace() || matches!(c, '-' | '~'));
+    words.find_map(|word| match word.trim_matches(['⟨', '⟩', '.', ',']) {
         "first" | "roll" => Some(0),
         "second" | "pitch" => Some(1),
         "third" | "yaw" => Some(2),
