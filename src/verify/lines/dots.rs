@@ -9,7 +9,7 @@ use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::Trouble;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::spatial::all_in_space;
-use crate::verify::values::symbol::Meaning;
+use crate::verify::values::symbol::{ANY_POINT, Meaning};
 
 impl Checker<'_> {
     /// The readings of a line, the likelier first.
@@ -42,7 +42,32 @@ impl Checker<'_> {
         if self.dots == Some(Frame::Space) {
             return Ok(vec![second]);
         }
-        Ok(vec![first, second])
+        Ok(match self.names_velocity(sides) {
+            true => vec![second, first],
+            false => vec![first, second],
+        })
+    }
+
+    /// `\vec v = d\vec r/dt`: the velocity of a point is seen from space.
+    fn names_velocity(&mut self, sides: &[Node]) -> bool {
+        let [left, right, ..] = sides else {
+            return false;
+        };
+        let mut quantity = |node: &Node| match &inner(node).kind {
+            Kind::Symbol(symbol) => {
+                let entity = self.entity_named(symbol)?;
+                match &self.theory.atoms.info(entity).owner {
+                    Owner::Quantity(quantity, variant) => Some((*quantity, variant.clone())),
+                    Owner::Symbol(_) => None,
+                }
+            }
+            _ => None,
+        };
+        let Kind::TimeDerivative { operand, .. } = &inner(right).kind else {
+            return false;
+        };
+        let velocity = matches!(quantity(left), Some((Quantity::Velocity, point)) if matches!(point.as_str(), "" | ANY_POINT));
+        velocity && matches!(quantity(operand), Some((Quantity::Position, _)))
     }
 
     /// Whether the rate of a unit vector of the axes, or of the place of a particle, stands in a node: it is seen from

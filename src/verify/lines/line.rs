@@ -184,7 +184,7 @@ impl Checker<'_> {
             || self.slips_in_unnamed_law(&sides, finding)
             || self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
-            || role != Role::Assume && self.precesses(&sides, finding)
+            || !self.firm && self.precesses(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)
             || self.turns_to_step(&sides, role, finding)

@@ -60,7 +60,10 @@ impl Checker<'_> {
     fn is_value(&mut self, variable: Variable, value: Option<Fraction>, rest: &Fraction) -> bool {
         // What stands on the right by earlier lines is no news.
         let circular = |value| self.theory.normal(&value).variables().contains(&variable);
+        let entity = self.theory.atoms.entity_of(variable);
+        let doubtful = entity.is_some_and(|entity| self.is_in_doubt(entity));
         !value.is_none_or(circular)
+            && !doubtful
             && self.is_own(variable)
             && self.is_solved_by_own(rest, variable)
     }

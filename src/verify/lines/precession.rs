@@ -5,8 +5,9 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::undotted;
+use crate::verify::letters::usage::{Letter, symbols, undotted};
 use crate::verify::lines::line::Read;
+use crate::verify::reason;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
@@ -58,6 +59,9 @@ impl Checker<'_> {
         {
             return false;
         }
+        // A rate is a number, and what it is made of too.
+        let bare = symbols(right).into_iter().filter(|s| !s.style.vector);
+        self.reading.scalars.extend(bare.map(Letter::of));
         let Ok(value) = self.lowering(Frame::Moving).value(right) else {
             return false;
         };
@@ -91,7 +95,7 @@ impl Checker<'_> {
                 let how = "it is the angular momentum over the transverse moment of inertia";
                 finding.remarks.push(how.to_owned());
             }
-            (decision @ Decision::False(_), Decision::False(_)) => {
+            (decision @ Decision::False(_), Decision::False(_) | Decision::FalseWithoutWitness) => {
                 self.now_known(&sides[..1]);
                 let read = Read {
                     equations: vec![equation],
@@ -104,7 +108,7 @@ impl Checker<'_> {
                 let over = "the values are over the length of the angular momentum";
                 finding.remarks.push(over.to_owned());
             }
-            _ => return false,
+            _ => finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned()),
         }
         true
     }
