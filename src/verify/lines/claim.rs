@@ -15,7 +15,7 @@ use crate::verify::values::figures::is_number;
 use crate::verify::values::lower::{Trouble, TroubleKind};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
-use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -63,6 +63,9 @@ impl Checker<'_> {
             if self.settled_by_squares(&read, open, finding) {
                 return;
             }
+            if self.names_and_claims(sides, finding) {
+                return;
+            }
             let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
             if may_be_given && self.is_given(sides, &read) {
                 return self.given(sides, finding);
@@ -85,6 +88,30 @@ impl Checker<'_> {
             }
             self.failed(sides, &read, decision, finding);
         }
+    }
+
+    /// `\vec v = d\vec r/dt = \vec\omega\times\vec r`: what a chain calls the velocity of a point, which nothing has spoken
+    /// of, and a claim about it.
+    fn names_and_claims(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        if sides.len() < 3 || !self.names_velocity(sides) {
+            return false;
+        }
+        let velocity = self.entities(&sides[..1]);
+        let [velocity] = velocity.as_slice() else {
+            return false;
+        };
+        if self.theory.mentions_entity(*velocity) || self.is_in_doubt(*velocity) {
+            return false;
+        }
+        let mut tried = finding.clone();
+        self.claim(&sides[1..], &mut tried);
+        if !matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+            return false;
+        }
+        let mut named = finding.clone();
+        self.accept(&sides[..2], Role::Define, &mut named);
+        *finding = tried;
+        true
     }
 
     /// A vector that is written out by its own components, `v = v₁b₁ + v₂b₂ + v₃b₃`, is spoken of: it may be any.

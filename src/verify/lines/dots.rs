@@ -49,7 +49,7 @@ impl Checker<'_> {
     }
 
     /// `\vec v = d\vec r/dt`: the velocity of a point is seen from space.
-    fn names_velocity(&mut self, sides: &[Node]) -> bool {
+    pub(crate) fn names_velocity(&mut self, sides: &[Node]) -> bool {
         let [left, right, ..] = sides else {
             return false;
         };

@@ -58,12 +58,15 @@ impl Checker<'_> {
 
     /// Whether a difference from a variable says what that is, of which the document says nothing else.
     fn is_value(&mut self, variable: Variable, value: Option<Fraction>, rest: &Fraction) -> bool {
+        // What a velocity is may stand on a line that was left open.
+        let of_theory = matches!(self.theory.atoms.owner(variable), Some(Owner::Quantity(..)));
+        let entity = self.theory.atoms.entity_of(variable);
+        if of_theory && entity.is_some_and(|entity| self.is_in_doubt(entity)) {
+            return false;
+        }
         // What stands on the right by earlier lines is no news.
         let circular = |value| self.theory.normal(&value).variables().contains(&variable);
-        let entity = self.theory.atoms.entity_of(variable);
-        let doubtful = entity.is_some_and(|entity| self.is_in_doubt(entity));
         !value.is_none_or(circular)
-            && !doubtful
             && self.is_own(variable)
             && self.is_solved_by_own(rest, variable)
     }

@@ -61,8 +61,20 @@ impl Checker<'_> {
         }
         // A rate is a number, and what it is made of too.
         let bare = symbols(right).into_iter().filter(|s| !s.style.vector);
+        let before = self.reading.scalars.clone();
         self.reading.scalars.extend(bare.map(Letter::of));
-        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+        let settled = self.goes_round(sides, finding);
+        if !settled {
+            self.reading.scalars = before;
+        }
+        settled
+    }
+
+    fn goes_round(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let Some(Ok(value)) = sides
+            .last()
+            .map(|right| self.lowering(Frame::Moving).value(right))
+        else {
             return false;
         };
         let Some((length, moment)) = self.momentum_and_moment() else {
