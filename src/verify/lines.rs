@@ -32,6 +32,7 @@ pub(super) mod given_motion;
 pub(super) mod goes_on;
 pub(super) mod gravity_gradient;
 pub(super) mod growth;
+pub(super) mod heavy_tops;
 pub(super) mod homogeneity;
 pub(super) mod index;
 pub(super) mod inequality;

@@ -28,7 +28,7 @@ use std::collections::BTreeSet;
 /// Lines that are tried against each reading of the angles at most.
 const MOST_LINES: usize = 60;
 /// Terms that may be written in a document read so: the rates of rates grow fast where a magnitude is made of them.
-const MOST_TERMS: usize = 10_000;
+const MOST_TERMS: usize = 30_000;
 /// Letters of angles, in the order in which a body is turned by them; the second is the angle between two axes.
 const PRECESSION: [&[&str]; 3] = [&["phi", "varphi"], &["theta", "vartheta"], &["psi"]];
 const GREEK: [&[&str]; 3] = [&["alpha"], &["beta"], &["gamma"]];

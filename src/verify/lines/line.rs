@@ -177,6 +177,7 @@ impl Checker<'_> {
         self.turn_to_case(&sides, role);
         if role == Role::Claim {
             self.tie_new_symbols(&sides, finding);
+            self.tie_weight(&sides, finding);
         }
         let settled = self.vanishes_for(&sides, finding)
             || self.finds_the_root(&sides, finding)

@@ -1,0 +1,110 @@
+//! The moment of the weight of a top, l k × (−m g K): K is the upward vertical, about which the first of the body's angles
+//! turns, and k the axis of the top, on which the mass centre lies.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Node, Symbol};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::symbols;
+use crate::verify::theory::Premise;
+use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::words::book::has_any;
+
+const NAME: &str = "moment of the weight";
+
+/// Words of a vertical that points down, and of what acts beside the weight.
+const OTHERWISE: &[&str] = &[
+    "downward", "hang", "pendulum", "below", "torque", "couple", "friction", "drag", "motor",
+];
+
+impl Checker<'_> {
+    /// Takes the weight for what acts, where a claim with a weight in it is proved by that and no letter stands for the
+    /// moment in it.
+    pub(crate) fn tie_weight(&mut self, sides: &[Node], finding: &Finding) {
+        let text = self.text.lower();
+        let said = text.contains("weight") && !has_any(text, OTHERWISE);
+        let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
+        let weighs = met.iter().any(|s| s.name == "g" && s.subscripts.is_empty());
+        if !said || !weighs || !self.reading.speaks_of(Quantity::Mass) {
+            return;
+        }
+        let Some(angles) = self.reading.euler_angles.clone() else {
+            return;
+        };
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        if self.theory.mentions_entity(moment) || self.entities(sides).contains(&moment) {
+            return;
+        }
+        let Some(up) = self.first_axis(&angles) else {
+            return;
+        };
+        let across = Value::axis(2).cross(&Value::column(up.as_slice().to_vec()));
+        let Ok(across) = across else { return };
+        for arm in self.arms_of_weight(&met) {
+            if self.is_moved_by(&across, arm, &met, sides, finding) {
+                return;
+            }
+        }
+    }
+
+    /// Whether a claim is proved with the weight at such a distance; it is kept then.
+    fn is_moved_by(
+        &mut self,
+        across: &Value,
+        arm: Entity,
+        met: &[&Symbol],
+        sides: &[Node],
+        finding: &Finding,
+    ) -> bool {
+        let gravity = met.iter().find(|s| s.name == "g");
+        let Some(gravity) = gravity.and_then(|s| self.entity_named(s)) else {
+            return false;
+        };
+        let mass = self.theory.atoms.quantity(Quantity::Mass);
+        let [mass, pull, length] = [mass, gravity, arm].map(|e| self.theory.atoms.value(e, 0, 0));
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(moment, c, 0));
+        let acts = across.scaled(&(mass * pull * length));
+        let residual =
+            |(part, acts): (&Variable, &Fraction)| variable_fraction(*part) + acts.clone();
+        self.theory.assume(Premise {
+            name: NAME.to_owned(),
+            residuals: parts.iter().zip(&acts.entries).map(residual).collect(),
+            preferred: parts.to_vec(),
+            definition: false,
+        });
+        let known = self.known.clone();
+        self.known.extend([arm, gravity]);
+        let slips = self.slips.len();
+        let mut tried = finding.clone();
+        self.claim(sides, &mut tried);
+        self.slips.truncate(slips);
+        let proved = matches!(tried.verdict, Verdict::Proved(_));
+        if proved {
+            self.keep(NAME, false);
+        } else {
+            self.known = known;
+            self.theory.retain(|premise| premise.name != NAME);
+        }
+        proved
+    }
+
+    /// Numbers of the document that may be the distance of the mass centre.
+    fn arms_of_weight(&mut self, met: &[&Symbol]) -> Vec<Entity> {
+        let mut arms = vec![];
+        for symbol in met.iter().filter(|s| s.name != "g") {
+            let Some(entity) = self.entity_named(symbol) else {
+                continue;
+            };
+            let info = self.theory.atoms.info(entity);
+            let number = info.shape == Shape::Scalar && matches!(info.owner, Owner::Symbol(_));
+            if number && self.is_free(entity) && !self.theory.mentions_entity(entity) {
+                arms.push(entity);
+            }
+        }
+        arms.truncate(3);
+        arms
+    }
+}
