@@ -21,6 +21,7 @@ pub(super) mod own_point;
 pub(super) mod particles;
 pub(super) mod periods;
 pub(super) mod point_labels;
+pub(super) mod primed_axes;
 pub(super) mod primes;
 pub(super) mod raised;
 pub(super) mod raised_labels;

@@ -4,6 +4,7 @@ use crate::notation::document::Document;
 use crate::verify::check::Checker;
 use crate::verify::letters::convention::UNDECIDED;
 use crate::verify::letters::point_labels::note_marks;
+use crate::verify::letters::primed_axes::label_primed_axes;
 use crate::verify::letters::raised_labels::lower_labels;
 use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
@@ -26,6 +27,7 @@ pub fn check(document: &Document) -> Report {
     drop_world_labels(&mut document);
     note_skew_marks(&mut document);
     note_marks(&mut document);
+    label_primed_axes(&mut document);
     let document = &Text::of(&document);
     let mut reading = Reading::of(document);
     reading.summed = summed;

@@ -143,11 +143,37 @@ impl Checker<'_> {
             self.known.extend(entities);
         }
         self.theory.set(|setting| setting.parallel_axes = pairs);
+        if let Some(pair) = tensors.filter(|_| self.products_vanish_at_first()) {
+            self.products_vanish(pair.centre);
+        }
         if let (Some(pair), Some(vector)) = (tensors, &points.vector)
             && points.coordinates.is_some()
         {
             self.coordinates_of(vector, pair);
         }
+    }
+
+    /// "The products of inertia vanish", before the axes are moved away from the mass centre.
+    fn products_vanish_at_first(&self) -> bool {
+        let text = self.text.lower();
+        let said = ["products of inertia vanish", "products of inertia are zero"];
+        let said = said.iter().filter_map(|words| text.find(words)).min();
+        let moved = ["parallel-axis", "parallel axis", "parallel axes", "steiner"];
+        let moved = moved.iter().filter_map(|words| text.find(words)).min();
+        said.zip(moved).is_some_and(|(said, moved)| said < moved)
+    }
+
+    fn products_vanish(&mut self, tensor: Entity) {
+        if self.theory.atoms.info(tensor).shape != Shape::Symmetric {
+            return;
+        }
+        let products = [3, 4, 5].map(|c| self.theory.atoms.part(tensor, c, 0));
+        self.theory.assume(Premise {
+            name: "the products of inertia about the mass centre vanish".to_owned(),
+            residuals: products.map(variable_fraction).to_vec(),
+            preferred: products.to_vec(),
+            definition: false,
+        });
     }
 
     fn tensors_about(&mut self, points: &TwoPoints) -> Option<ParallelAxes> {

@@ -1,9 +1,10 @@
 //! What words say of points: which is the mass centre, where it lies, how far it is, whether the body turns about another.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node, Number, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::words::book::has_any;
+use num_rational::BigRational;
 
 const CENTRES: &[&str] = &[
     "mass centre",
@@ -181,7 +182,7 @@ pub(crate) fn place_in_words(document: &Document, centre: &str) -> Option<[Node;
         let all = [alone(at)?, alone(at + 2)?, alone(at + 4)?];
         (joins(at + 1) && joins(at + 3)).then(|| all.map(Node::clone))
     };
-    (1..items.len()).find_map(|at| {
+    let called = (1..items.len()).find_map(|at| {
         let Some(Item::Prose { text, .. }) = items.get(at - 1) else {
             return None;
         };
@@ -200,6 +201,62 @@ pub(crate) fn place_in_words(document: &Document, centre: &str) -> Option<[Node;
         .any(|words| lead.ends_with(words));
         let place = expressions(alone(at)?).or_else(|| listed(at))?;
         (called && speaks_of_centre(items, at, centre)).then_some(place)
+    });
+    called.or_else(|| place_of_new_axes(items))
+}
+
+/// The mass centre as it is seen from axes that words move away from it: "move the axes to the corner at ⟨x = a⟩, ⟨y = b⟩"
+/// put it at −a, −b.
+fn place_of_new_axes(items: &[Item]) -> Option<[Node; 3]> {
+    let coordinate = |item: Option<&Item>| match item {
+        Some(Item::Formula(formula)) if !formula.display => match formula.rows.as_slice() {
+            [Row::Line(line)] => match line.sides.as_slice() {
+                [left, right] => {
+                    let symbol = lone(left).filter(|s| s.subscripts.is_empty())?;
+                    let place = ["x", "y", "z"].iter().position(|c| *c == symbol.name)?;
+                    Some((place, right.clone()))
+                }
+                _ => None,
+            },
+            _ => None,
+        },
+        _ => None,
+    };
+    items.iter().enumerate().find_map(|(at, item)| {
+        let Item::Prose { text, .. } = item else {
+            return None;
+        };
+        let text = text.to_lowercase().replace('\n', " ");
+        let sentence = text.rsplit(". ").next().unwrap_or_default();
+        let moved = [
+            "move the axes",
+            "shift the axes",
+            "axes are moved",
+            "axes are shifted",
+        ];
+        if !has_any(sentence, &moved) || !sentence.trim_end().ends_with("at") {
+            return None;
+        }
+        let first = coordinate(items.get(at + 1))?;
+        let zero = Node {
+            kind: Kind::Number(Number {
+                value: BigRational::default(),
+                decimals: None,
+                exponent: 0,
+            }),
+            span: first.1.span,
+        };
+        let mut place = [zero.clone(), zero.clone(), zero];
+        for next in [1, 3, 5] {
+            let Some((axis, value)) = coordinate(items.get(at + next)) else {
+                break;
+            };
+            place[axis] = Node {
+                span: value.span,
+                kind: Kind::Negate(Box::new(value)),
+            };
+        }
+        Some(place)
     })
 }
 
