@@ -7,6 +7,24 @@ mod outcome;
 use outcome::verdicts;
 
 #[test]
+fn what_was_concluded_is_claimed_and_a_sum_that_vanishes_defines_nothing() {
+    let concluded = r"A free body has the principal moments $I_1$, $I_2$, $I_3$. From $\dot{\vec L} = \vec\tau$ with $\vec\tau = 0$ I concluded
+$$I_1\dot\omega_1 = 0$$
+and so the body keeps its rates.";
+    assert_ne!(verdicts(concluded).chars().last(), Some('a'));
+    let second = |sign: char| {
+        format!(
+            r"No torque acts on a body with the principal moments $I_1$, $I_1$, $I_3$. Let us define
+$$n = \frac{{I_3 - I_1}}{{I_1}}\omega_3$$
+$$\dot\omega_1 {sign} n\omega_2 = 0$$
+"
+        )
+    };
+    assert_eq!(verdicts(&second('+')), "ap");
+    assert_eq!(verdicts(&second('-')), "ar");
+}
+
+#[test]
 fn what_is_solved_for_is_no_assumption() {
     let with = |value: &str| {
         let text = format!(

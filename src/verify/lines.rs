@@ -52,6 +52,7 @@ pub(super) mod particles;
 pub(super) mod points;
 pub(super) mod precession;
 pub(super) mod put_in;
+pub(super) mod rigid_points;
 pub(super) mod role_by_content;
 pub(super) mod signs;
 pub(super) mod small;

@@ -9,6 +9,7 @@ use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::subscript::{between, is_of_the_body};
 use crate::verify::values::value::Value;
+use crate::verify::words::book::has_any;
 
 impl Checker<'_> {
     /// The angular velocity of the axes at rest in those that turn.
@@ -45,11 +46,12 @@ impl Checker<'_> {
         if !symbol.style.vector {
             return None;
         }
-        let [label] = symbol.superscripts.as_slice() else {
-            return None;
-        };
-        let frame = self.reading.frames.of_derivatives(label)?;
-        if !symbol.subscripts.is_empty() || !self.is_new(symbol) || !self.has_one_position() {
+        let frame = match (symbol.superscripts.as_slice(), symbol.subscripts.as_slice()) {
+            ([label], []) => self.reading.frames.of_derivatives(label),
+            ([], [label]) => self.frame_of_motion(label),
+            _ => None,
+        }?;
+        if !self.is_new(symbol) || !self.has_one_position() {
             return None;
         }
         let position = self.theory.atoms.quantity(Quantity::Position);
@@ -64,6 +66,22 @@ impl Checker<'_> {
             }
         };
         Some(Law::new("kinematics", self.entity_named(symbol)?, value))
+    }
+
+    /// The frame that a label under velocities or accelerations means: one that derivatives are taken in, or one of two,
+    /// of which one turns and the other does not.
+    fn frame_of_motion(&self, label: &str) -> Option<Frame> {
+        let frames = &self.reading.frames;
+        let labels = ["v", "a"].map(|name| self.reading.usage.subscripts.get(&Letter::plain(name)));
+        let other = |frame: Frame| {
+            let mut labels = labels.iter().flatten().copied().flatten();
+            labels.any(|other| frames.of_text(other).is_some_and(|other| other != frame))
+        };
+        let by_pair = || frames.of_text(label).filter(|frame| other(*frame));
+        let speaks = || has_any(self.text.lower(), &["frame", "axes", "observer"]);
+        frames
+            .of_derivatives(label)
+            .or_else(|| by_pair().filter(|_| axis(label).is_none() && speaks()))
     }
 
     /// The velocity without a label in `v = {}^N dr/dt = …`: the rate of the only position, seen from space.

@@ -134,8 +134,11 @@ impl<'a> Checker<'a> {
 
     /// Whether the words right before a formula have it say by its form what a symbol is.
     fn writes_a_form(&self) -> bool {
-        let said = lowered(&self.sentence);
-        WRITTEN.iter().any(|words| said.trim_end().ends_with(words))
+        let said = self.sentence.trim_end();
+        // Nothing that stands before the last formula counts.
+        let last = said.rsplit('⟩').next().unwrap_or_default();
+        let last = lowered(last);
+        WRITTEN.iter().any(|words| last.ends_with(words))
     }
 
     /// Symbols that no line before has, those included that have the letter of a quantity with a label of their own.

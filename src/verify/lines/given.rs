@@ -39,7 +39,10 @@ impl Checker<'_> {
         if self.is_by_own_components(sides) {
             return self.lies_in_a_plane(sides);
         }
-        if self.integrates_another(sides) || self.mixes_turns(first, last) {
+        if self.integrates_another(sides)
+            || self.mixes_turns(first, last)
+            || self.is_of_any_vector(sides)
+        {
             return false;
         }
         let mut named = sides.iter().flat_map(symbols);
@@ -122,6 +125,19 @@ impl Checker<'_> {
                     && (left, right) != (Some(false), Some(false)))
                 || (self.is_free_input(&sides[i]) && self.is_free_input(&sides[i + 1]))
         })
+    }
+
+    /// Whether the rate of a vector that may be any stands in a claim: no law here leaves it free.
+    fn is_of_any_vector(&mut self, sides: &[Node]) -> bool {
+        let mut rated = vec![];
+        sides
+            .iter()
+            .for_each(|side| operands_of_rates(side, &mut rated));
+        self.any_vector
+            && self.entities(rated).into_iter().any(|entity| {
+                let info = self.theory.atoms.info(entity);
+                info.shape == Shape::Vector && matches!(info.owner, Owner::Symbol(_))
+            })
     }
 
     /// Whether a vector or its rate is written out by its own components, of which nothing is handed over.
@@ -364,4 +380,12 @@ fn is_in_digits(side: &Node) -> bool {
 /// Whether a side is written as a zero, bold or not.
 pub(crate) fn is_zero(side: &Node) -> bool {
     matches!(&side.kind, Kind::Number(n) | Kind::Bold(n) if n.value.is_zero())
+}
+
+/// What the rates in a tree are of.
+fn operands_of_rates<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
+    match &node.kind {
+        Kind::TimeDerivative { operand, .. } => found.push(operand),
+        _ => node.each_child(&mut |child| operands_of_rates(child, found)),
+    }
 }

@@ -82,19 +82,19 @@ impl Checker<'_> {
         let Some(first) = sides.first().map(inner) else {
             return vec![];
         };
+        self.note_points_at_rest(&met);
         let mut laws: Vec<Law> = self.law_in_words(first, sides.get(1)).into_iter().collect();
         laws.extend(met.iter().find_map(|s| self.turned_round(s)));
         laws.extend(self.moment_about_gimbal(sides));
+        let framed: Vec<Law> = met.iter().filter_map(|s| self.in_named_frame(s)).collect();
+        let of_points = framed.is_empty();
+        laws.extend(framed);
         let Kind::Symbol(left) = &first.kind else {
             return laws;
         };
-        if let Some(law) = self.in_named_frame(left) {
-            laws.push(law);
-            let others = met.iter().filter(|s| *s != &left);
-            laws.extend(others.filter_map(|s| self.in_named_frame(s)));
-        }
+        laws.extend(self.points_of_one_body(left, &met));
         laws.extend(self.rate_of_position(left, sides));
-        if self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
+        if of_points && self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
             let points = met.iter().filter(|s| is_acceleration(s));
             laws.extend(points.filter_map(|s| self.acceleration(s)));
         }
@@ -206,7 +206,7 @@ impl Checker<'_> {
     }
 
     /// Whether a vector leads from a point to another, or the other way (false).
-    fn leads(&self, symbol: &Symbol, from: &str, to: &str) -> Option<bool> {
+    pub(crate) fn leads(&self, symbol: &Symbol, from: &str, to: &str) -> Option<bool> {
         let index = symbol.subscripts.concat();
         let (there, back) = (format!("{from}{to}"), format!("{to}{from}"));
         let arrow = symbol.style.vector && index.is_empty();
@@ -259,7 +259,7 @@ impl Checker<'_> {
 }
 
 /// The letter of a point at a symbol, or none.
-fn label(symbol: &Symbol) -> Option<&str> {
+pub(crate) fn label(symbol: &Symbol) -> Option<&str> {
     match symbol.subscripts.as_slice() {
         [] => Some(""),
         [one] if one.len() == 1 && one.chars().all(|c| c.is_ascii_uppercase()) => Some(one),

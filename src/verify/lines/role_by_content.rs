@@ -61,6 +61,11 @@ impl Checker<'_> {
         {
             return Role::Claim;
         }
+        // A sum that vanishes says of nothing new what it is.
+        let sum = matches!(inner(left).kind, Kind::Sum(_)) && rest.last().is_some_and(is_zero);
+        if role == Role::Define && sum && !self.brings_something_new(sides) {
+            return Role::Claim;
+        }
         if sides.iter().any(nothing) || sides.iter().all(alone) || self.sets_a_magnitude(sides) {
             return role;
         }
@@ -84,7 +89,15 @@ impl Checker<'_> {
         {
             return role;
         }
-        let new = rest.iter().chain([left]).flat_map(symbols).any(|symbol| {
+        match self.brings_something_new(sides) {
+            true => role,
+            false => Role::Claim,
+        }
+    }
+
+    /// Whether a symbol of the document stands in a line that nothing before says anything of.
+    fn brings_something_new(&mut self, sides: &[Node]) -> bool {
+        sides.iter().flat_map(symbols).any(|symbol| {
             let Some(entity) = self.entity_named(symbol) else {
                 return false;
             };
@@ -95,8 +108,7 @@ impl Checker<'_> {
             let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
             let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
             own && self.theory.rule(variable).is_none() && !self.theory.mentions_part(entity, place)
-        });
-        if new { role } else { Role::Claim }
+        })
     }
 
     /// "At constant speed we have": words that name a case and claim nothing.

@@ -1,6 +1,7 @@
 //! Vectors and tensors on space axes, told by a label: `\mathbf a^s`, `\mathbf L_{\text{in}}`.
 
 use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::theory::attitude_law::body_to_space;
@@ -33,7 +34,25 @@ pub(crate) fn without_label(symbol: &Symbol, reading: &Reading) -> Option<Symbol
     let mut bare = symbol.clone();
     bare.subscripts.retain(|text| !labels(text));
     bare.superscripts.retain(|text| !(labels(text) && told));
-    (bare != *symbol).then_some(bare)
+    (bare != *symbol && !names_the_observer(symbol, reading)).then_some(bare)
+}
+
+/// Whether the label of a velocity or an acceleration says who sees it: beside `\mathbf v_{\text{space}}` there is a
+/// `\mathbf v_{\text{rot}}`.
+fn names_the_observer(symbol: &Symbol, reading: &Reading) -> bool {
+    let letter = Letter::of(symbol);
+    let quantity = reading.quantities.get(&letter);
+    let motion = [Quantity::Velocity, Quantity::Acceleration];
+    if !quantity.map_or(matches!(symbol.name.as_str(), "v" | "a"), |q| {
+        motion.contains(q)
+    }) {
+        return false;
+    }
+    let met = reading.usage.subscripts.get(&letter);
+    met.is_some_and(|labels| {
+        let mut frames = labels.iter().map(|label| reading.frames.of_text(label));
+        frames.any(|frame| frame == Some(Frame::Moving))
+    })
 }
 
 /// Whether a symbol shows that it is a vector or a tensor, or wears labels of both triads of axes.

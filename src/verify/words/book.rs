@@ -10,9 +10,11 @@ pub(crate) fn lowered(text: &str) -> String {
     }
     let mut lower = String::with_capacity(text.len());
     for c in text.chars() {
-        match c.is_ascii() {
-            true => lower.push(c.to_ascii_lowercase()),
-            false => lower.extend(c.to_lowercase()),
+        match c {
+            '\0'..='\x7f' => lower.push(c.to_ascii_lowercase()),
+            // Brackets, arrows and signs; no letter is among them.
+            '\u{2500}'..='\u{2bff}' => lower.push(c),
+            _ => lower.extend(c.to_lowercase()),
         }
     }
     lower

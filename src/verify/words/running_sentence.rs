@@ -13,6 +13,12 @@ use crate::verify::words::sentences::closes_sentence;
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
 const LONGEST_SENTENCE: usize = 1_000;
 
+/// Words that a sentence begins with, where no stop stands behind the display before it.
+const OPENINGS: &[&str] = &[
+    "For", "With", "If", "When", "Let", "Since", "Now", "In", "At", "On", "By", "From", "The",
+    "This", "These", "It", "We", "As", "Here", "Assume", "Suppose",
+];
+
 /// Drops the beginning of a text that is longer than `most` bytes.
 pub(crate) fn keep_end(text: &mut String, most: usize) {
     let excess = text.len().saturating_sub(most);
@@ -34,9 +40,13 @@ impl Checker<'_> {
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
         let lower = lowered(text);
         let opens_case = self.note_case(&lower, span, self.broken);
-        // After a display, a new paragraph that opens with a capital, or another case, opens a sentence too.
+        // After a display, a new paragraph that opens with a capital, or another case, opens a sentence too, and so does
+        // a word that has no capital but at the beginning of one.
         let opens = opens_case || text.trim_start().starts_with(char::is_uppercase);
-        if std::mem::take(&mut self.broken) && opens && self.sentence.trim_end().ends_with('⟩') {
+        let first = text.trim_start().split(|c: char| !c.is_alphabetic()).next();
+        let begins = self.displayed && first.is_some_and(|word| OPENINGS.contains(&word));
+        let broken = std::mem::take(&mut self.broken);
+        if (broken && opens || begins) && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
         let speaks = text.contains(char::is_alphanumeric);
