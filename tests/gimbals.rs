@@ -77,3 +77,40 @@ At rest the four speeds are equal, $n_1 = n_2 = n_3 = n_4$, so $h = 0$.
     assert!(found.contains('p') && !found.contains('r'), "{found}");
     assert!(verdicts(&text("-")).contains('r'));
 }
+
+#[test]
+fn a_wheel_with_a_label_is_no_body() {
+    let text = |energy: &str, torque: &str| {
+        verdicts(&format!(
+            r"A tram has a flywheel. Given: $J_w = 10\ \mathrm{{kg\,m^2}}$, $\omega_w = 200\ \mathrm{{rad/s}}$, $\nu = 0.2\ \mathrm{{rad/s}}$.
+
+The stored energy is
+
+$$ E = \tfrac12 J_w\omega_w^2 = {energy}\ \mathrm{{kJ}} $$
+
+The spin momentum is
+
+$$ H = J_w\omega_w = 2000\ \mathrm{{N\,m\,s}} $$
+
+It is carried round at the rate $\nu$:
+
+$$ \frac{{d\mathbf H}}{{dt}} = \nu\,\mathbf k\times H\,\mathbf j = -\nu H\,\mathbf i $$
+
+The torque on the tram is
+
+$$ \mathbf T = \nu H\,\mathbf i $$
+
+with the magnitude
+
+$$ T = \nu H = {torque}\ \mathrm{{N\,m}} $$
+"
+        ))
+    };
+    let right = text("200", "400");
+    assert!(
+        right.starts_with("aaap") && !right.contains('r') && right.ends_with('p'),
+        "{right}"
+    );
+    assert_eq!(text("400", "400").chars().nth(3), Some('r'));
+    assert!(text("200", "800").ends_with('r'));
+}

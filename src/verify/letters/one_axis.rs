@@ -187,6 +187,31 @@ impl Reading {
         }
     }
 
+    /// A document in which ω and the inertia are numbers of a wheel, with its label, speaks of no body that has a momentum, an
+    /// energy and a moment by the laws: `E = \frac12 J_f\omega_f^2`, `H = J_f\omega_f`.
+    pub(crate) fn part_labelled_wheel(&mut self) {
+        let labelled = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            let marked = used.vector + used.tensor + used.component + used.double;
+            marked + used.naked == 0 && used.bare > 0
+        };
+        let is =
+            |quantity: &Quantity| matches!(quantity, Quantity::AngularVelocity | Quantity::Inertia);
+        let of_body = self.quantities.iter().filter(|(_, quantity)| is(quantity));
+        let of_body: Vec<Letter> = of_body.map(|(letter, _)| letter.clone()).collect();
+        let parts = self.components.values().any(|(quantity, _)| is(quantity));
+        if parts || !self.speaks_of_wheels || of_body.len() != 2 || !of_body.iter().all(labelled) {
+            return;
+        }
+        let of_body = |quantity: &Quantity| matches!(quantity, Quantity::Energy | Quantity::Moment);
+        self.quantities.retain(|_, quantity| !of_body(quantity));
+        for quantity in self.quantities.values_mut() {
+            if *quantity == Quantity::Momentum {
+                *quantity = Quantity::RelativeMomentum;
+            }
+        }
+    }
+
     /// A document in which ω, L, M and I are only ever numbers speaks of a turn about one fixed axis, z.
     pub(crate) fn in_a_plane(&mut self) {
         let turning = |q: &Quantity| {

@@ -159,6 +159,7 @@ impl Reading {
         reading.about_fixed_axis(document);
         reading.wheel_along_axis(document);
         reading.part_rotor();
+        reading.part_labelled_wheel();
         reading.typed_w(document.format == Format::Text);
         reading.note_moving_point(document);
         reading.particle = place_in_rigid_body(document);

@@ -93,6 +93,9 @@ impl Checker<'_> {
         if self.follows_no_spin(read) {
             return Some("the axes may turn without the spin of the body".to_owned());
         }
+        if self.turns_a_lone_wheel(read) {
+            return Some("nothing before says along what the spin momentum lies".to_owned());
+        }
         if self.lacks_energy_of_wheels(read) {
             return Some("nothing before says what energy the wheels have".to_owned());
         }

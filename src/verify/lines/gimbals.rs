@@ -7,6 +7,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::lines::line::Read;
 use crate::verify::lines::points::Law;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::lower::constant;
@@ -70,6 +71,29 @@ impl Checker<'_> {
             self.reading.quantities.remove(&letter);
             self.theory.atoms.forget_meanings();
         }
+    }
+
+    /// Whether the rate of a spin momentum stands in a difference with nothing but symbols of the document: where it
+    /// lies, words may say.
+    pub(crate) fn turns_a_lone_wheel(&mut self, read: &Read) -> bool {
+        let of_body = [Quantity::Moment, Quantity::Momentum];
+        if of_body.into_iter().any(|q| self.reading.speaks_of(q)) {
+            return false;
+        }
+        let mut rate = false;
+        for entry in read.residuals() {
+            for variable in self.theory.normal(entry).variables() {
+                match self.theory.atoms.owner(variable) {
+                    Some(Owner::Symbol(_)) => {}
+                    Some(Owner::Quantity(Quantity::RelativeMomentum, _)) => {
+                        let atom = self.theory.atoms.atom(variable);
+                        rate |= !matches!(atom, Atom::Part { order: 0, .. });
+                    }
+                    _ => return false,
+                }
+            }
+        }
+        rate
     }
 
     fn spin_momentum(&mut self) -> Value {
