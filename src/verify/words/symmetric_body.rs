@@ -5,7 +5,7 @@ use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::usage::{Letter, Usage, inner, symbols};
-use crate::verify::words::book::{Book, lowered};
+use crate::verify::words::book::{Book, has_any, lowered};
 use crate::verify::words::moments_in_words::NamedMoment;
 use std::sync::LazyLock;
 
@@ -69,7 +69,9 @@ fn listed(document: &Document, usage: &Usage) -> Option<Vec<NamedMoment>> {
                     run.clear();
                     let text = text.to_lowercase();
                     let clause = text.rsplit(['.', ';']).next().unwrap_or_default();
-                    named = clause.contains("moments") && !clause.contains("torque");
+                    let of_inertia = has_any(clause, &["principal moments", "inertia"]);
+                    named = clause.contains("moments")
+                        && (of_inertia || !clause.contains("torque"));
                 }
             }
             Item::Formula(formula) => {
