@@ -29,6 +29,7 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
+use crate::verify::words::book::has_any;
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::speaks_of_any_vector;
 use crate::verify::words::text::Text;
@@ -129,6 +130,9 @@ pub(super) struct Checker<'a> {
     pub(super) oscillation: Option<(usize, Fraction)>,
     /// The equation above, for one of its symbols.
     pub(super) sought: Option<Sought>,
+    /// Whether ± stands in the document, and the last equations whose roots it may give.
+    pub(super) writes_both_signs: bool,
+    pub(super) equations: Vec<Fraction>,
     /// Which quantities are greater than others.
     pub(super) orders: Vec<Order>,
     /// What lines or words call positive.
@@ -216,6 +220,8 @@ impl<'a> Checker<'a> {
             potential: None,
             oscillation: None,
             sought: None,
+            writes_both_signs: has_any(&document.source.text, &["\\pm", "±"]),
+            equations: vec![],
             orders: vec![],
             positive: BTreeSet::new(),
             from_prose: vec![],

@@ -50,6 +50,7 @@ impl Checker<'_> {
         self.note_energies(&line.sides, &finding);
         self.note_oscillation(&line.sides, &finding);
         self.note_sought(&line.sides, &finding);
+        self.note_equation(&line.sides, &finding);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {
             match self.slips.len() <= SEARCHES {
@@ -179,7 +180,8 @@ impl Checker<'_> {
             self.tie_new_symbols(&sides, finding);
             self.tie_weight(&sides, finding);
         }
-        let settled = self.vanishes_for(&sides, finding)
+        let settled = self.has_both_roots(&sides, finding)
+            || self.vanishes_for(&sides, finding)
             || self.finds_the_root(&sides, finding)
             || self.slips_in_integral(&sides, finding)
             || self.slips_in_unnamed_law(&sides, finding)

@@ -70,8 +70,8 @@ fn listed(document: &Document, usage: &Usage) -> Option<Vec<NamedMoment>> {
                     let text = text.to_lowercase();
                     let clause = text.rsplit(['.', ';']).next().unwrap_or_default();
                     let of_inertia = has_any(clause, &["principal moments", "inertia"]);
-                    named = clause.contains("moments")
-                        && (of_inertia || !clause.contains("torque"));
+                    named =
+                        clause.contains("moments") && (of_inertia || !clause.contains("torque"));
                 }
             }
             Item::Formula(formula) => {

@@ -1,0 +1,201 @@
+//! Both roots in one line: `\lambda = -b \pm \sqrt{b^2 - c}` of an equation above, and the principal moments of two axes,
+//! `I_{1,2} = \frac12(I_{xx} + I_{yy}) \pm \sqrt{\ldots}`.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::{Item, Row};
+use crate::source::Span;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::lines::given::is_zero;
+use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::theory::law::inertia;
+use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::lower::{Lowering, substituted};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
+use crate::verify::verdict::{Finding, Verdict};
+use num_traits::Zero;
+use std::collections::BTreeSet;
+
+/// Equations that roots may be of, the last ones.
+const MOST_EQUATIONS: usize = 6;
+
+impl Checker<'_> {
+    /// Keeps an equation that has zero on its right, in a document that writes both signs at once.
+    pub(crate) fn note_equation(&mut self, sides: &[Node], finding: &Finding) {
+        let [_, right] = sides else { return };
+        let holds = !matches!(finding.verdict, Verdict::Refuted | Verdict::Unreadable);
+        if !self.writes_both_signs || !holds || !is_zero(right) {
+            return;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return;
+        };
+        if let [only] = read.residuals().collect::<Vec<_>>().as_slice() {
+            if self.equations.len() == MOST_EQUATIONS {
+                self.equations.remove(0);
+            }
+            self.equations.push((*only).clone());
+        }
+    }
+
+    /// Decides a line with ± by putting both values in for the symbol on its left.
+    pub(crate) fn has_both_roots(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        if count(right) != 1 {
+            return false;
+        }
+        // What the document supposes may be the very equation, or that products vanish which words only lead away from.
+        let names = self.theory.premises().iter().map(|p| p.name.clone());
+        let names: BTreeSet<String> = names.collect();
+        let (reading, functions, figures) = (&self.reading, &self.functions, &self.figures);
+        let values = self.theory.without(names.clone(), |theory| {
+            [false, true].map(|negative| {
+                let mut side = right.clone();
+                choose(&mut side, negative);
+                let mut lowering = Lowering {
+                    theory: &mut *theory,
+                    reading,
+                    unlabelled: Frame::Moving,
+                    met_unlabelled: false,
+                    in_space: false,
+                    functions,
+                    figures,
+                };
+                lowering.value(&side).ok()
+            })
+        });
+        let [Some(plus), Some(minus)] = values else {
+            return false;
+        };
+        let (Some(plus), Some(minus)) = (plus.as_scalar(), minus.as_scalar()) else {
+            return false;
+        };
+        let Some((unknown, residual)) = self.equation_of_roots(left, plus) else {
+            return false;
+        };
+        let equations = [plus, minus].map(|value| {
+            let put_in = |v: u32| match v == unknown {
+                true => value.clone(),
+                false => variable_fraction(v),
+            };
+            let rest = Value::scalar(substituted(&residual, &put_in));
+            Equation {
+                left: rest.clone(),
+                right: Value::scalar(Fraction::zero()),
+                residual: rest,
+            }
+        });
+        let decision = self
+            .theory
+            .without(names, |theory| decide(theory, &equations));
+        match decision {
+            Decision::True(proof) => finding.verdict = Verdict::Proved(proof),
+            Decision::False(witness) => {
+                finding.verdict = Verdict::Refuted;
+                finding.reason = Some("the values do not satisfy the equation".to_owned());
+                finding.counterexample = Some(*witness);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Whether the formula behind words of principal moments has a product of inertia in a power: it leads to other axes,
+    /// which are principal.
+    pub(crate) fn seeks_moments(&mut self, span: Span) -> bool {
+        let next = self.document.items.iter().find_map(|item| match item {
+            Item::Formula(formula) if formula.span.start >= span.end => Some(formula),
+            _ => None,
+        });
+        let mut powers = vec![];
+        let sides = next.into_iter().flat_map(|formula| &formula.rows);
+        let sides = sides.filter_map(|row| match row {
+            Row::Line(line) => Some(&line.sides),
+            _ => None,
+        });
+        sides.flatten().for_each(|side| bases(side, &mut powers));
+        powers
+            .into_iter()
+            .any(|base| self.product_of_inertia(base).is_some())
+    }
+
+    /// The equation that the symbol on the left is to satisfy, and the variable in it that stands for the symbol.
+    fn equation_of_roots(&mut self, left: &Node, value: &Fraction) -> Option<(u32, Fraction)> {
+        let mut bare = left.clone();
+        bare.change_symbols(&mut |symbol| {
+            symbol.subscripts.clear();
+        });
+        let own = self.lowering(Frame::Moving).value(&bare).ok();
+        let own = own.and_then(|own| own.as_scalar().and_then(Fraction::as_variable));
+        let second =
+            |residual: &&Fraction| own.is_some_and(|own| residual.numerator().degree_in(own) == 2);
+        if let Some(residual) = self.equations.iter().rev().find(second) {
+            return Some((own?, residual.clone()));
+        }
+        self.equation_of_moments(left, value)
+    }
+
+    /// (λ − I_aa)(λ − I_bb) = I_ab², where the entries of the axes a and b stand in the value and the letter is that of the
+    /// inertia, or the words speak of principal moments.
+    fn equation_of_moments(&mut self, left: &Node, value: &Fraction) -> Option<(u32, Fraction)> {
+        let Kind::Symbol(Symbol { name, .. }) = &inner(left).kind else {
+            return None;
+        };
+        let named = self.reading.quantities.get(&Letter::plain(name)) == Some(&Quantity::Inertia);
+        if !named && !self.sentence.to_lowercase().contains("principal") {
+            return None;
+        }
+        let tensor = inertia(&mut self.theory.atoms, self.theory.setting.products);
+        let met: BTreeSet<u32> = value
+            .variables()
+            .into_iter()
+            .flat_map(|v| self.theory.atoms.with_arguments(v))
+            .collect();
+        let latex = "\\lambda".to_owned();
+        let unknown = self.theory.atoms.special(Atom::Opaque { latex });
+        [(0, 1), (1, 2), (2, 0)].into_iter().find_map(|(a, b)| {
+            let entries = [(a, a), (b, b), (a, b)].map(|at| tensor[at].clone());
+            let inside = entries.iter().flat_map(Fraction::variables);
+            let inside: BTreeSet<u32> = inside.collect();
+            if !inside.iter().all(|v| met.contains(v)) {
+                return None;
+            }
+            let [first, second, product] = entries;
+            let root = variable_fraction(unknown);
+            let sides = (root.clone() - first) * (root - second);
+            Some((unknown, sides - product.clone() * product))
+        })
+    }
+}
+
+/// The bases of the powers in a node.
+fn bases<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
+    if let Kind::Power(base, _) = &node.kind {
+        found.push(base);
+    }
+    node.each_child(&mut |child| bases(child, found));
+}
+
+/// How many signs ± stand in a node.
+fn count(node: &Node) -> usize {
+    let own = usize::from(matches!(node.kind, Kind::PlusMinus(_)));
+    own + node.children().into_iter().map(count).sum::<usize>()
+}
+
+/// Puts one sign in the place of ±.
+fn choose(node: &mut Node, negative: bool) {
+    if let Kind::PlusMinus(inside) = &node.kind {
+        let inside = inside.clone();
+        node.kind = match negative {
+            true => Kind::Negate(inside),
+            false => inside.kind,
+        };
+        return;
+    }
+    node.children_mut()
+        .into_iter()
+        .for_each(|child| choose(child, negative));
+}

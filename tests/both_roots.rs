@@ -1,0 +1,49 @@
+//! Lines with ±: both values satisfy the equation above, or are the principal moments of two axes.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+fn last(text: &str) -> char {
+    verdicts(text).chars().last().unwrap_or(' ')
+}
+
+#[test]
+fn both_values_are_roots_of_the_equation_above() {
+    let of = |root: &str| {
+        last(&format!(
+            "The frequencies are the roots of $\\lambda^2 + 2b\\lambda + c = 0$, so that\n\n$$ \\lambda_{{1,2}} = {root} $$\n"
+        ))
+    };
+    assert_eq!(of(r"-b \pm \sqrt{b^2 - c}"), 'p');
+    assert_eq!(of(r"-b \pm \sqrt{b^2 + c}"), 'r');
+    assert_eq!(of(r"b \pm \sqrt{b^2 - c}"), 'r');
+}
+
+#[test]
+fn both_precessions_of_a_top_solve_its_equation() {
+    let with = |under: &str| {
+        last(&format!(
+            "Steady precession of a heavy top needs\n\n$$ I_1\\cos\\theta\\,\\dot\\phi^2 - I_3\\omega_3\\dot\\phi + Mgl = 0 $$\n\nwith the solutions\n\n\
+             $$ \\dot\\phi_\\pm = \\frac{{I_3\\omega_3 \\pm \\sqrt{{I_3^2\\omega_3^2 - {under}}}}}{{2I_1\\cos\\theta}} $$\n"
+        ))
+    };
+    assert_eq!(with(r"4I_1Mgl\cos\theta"), 'p');
+    assert_eq!(with(r"4I_1Mgl"), 'r');
+}
+
+#[test]
+fn principal_moments_of_two_axes_come_from_their_entries() {
+    for letter in ["I", "\\lambda"] {
+        let with = |product: &str| {
+            last(&format!(
+                "A plate has the entries $I_{{xx}}$, $I_{{yy}}$ and $I_{{xy}}$. Its principal moments in the plane are\n\n\
+                 $$ {letter}_{{1,2}} = \\frac{{I_{{xx}} + I_{{yy}}}}{{2}} \\pm \\sqrt{{\\left(\\frac{{I_{{xx}} - I_{{yy}}}}{{2}}\\right)^2 + {product}}} $$\n"
+            ))
+        };
+        assert_eq!(with("I_{xy}^2"), 'p', "{letter}");
+        assert_eq!(with("4I_{xy}^2"), 'r', "{letter}");
+    }
+}
