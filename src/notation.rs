@@ -21,6 +21,7 @@ mod plain;
 mod plain_words;
 pub mod print;
 mod token;
+mod triads;
 mod unicode;
 
 pub use macros::Macros;
@@ -32,6 +33,7 @@ use document::{Document, Format, Formula, Item, Row};
 use parse::rows::Reading;
 use std::path::Path;
 use token::Letters;
+use triads::Triads;
 
 /// What is read, and as what, in Markdown: the manual that `polhode help notation` shows.
 pub const MANUAL: &str = include_str!("notation/manual.md");
@@ -115,7 +117,9 @@ fn read_items(
         }
         Format::Text => {
             let body = front_matter::take(text, &mut document.front_matter, troubles);
-            document.items = plain::read(&text[body..], body, decimal_comma);
+            document.macros.triads = Triads::of(&text[body..]);
+            let triads = document.macros.triads;
+            document.items = plain::read(&text[body..], body, decimal_comma, triads);
         }
     }
     document
@@ -195,8 +199,9 @@ pub fn reread(document: &Document, text: &str) -> Vec<Row> {
     document.macros.allow(LONGEST_REREAD);
     match document.format {
         Format::Text => {
+            let letters = Letters::Words(document.macros.triads);
             let decimal_comma = document.macros.decimal_comma;
-            parse::rows::rows(&lexer::tokens(text, 0, Letters::Words, decimal_comma)).rows
+            parse::rows::rows(&lexer::tokens(text, 0, letters, decimal_comma)).rows
         }
         _ => read_formula(text, 0, &document.macros),
     }

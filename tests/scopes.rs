@@ -104,6 +104,43 @@ $$ {}^B\vec\omega^A = -{}^A\vec\omega^B $$
 }
 
 #[test]
+fn a_plane_of_symmetry_lasts_where_only_its_product_is_written() {
+    let text = |sign: &str, behind: &str| {
+        format!(
+            "# A car\n\n## Body\n\nThe plane $xz$ is a plane of symmetry.\n\n$$ L_x = I_{{xx}}\\omega_x - I_{{xz}}\\omega_z $$\n\n\
+             ## The rest\n\n{behind}\n\n$$ L_y = I_{{yy}}\\omega_y $$\n\n\
+             $$ L_z = I_{{zz}}\\omega_z {sign} I_{{xz}}\\omega_x $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-", "Likewise")), "ppp");
+    assert_eq!(verdicts(&text("+", "Likewise")), "ppr");
+    assert_ne!(verdicts(&text("-", "For a body of arbitrary shape")), "ppp");
+    assert_ne!(verdicts(&text("-", "Beside $I_{xy}$ we have")), "ppp");
+}
+
+#[test]
+fn what_a_body_is_like_holds_for_the_sections_behind_its_own() {
+    let text = |body: &str| {
+        format!(
+            "# An aeroplane\n\n## The body\n\n{body}\n\n## Its motion\n\n\
+             $$ L_y = I_{{yy}}\\omega_y $$\n\n$$ M_y = \\dot L_y + L_x\\omega_z - L_z\\omega_x $$\n"
+        )
+    };
+    assert_eq!(
+        verdicts(&text("The only product of inertia is $E = \\int xz\\,dm$.")),
+        "app"
+    );
+    assert!(verdicts(&text("All products of inertia may be met.")).starts_with('r'));
+}
+
+#[test]
+fn a_torque_that_vanishes_in_one_case_acts_in_the_next() {
+    let text = "## Case 1\n\nLet $\\mathbf M = 0$.\n\n## Case 2\n\nNow a torque acts. On principal axes\n\n\
+                $$ I_1\\dot\\omega_1 = (I_2 - I_3)\\,\\omega_2\\omega_3 $$\n";
+    assert!(!verdicts(text).ends_with('p'), "{}", verdicts(text));
+}
+
+#[test]
 fn a_law_of_the_torque_lasts_where_the_next_section_goes_on_with_it() {
     let with = |use_of_it: &str| {
         let text = r"A rigid body has the inertia matrix $J$ and the control torque $u$ on body axes:

@@ -22,6 +22,55 @@ fn a_momentum_beside_that_of_the_body_is_in_the_rotor() {
 }
 
 #[test]
+fn a_label_tells_the_momentum_of_a_wheel_from_the_whole() {
+    let text = |component: &str, sign: &str| {
+        format!(
+            "A wheel lies along the pitch axis 2 and stores the constant angular momentum $H_w$ relative to the satellite. \
+             The axes are principal. No torque acts.\n\n\
+             $$ \\begin{{aligned}} H_1 &= I_1\\omega_1 \\\\ H_2 &= I_2\\omega_2 {component} \\\\ \
+             H_3 &= I_3\\omega_3 \\end{{aligned}} $$\n\nHence\n\n\
+             $$ I_1\\dot\\omega_1 = (I_2 - I_3)\\omega_2\\omega_3 {sign} H_w\\omega_3 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("+ H_w", "+")), "pppp");
+    assert_eq!(verdicts(&text("+ H_w", "-")), "pppr");
+}
+
+#[test]
+fn a_wheel_has_no_momentum_across_its_axis() {
+    let text = |letter: &str| {
+        format!(
+            "The rotor turns about the $z$ axis and has the relative angular momentum ${letter}$. Axes are principal.\n\n\
+             $$ L_y = I_y\\omega_y + {letter} $$\n\n$$ L_z = I_z\\omega_z + {letter} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("k")), "rp");
+    assert!(!verdicts(&text("L_r")).starts_with(['a', 'p']));
+}
+
+#[test]
+fn a_motor_gives_a_wheel_the_rate_of_its_own_momentum() {
+    let text = |torque: &str| {
+        format!(
+            "The rotor turns relative to the platform about the common axis 3 at the rate $\\sigma$. The moments of inertia \
+             are $I_1 = I_2 = I_t$ and $I_3 = I_s$. Its relative angular momentum is defined by $h = J\\sigma$. \
+             The total angular momentum is\n\n\
+             $$ \\mathbf H = I_t\\omega_1\\,\\mathbf e_1 + I_t\\omega_2\\,\\mathbf e_2 + (I_s\\omega_3 + h)\\,\\mathbf e_3 $$\n\n\
+             No external torque acts, so\n\n$$ I_t\\dot\\omega_1 + (I_s - I_t)\\,\\omega_2\\omega_3 + h\\,\\omega_2 = 0 $$\n\n\
+             The rotor is driven by the motor torque\n\n$$ g = {torque} $$\n"
+        )
+    };
+    assert_eq!(
+        verdicts(&text("J(\\dot\\omega_3 + \\dot\\sigma)")),
+        "aaappa"
+    );
+    assert_eq!(
+        verdicts(&text("J(\\dot\\omega_3 - \\dot\\sigma)")),
+        "aaappu"
+    );
+}
+
+#[test]
 fn what_is_not_of_wheels_alone_is_no_momentum_of_theirs() {
     let text = "A rotor inside turns at the rate $s$.\n\n\
                 $$ \\mathbf L = I_x\\omega_x\\,\\mathbf i + (I_y\\omega_x + cs)\\,\\mathbf j + I_z\\omega_z\\,\\mathbf k $$\n";

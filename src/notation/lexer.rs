@@ -86,7 +86,7 @@ impl<'a> Lexer<'a> {
             '0'..='9' | '.' if c != '.' || self.digit_follows() => self.number(start),
             'a'..='z' | 'A'..='Z' => self.letters(c, start),
             '(' | ')' => self.bracket(c, start),
-            '!'..='~' if self.letters == Letters::Words && self.spelled_sign(start) => {}
+            '!'..='~' if self.letters != Letters::Single && self.spelled_sign(start) => {}
             '!'..='~' => self.push(Lexeme::Char(c), start),
             _ => self.unicode(c, start),
         }
@@ -100,7 +100,7 @@ impl<'a> Lexer<'a> {
 
     /// A comment runs to the end of its line; in plain text `%` is a sign.
     fn comment(&mut self, start: usize) {
-        if self.letters == Letters::Words {
+        if self.letters != Letters::Single {
             return self.push(Lexeme::Char('%'), start);
         }
         self.at += self.rest().find('\n').unwrap_or(self.rest().len());

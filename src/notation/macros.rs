@@ -1,6 +1,7 @@
 //! Macros that a document defines for itself: `\newcommand`, `\def`, `\DeclareMathOperator`.
 
 use crate::notation::token::{beginning, matching_brace};
+use crate::notation::triads::Triads;
 use crate::source::Span;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,6 +16,8 @@ pub struct Macros {
     endless: RefCell<BTreeSet<String>>,
     /// Whether `2,5` is a number.
     pub(crate) decimal_comma: bool,
+    /// The vectors of which a plain text writes the components as words.
+    pub(crate) triads: Triads,
 }
 
 #[derive(Clone, Debug)]
@@ -47,6 +50,7 @@ impl Macros {
             left: Cell::new(SHORTEST_DOCUMENT + 2 * text.len()),
             endless: RefCell::default(),
             decimal_comma: false,
+            triads: Triads::default(),
         };
         let mut at = 0;
         let mut tried = 0;

@@ -6,16 +6,18 @@ use crate::notation::document::{Item, Row, push_prose};
 use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
+use crate::notation::triads::Triads;
 use crate::notation::{items, refused};
 use crate::source::Span;
 use look::{entry, is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
-pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool) -> Vec<Item> {
+pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triads) -> Vec<Item> {
     let mut reader = Reader {
         text,
         offset,
         decimal_comma,
+        letters: Letters::Words(triads),
         items: vec![],
     };
     let mut at = 0;
@@ -45,6 +47,7 @@ struct Reader<'a> {
     text: &'a str,
     offset: usize,
     decimal_comma: bool,
+    letters: Letters,
     items: Vec<Item>,
 }
 
@@ -137,7 +140,7 @@ impl<'a> Reader<'a> {
             let span = self.span(at, text.len());
             return self.items.extend(items(reading, true, span));
         }
-        let mut tokens = tokens(body, self.offset + at, Letters::Words, self.decimal_comma);
+        let mut tokens = tokens(body, self.offset + at, self.letters, self.decimal_comma);
         tokens.extend(label.map(|label| Token {
             kind: Lexeme::Tag(label),
             span: self.span(at + body.len(), text.len() - body.len()),
@@ -169,7 +172,7 @@ impl<'a> Reader<'a> {
         if refused(text, at).is_some() {
             return self.prose(text, at);
         }
-        let tokens = tokens(text, self.offset + at, Letters::Words, self.decimal_comma);
+        let tokens = tokens(text, self.offset + at, self.letters, self.decimal_comma);
         let reading = parse::rows::rows(&tokens);
         let broken = |row: &Row| matches!(row, Row::Unreadable { .. });
         if reading.rows.iter().any(broken) {

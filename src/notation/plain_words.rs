@@ -101,7 +101,8 @@ fn dot_inside(word: &str) -> Option<Spelling<'_>> {
     })
 }
 
-fn undotted(word: &str) -> (&str, u8) {
+/// A word without the dots at its end, and how many these are.
+pub(crate) fn undotted(word: &str) -> (&str, u8) {
     match word.strip_suffix("ddot") {
         Some(stem) if !stem.is_empty() => (stem, 2),
         _ => match word.strip_suffix("dot") {

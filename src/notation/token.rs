@@ -3,6 +3,7 @@
 //! Unicode mathematics becomes the tokens of the LaTeX that means the same (`ω̇₁` is `\dot{\omega}_{1}`), so
 //! that one parser reads both. Commands that only change how a formula looks produce no token.
 
+use crate::notation::triads::Triads;
 use crate::source::Span;
 
 /// A token and its bytes.
@@ -56,7 +57,7 @@ pub(crate) enum Letters {
     /// LaTeX: each letter is a symbol.
     Single,
     /// Plain text: known words are symbols or functions (`omega_x`, `Ixx`, `wdot`).
-    Words,
+    Words(Triads),
 }
 
 /// The first bytes of a text, at most so many and no part of a character.

@@ -13,6 +13,7 @@ pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;
 pub(super) mod imaginary;
+pub(super) mod labelled_wheel;
 pub(super) mod moving_point;
 pub(super) mod named_rates;
 pub(super) mod naming;

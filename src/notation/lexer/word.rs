@@ -14,7 +14,7 @@ const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "sqrt"];
 impl<'a> Lexer<'a> {
     /// Letters that touch: in LaTeX a symbol each, in plain text a word where its meaning is known.
     pub(super) fn letters(&mut self, c: char, start: usize) {
-        if self.letters == Letters::Words {
+        if self.letters != Letters::Single {
             let word = run(&self.text[start..], |b| b.is_ascii_alphanumeric());
             let name = run(&self.text[start..], |b| {
                 b.is_ascii_alphanumeric() || b == b'_'
@@ -50,7 +50,11 @@ impl<'a> Lexer<'a> {
             self.push(Lexeme::Command("int"), start);
             return true;
         }
-        if let Some(spelling) = plain_words::word(word) {
+        let component = match self.letters {
+            Letters::Words(triads) => triads.word(word),
+            Letters::Single => None,
+        };
+        if let Some(spelling) = plain_words::word(word).or(component) {
             self.spelled(&spelling, start);
             return true;
         }
@@ -195,7 +199,7 @@ impl<'a> Lexer<'a> {
         let digits = self.rest().strip_prefix('-').map_or(0, |rest| {
             rest.bytes().take_while(u8::is_ascii_digit).take(8).count()
         });
-        if self.letters == Letters::Words && digits > 0 {
+        if self.letters != Letters::Single && digits > 0 {
             let start = self.at;
             self.push(Lexeme::Open, start);
             self.at += 1;
@@ -205,7 +209,7 @@ impl<'a> Lexer<'a> {
             self.push(Lexeme::Close, self.at);
             return;
         }
-        if self.letters == Letters::Words && self.rest().starts_with('(') {
+        if self.letters != Letters::Single && self.rest().starts_with('(') {
             let start = self.at;
             self.at += 1;
             self.push(Lexeme::Open, start);

@@ -161,6 +161,12 @@ impl Reading {
             && used.vector + used.tensor + used.double + used.component == 0
     }
 
+    /// Whether a letter has components about x, y and z: the instants t_1, t_2, t_3 have none.
+    fn is_on_lettered_axes(&self, letter: &Letter) -> bool {
+        let mut axes = ["x", "y", "z"].iter();
+        axes.all(|axis| self.usage.has_index(letter, axis))
+    }
+
     /// Whether another letter is the moment already, or is it by a better custom.
     fn has_moment(&self) -> bool {
         let mut whole = self.quantities.values();
@@ -298,6 +304,7 @@ impl Reading {
             "v" if !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "V" if directed && !self.components.contains_key(letter) => Some(Quantity::Velocity),
             "m" => Some(Quantity::Mass),
+            "t" if self.is_on_lettered_axes(letter) && !self.has_moment() => Some(Quantity::Moment),
             "t" => Some(Quantity::Time),
             _ => None,
         }

@@ -295,7 +295,7 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
 }
 
 /// The axis along which a sentence puts a wheel, or its momentum.
-fn wheel_axis(sentence: &str) -> Option<u8> {
+pub(crate) fn wheel_axis(sentence: &str) -> Option<u8> {
     let (_, along) = sentence.split_once("momentum along ").unwrap_or_default();
     let named = along.split_whitespace().next().unwrap_or_default();
     if let Some(axis) = axis(named.trim_matches(['⟨', '⟩', ','])) {

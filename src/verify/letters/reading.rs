@@ -8,6 +8,7 @@ use crate::notation::document::Format;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::imaginary::has_imaginary_unit;
+use crate::verify::letters::labelled_wheel::LabelledWheel;
 use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
@@ -74,6 +75,8 @@ pub(crate) struct Reading {
     pub(crate) turns_by_angle: bool,
     /// The axis that the only wheel lies along.
     pub(crate) wheel_axis: Option<u8>,
+    /// The number that its momentum is, where that has the letter of the whole.
+    pub(crate) labelled_wheel: Option<LabelledWheel>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.
     pub(crate) rotor_alone: bool,
     /// Whether the plain letter i is the imaginary unit.
@@ -144,6 +147,7 @@ impl Reading {
         reading.note_periods(document);
         reading.note_arms(document);
         reading.note_beginnings(document);
+        reading.note_labelled_wheel(document);
         reading.by_words();
         reading.part_rivals(document);
         reading.by_attitude(document);

@@ -1,6 +1,6 @@
 //! How long an assumption holds: to the end of its section, or to the next case.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::source::Span;
 use crate::verify::check::Checker;
@@ -79,12 +79,10 @@ impl Checker<'_> {
     }
 
     fn end_section(&mut self, level: u8, span: Span) {
-        let ended: BTreeSet<String> = self
-            .scopes
-            .iter()
-            .filter(|(name, l)| *l >= level && !self.outlasts(name, span))
-            .map(|(name, _)| name.clone())
-            .collect();
+        self.lift_setting(level);
+        let inner = self.scopes.iter().filter(|(_, l)| *l >= level);
+        let mut ended: BTreeSet<String> = inner.map(|(name, _)| name.clone()).collect();
+        ended.retain(|name| !self.outlasts(name, span));
         self.scopes.retain(|(name, _)| !ended.contains(name));
         if !ended.is_empty() {
             self.theory.retain(|premise| !ended.contains(&premise.name));
@@ -100,6 +98,31 @@ impl Checker<'_> {
         self.cases.named = before.named;
         self.cases.attached = before.attached;
         self.sought = None;
+    }
+
+    /// Sections before the first claim of a document speak for all that follow under their own heading, "Notation" or
+    /// "The body", where they say what the body is like: not what acts on it or how it moves, which a case takes.
+    fn lift_setting(&mut self, level: u8) {
+        if self.findings.iter().any(|f| f.role == Role::Claim) {
+            return;
+        }
+        let shape = |v: Variable| match self.theory.atoms.owner(v) {
+            Some(Owner::Quantity(quantity, _)) => {
+                matches!(quantity, Quantity::Inertia | Quantity::RelativeMomentum)
+            }
+            owner => owner.is_some(),
+        };
+        let premises = self.theory.premises().iter();
+        let lasting = premises.filter(|premise| {
+            let mut variables = premise.residuals.iter().flat_map(Fraction::variables);
+            variables.all(shape)
+        });
+        let lasting: BTreeSet<String> = lasting.map(|p| p.name.clone()).collect();
+        for (name, scope) in &mut self.scopes {
+            if lasting.contains(name) {
+                *scope = (*scope).min(level.saturating_sub(1));
+            }
+        }
     }
 
     /// Keeps a premise of the document to the end of its section; definitions stay.

@@ -230,33 +230,6 @@ impl Checker<'_> {
         normal != value && !normal.is_zero() && normal.variables().into_iter().all(size)
     }
 
-    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over: it stands alone
-    /// on the left, or what it is stands in symbols of the document.
-    fn only_wheels(&mut self, first: &Node, read: &Read) -> bool {
-        let own = |owner: &Option<&Owner>| matches!(owner, Some(Owner::Symbol(_)));
-        let wheels = |owner: &Option<&Owner>| {
-            matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
-        };
-        let moment = self.theory.atoms.quantity(Quantity::Moment);
-        // Of an equation of motion, what is left is no news of the wheels.
-        let alone = matches!(&undotted(first).kind, Kind::Symbol(symbol) if self.meaning_of(symbol).entity() != Some(moment));
-        let (mut met, mut lost) = (false, 0);
-        let told = read.residuals().all(|entry| {
-            let rest = self.theory.normal(entry);
-            let variables = rest.variables();
-            let atoms = &self.theory.atoms;
-            let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
-            met |= owners.iter().any(wheels);
-            let own_one = owners.iter().any(own);
-            let once = rest.as_variable().or_else(|| (-rest).as_variable());
-            lost += usize::from(!owners.is_empty() && !own_one);
-            let told = owners.is_empty() || own_one || alone && once.is_some();
-            told && owners.len() <= 2 && owners.iter().all(|o| own(o) || wheels(o))
-        });
-        // A momentum that has lost all of theirs says nothing of them.
-        told && met && (lost < 3 || self.is_free_input(first))
-    }
-
     /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
     pub(crate) fn is_free_input(&mut self, side: &Node) -> bool {
         let Kind::Symbol(symbol) = &inner(side).kind else {

@@ -35,7 +35,10 @@ impl Checker<'_> {
             "whether the surface has these axes is not decided"
         } else if claimed && self.displayed && is_multiple_of_unprimed(symbol, right) {
             "how the new value follows from the old one is not decided"
-        } else if claimed && DRIVES.iter().any(|word| words.contains(word)) {
+        } else if claimed
+            && DRIVES.iter().any(|word| words.contains(word))
+            && !self.is_rate_of_wheel(right)
+        {
             DRIVES_A_PART
         } else if self.speaks_of_vertical_momentum() {
             "which way the vertical points on the axes used is not known"

@@ -4,10 +4,10 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::letters::usage::{Letter, inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::theory::{Premise, Taken};
-use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -46,6 +46,65 @@ impl Checker<'_> {
         });
         let brings = foreign && rests.len() == 3 && rests.iter().any(|rest| !rest.is_zero());
         brings && self.take_wheels(rests, sides, finding)
+    }
+
+    /// Whether the sides differ by the momentum of the wheels alone, which the line thereby hands over: it stands alone
+    /// on the left, or what it is stands in symbols of the document.
+    pub(crate) fn only_wheels(&mut self, first: &Node, read: &Read) -> bool {
+        let own = |owner: &Option<&Owner>| matches!(owner, Some(Owner::Symbol(_)));
+        let wheels = |owner: &Option<&Owner>| {
+            matches!(owner, Some(Owner::Quantity(Quantity::RelativeMomentum, _)))
+        };
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        // Of an equation of motion, what is left is no news of the wheels.
+        let alone = matches!(&undotted(first).kind, Kind::Symbol(symbol) if self.meaning_of(symbol).entity() != Some(moment));
+        let (mut met, mut lost) = (false, 0);
+        let told = read.residuals().all(|entry| {
+            let rest = self.theory.normal(entry);
+            let variables = rest.variables();
+            let atoms = &self.theory.atoms;
+            let owners: Vec<_> = variables.iter().map(|&v| atoms.owner(v)).collect();
+            met |= owners.iter().any(wheels);
+            let own_one = owners.iter().any(own);
+            // The Jσ of a wheel is one term beside what is theirs.
+            let one_each = rest.is_polynomial() && rest.numerator().terms().len() == 2;
+            let once = rest.as_variable().or_else(|| (-rest).as_variable());
+            lost += usize::from(!owners.is_empty() && !own_one);
+            // The wheel has what it has along the axis that it lies along.
+            let along = |v: Variable| match *self.theory.atoms.atom(v) {
+                Atom::Part {
+                    component,
+                    order: 0,
+                    ..
+                } => self.reading.wheel_axis == Some(component),
+                _ => false,
+            };
+            let once = once.is_some_and(|v| !along(v));
+            let told = owners.is_empty() || own_one || alone && once;
+            told && (owners.len() <= 2 || one_each) && owners.iter().all(|o| own(o) || wheels(o))
+        });
+        // A momentum that has lost all of theirs says nothing of them.
+        told && met && (lost < 3 || self.is_free_input(first))
+    }
+
+    /// Whether an expression is the rate of the momentum that the only wheel has along its axis, `J (\dot\omega_3 + \dot\sigma)`:
+    /// what its motor gives it.
+    pub(crate) fn is_rate_of_wheel(&mut self, right: &Node) -> bool {
+        let Some((axis, inertia)) = self.only_wheel() else {
+            return false;
+        };
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let Some(value) = value.as_scalar().cloned() else {
+            return false;
+        };
+        let wheels = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let body = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let stored = self.theory.atoms.vector(wheels, 1)[usize::from(axis)].clone();
+        let turned = self.theory.atoms.vector(body, 1)[usize::from(axis)].clone();
+        let rest = value - stored - variable_fraction(inertia) * turned;
+        self.theory.normal(&rest).is_zero()
     }
 
     /// A kinetic energy in which the moment of inertia of the only wheel stands is that of body and wheel: with the

@@ -104,6 +104,10 @@ fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning 
     if let Some(meaning) = about_a_point(symbol, reading, atoms) {
         return meaning;
     }
+    if let Some(wheel) = reading.labelled_wheel.as_ref().filter(|w| w.is(symbol)) {
+        let wheels = atoms.quantity(Quantity::RelativeMomentum);
+        return Meaning::Component(wheels, wheel.axis);
+    }
     let mut sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);
     let quantity = reading.quantities.get(&letter);

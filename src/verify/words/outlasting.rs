@@ -3,19 +3,47 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Node, Symbol};
-use crate::notation::document::{Item, Row};
+use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::theory::Premise;
-use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
+use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::torque_free::speaks_of_a_torque;
 use std::collections::BTreeSet;
 
+/// Words that leave the shape of the body behind.
+const OTHER_BODIES: &[&str] = &[
+    "general body",
+    "any body",
+    "arbitrary body",
+    "arbitrary rigid body",
+    "general rigid body",
+    "any rigid body",
+    "another body",
+    "general shape",
+    "arbitrary shape",
+    "asymmetric",
+    "unsymmetric",
+    "no symmetry",
+    "without symmetry",
+    "not symmetric",
+    "no longer symmetric",
+    "no plane of symmetry",
+    "without a plane of symmetry",
+    "without any symmetry",
+    "products of inertia",
+    "now a ",
+    "consider a ",
+    "in general",
+];
+
 impl Checker<'_> {
     /// Whether a premise that no moment acts holds on under the next heading: nothing speaks of a moment from there on.
-    pub(crate) fn outlasts(&self, name: &str, heading: Span) -> bool {
+    pub(crate) fn outlasts(&mut self, name: &str, heading: Span) -> bool {
         let of_moment = |variable: Variable| {
             let owner = self.theory.atoms.owner(variable);
             matches!(owner, Some(Owner::Quantity(Quantity::Moment, _)))
@@ -25,7 +53,57 @@ impl Checker<'_> {
             let mut variables = premise.residuals.iter().flat_map(Fraction::variables);
             variables.all(of_moment)
         });
-        free && !self.speaks_of_a_moment_from(heading) || self.is_used_under(name, heading)
+        free && !self.speaks_of_a_moment_from(heading)
+            || self.is_used_under(name, heading)
+            || self.shapes_the_body(name, heading)
+    }
+
+    /// Whether a premise that products of inertia vanish holds on under the next heading: formulas from there on have one
+    /// of the others, never one of these, and no word turns to another body.
+    fn shapes_the_body(&mut self, name: &str, heading: Span) -> bool {
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let product = |variable: &Variable| match *self.theory.atoms.atom(*variable) {
+            Atom::Part {
+                entity,
+                component,
+                order: 0,
+            } if entity == inertia => Some(component).filter(|component| *component >= 3),
+            _ => None,
+        };
+        let mut premises = self.theory.premises().iter();
+        let Some(premise) = premises.find(|p| p.name == name) else {
+            return false;
+        };
+        let alone = premise.residuals.iter().map(Fraction::as_variable);
+        let vanishing: Option<BTreeSet<u8>> = alone
+            .map(|alone| alone.as_ref().and_then(product))
+            .collect();
+        let Some(vanishing) = vanishing.filter(|all| !all.is_empty()) else {
+            return false;
+        };
+        let document = self.document;
+        let mut met = BTreeSet::new();
+        for item in items_from(document, heading) {
+            match item {
+                Item::Formula(formula) => {
+                    for symbol in formula.rows.iter().flat_map(nodes).flat_map(symbols) {
+                        if let Meaning::Component(entity, component) = self.meaning_of(symbol)
+                            && entity == inertia
+                            && component >= 3
+                        {
+                            met.insert(component);
+                        }
+                    }
+                }
+                Item::Prose { text, .. } | Item::Heading { text, .. } => {
+                    if has_any(&lowered(text), OTHER_BODIES) {
+                        return false;
+                    }
+                }
+                _ => {}
+            }
+        }
+        !met.is_empty() && met.is_disjoint(&vanishing)
     }
 
     /// Whether the formulas under a heading have a symbol that only a premise on the moment speaks of: the k of u = −kω.
@@ -50,12 +128,7 @@ impl Checker<'_> {
             .filter(own)
             .map(|e| self.theory.atoms.info(*e).latex.clone())
             .collect();
-        let behind = self.document.items.iter().skip_while(|item| match item {
-            Item::Heading { span, .. } => span.start <= heading.start,
-            Item::Formula(formula) => formula.span.start < heading.start,
-            Item::Prose { span, .. } => span.start < heading.start,
-            _ => true,
-        });
+        let behind = items_from(self.document, heading).skip(1);
         let section = behind.take_while(|item| !matches!(item, Item::Heading { .. }));
         let written = section.flat_map(|item| match item {
             Item::Formula(formula) => formula
@@ -86,6 +159,16 @@ impl Checker<'_> {
             _ => false,
         })
     }
+}
+
+/// What stands in a document from a heading on.
+fn items_from(document: &Document, heading: Span) -> impl Iterator<Item = &Item> {
+    document.items.iter().skip_while(move |item| match item {
+        Item::Heading { span, .. } => span.start < heading.start,
+        Item::Formula(formula) => formula.span.start < heading.start,
+        Item::Prose { span, .. } => span.start < heading.start,
+        _ => true,
+    })
 }
 
 fn nodes(row: &Row) -> Vec<&Node> {
