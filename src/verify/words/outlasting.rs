@@ -95,10 +95,10 @@ impl Checker<'_> {
                         }
                     }
                 }
-                Item::Prose { text, .. } | Item::Heading { text, .. } => {
-                    if has_any(&lowered(text), OTHER_BODIES) {
-                        return false;
-                    }
+                Item::Prose { text, .. } | Item::Heading { text, .. }
+                    if has_any(&lowered(text), OTHER_BODIES) =>
+                {
+                    return false;
                 }
                 _ => {}
             }
