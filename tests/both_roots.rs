@@ -47,3 +47,17 @@ fn principal_moments_of_two_axes_come_from_their_entries() {
         assert_eq!(with("4I_{xy}^2"), 'r', "{letter}");
     }
 }
+
+#[test]
+fn words_say_at_which_angle_the_product_vanishes() {
+    let with = |value: &str| {
+        last(&format!(
+            "A lamina has $I_x$, $I_y$ and $I_{{xy}}$ on axes that are turned about $z$ through $\\alpha$:\n\n\
+             $$ I_{{x'y'}} = \\tfrac12(I_x - I_y)\\sin 2\\alpha + I_{{xy}}\\cos 2\\alpha $$\n\n\
+             The product of inertia vanishes on the principal axes, which are found from\n\n$$ \\tan 2\\alpha = {value} $$\n"
+        ))
+    };
+    assert_eq!(with(r"\frac{2I_{xy}}{I_y - I_x}"), 'a');
+    assert_ne!(with(r"\frac{I_{xy}}{I_y - I_x}"), 'a');
+    assert_ne!(with(r"\frac{2I_{xy}}{I_x - I_y}"), 'a');
+}

@@ -192,3 +192,16 @@ fn a_rotor_gives_its_letter_to_a_frame() {
     assert_eq!(verdicts(&text("R")), "pp");
     assert_eq!(verdicts(&text("F")), "pr");
 }
+
+#[test]
+fn letters_of_two_frames_are_initials() {
+    let words = "The letters $F$ and $R$ mark the fixed and the rotating frame.";
+    let line = |still: &str, turning: &str| {
+        verdicts(&format!(
+            "{words} The rotating frame has the angular velocity $\\vec\\Omega$. For any vector $\\vec U$,\n\n\
+             $$ \\left(\\frac{{d\\vec U}}{{dt}}\\right)_{{{still}}} = \\left(\\frac{{d\\vec U}}{{dt}}\\right)_{{{turning}}} + \\vec\\Omega\\times\\vec U $$\n"
+        ))
+    };
+    assert_eq!(line("F", "R"), "p");
+    assert_eq!(line("R", "F"), "r");
+}

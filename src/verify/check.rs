@@ -128,6 +128,8 @@ pub(super) struct Checker<'a> {
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
     pub(super) oscillation: Option<(usize, Fraction)>,
+    /// The product of inertia that a line said last what it is.
+    pub(super) last_product: Option<Node>,
     /// The equation above, for one of its symbols.
     pub(super) sought: Option<Sought>,
     /// Whether ± stands in the document, and the last equations whose roots it may give.
@@ -220,6 +222,7 @@ impl<'a> Checker<'a> {
             potential: None,
             oscillation: None,
             sought: None,
+            last_product: None,
             writes_both_signs: has_any(&document.source.text, &["\\pm", "±"]),
             equations: vec![],
             orders: vec![],

@@ -49,6 +49,7 @@ pub(super) mod numbers;
 pub(super) mod oscillation;
 pub(super) mod part_energy;
 pub(super) mod particles;
+pub(super) mod pendulum;
 pub(super) mod plus_minus;
 pub(super) mod points;
 pub(super) mod precession;

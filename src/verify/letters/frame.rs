@@ -63,6 +63,21 @@ const BODIES: &[&str] = &[
     " plate",
     " platform",
 ];
+/// Words whose initials are letters of frames.
+const INITIALS: &[(Frame, &str)] = &[
+    (Frame::Space, "fixed"),
+    (Frame::Space, "inertial"),
+    (Frame::Space, "space"),
+    (Frame::Space, "laboratory"),
+    (Frame::Space, "ground"),
+    (Frame::Space, "earth"),
+    (Frame::Moving, "rotating"),
+    (Frame::Moving, "turning"),
+    (Frame::Moving, "moving"),
+    (Frame::Moving, "body"),
+    (Frame::Moving, "satellite"),
+    (Frame::Moving, "rotor"),
+];
 /// How far behind a label words may still speak of it.
 const NEAR: usize = 80;
 
@@ -96,6 +111,7 @@ impl Frames {
         if !written.is_empty() {
             frames.by_words(document, &written);
             frames.by_plain_words(document, &written);
+            frames.by_initials(document, &written);
             frames.by_neighbours(&written);
         }
         frames.written = written;
@@ -181,6 +197,33 @@ impl Frames {
                         self.named.entry(name.clone()).or_insert(frame);
                     }
                 }
+            }
+        }
+    }
+
+    /// Two letters that mostly mean one frame, as F and R do, are initials where the words have a fixed frame and a
+    /// rotating one.
+    fn by_initials(&mut self, document: &Document, written: &BTreeSet<String>) {
+        let both: Vec<&String> = written.iter().collect();
+        let [one, other] = both.as_slice() else {
+            return;
+        };
+        let known = [one, other].map(|text| self.of_text(text));
+        let short = [one, other].iter().all(|text| text.len() == 1);
+        if !short || known[0].is_none() || known[0] != known[1] {
+            return;
+        }
+        let text = document.source.text.to_lowercase();
+        let words: BTreeSet<&str> = text.split(|c: char| !c.is_alphabetic()).collect();
+        let means = |label: &str, frame: Frame| {
+            let initial = label.to_lowercase();
+            let mut initials = INITIALS.iter().filter(|(of, _)| *of == frame);
+            initials.any(|(_, word)| word.starts_with(&initial) && words.contains(word))
+        };
+        for (still, turning) in [(one, other), (other, one)] {
+            if means(still, Frame::Space) && means(turning, Frame::Moving) {
+                self.named.insert((*still).clone(), Frame::Space);
+                self.named.insert((*turning).clone(), Frame::Moving);
             }
         }
     }

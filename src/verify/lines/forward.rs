@@ -59,6 +59,10 @@ impl<'a> Checker<'a> {
         if self.writes_a_form() {
             return;
         }
+        // The motion that is known by then says what the frequency is, and what stands behind is a claim.
+        if lines_of(formula).any(|line| self.frequency_in_equation(&line.sides).is_some()) {
+            return;
+        }
         let mut used: BTreeSet<Entity> = BTreeSet::new();
         for row in &formula.rows {
             if let Row::Line(line) = row {

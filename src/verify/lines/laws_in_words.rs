@@ -194,12 +194,15 @@ impl Checker<'_> {
         })
     }
 
-    /// ω² of q̈ = −ω² q, to which the motion of the one angle that an equation of motion rules comes down near zero.
+    /// The square that words call a frequency.
     fn frequency(&mut self, symbol: &Symbol) -> Option<Law> {
-        let sentence = lowered(&self.sentence);
-        if !has_any(&sentence, FREQUENCIES) {
-            return None;
-        }
+        let named = has_any(&lowered(&self.sentence), FREQUENCIES);
+        let law = self.frequency_of_swings(symbol).filter(|_| named);
+        law.map(Law::said)
+    }
+
+    /// ω² of q̈ = −ω² q, to which the motion of the one angle that an equation of motion rules comes down near zero.
+    pub(crate) fn frequency_of_swings(&mut self, symbol: &Symbol) -> Option<Law> {
         let angle = self.reading.usage.only_angle()?;
         let angle = self.entity_named(&Symbol {
             name: angle.name,
@@ -225,10 +228,6 @@ impl Checker<'_> {
         }
         let entity = self.entity_named(symbol)?;
         let value = Value::scalar(Fraction::zero() - slope);
-        Some(
-            Law::new("frequency of small swings", entity, value)
-                .squared()
-                .said(),
-        )
+        Some(Law::new("frequency of small swings", entity, value).squared())
     }
 }

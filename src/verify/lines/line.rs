@@ -51,6 +51,7 @@ impl Checker<'_> {
         self.note_oscillation(&line.sides, &finding);
         self.note_sought(&line.sides, &finding);
         self.note_equation(&line.sides, &finding);
+        self.note_product(&line.sides);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {
             match self.slips.len() <= SEARCHES {
@@ -177,6 +178,7 @@ impl Checker<'_> {
         }
         self.turn_to_case(&sides, role);
         if role == Role::Claim {
+            self.take_pendulum(&sides);
             self.tie_new_symbols(&sides, finding);
             self.tie_weight(&sides, finding);
         }

@@ -86,6 +86,7 @@ impl Checker<'_> {
         let mut laws: Vec<Law> = self.law_in_words(first, sides.get(1)).into_iter().collect();
         laws.extend(met.iter().find_map(|s| self.turned_round(s)));
         laws.extend(self.moment_about_gimbal(sides));
+        laws.extend(self.frequency_in_equation(sides));
         let framed: Vec<Law> = met.iter().filter_map(|s| self.in_named_frame(s)).collect();
         let of_points = framed.is_empty();
         laws.extend(framed);

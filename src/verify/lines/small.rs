@@ -32,6 +32,8 @@ impl Checker<'_> {
         let clause: Vec<String> = near.map(|word| word.to_lowercase()).collect();
         if clause.iter().any(|word| BEFORE.contains(&word.as_str())) {
             self.call_small(node);
+            // "For small ⟨θ⟩ this is ⟨…⟩": to first order.
+            self.linear |= clause.starts_with(&["small".to_owned(), "for".to_owned()]);
         }
         if clause.iter().any(|word| word == "positive") {
             self.call_positive(node);

@@ -1,0 +1,49 @@
+//! A body that swings about a fixed horizontal axis under its weight.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+const ABOUT_AXIS: &str = "A compound pendulum of mass $m$ swings about a fixed horizontal axis through $O$. Its moment of inertia \
+    about that axis is $I_O$, the distance from $O$ to the mass centre is $d$, and $\\theta$ is the angle from the vertical.";
+const ABOUT_CENTRE: &str = "A rigid body of mass $m$ is hung from a pivot $P$. The distance $h$ between the pivot and the centre of \
+    mass $G$ and the central moment $I_G$ are known; $\\theta$ is measured from the downward vertical.";
+
+#[test]
+fn the_weight_turns_it_back() {
+    let with = |words: &str, line: &str| verdicts(&format!("{words}\n\n$$ {line} $$\n"));
+    assert_eq!(with(ABOUT_AXIS, r"I_O\ddot\theta = -mgd\sin\theta"), "p");
+    assert_eq!(with(ABOUT_AXIS, r"I_O\ddot\theta = mgd\sin\theta"), "r");
+    assert_eq!(
+        with(ABOUT_CENTRE, r"(I_G + mh^2)\ddot\theta + mgh\sin\theta = 0"),
+        "p"
+    );
+    assert_eq!(
+        with(ABOUT_CENTRE, r"I_G\ddot\theta + mgh\sin\theta = 0"),
+        "r"
+    );
+}
+
+#[test]
+fn small_swings_have_one_frequency() {
+    let with = |words: &str, square: &str| {
+        verdicts(&format!(
+            "{ABOUT_AXIS}\n\n$$ I_O\\ddot\\theta = -mgd\\sin\\theta $$\n\n{words}\n\n$$ \\ddot\\theta + \\nu^2\\theta = 0 $$\n\n\
+             $$ \\nu^2 = {square} $$\n"
+        ))
+    };
+    for words in ["For small angles", "For small $\\theta$ this is"] {
+        assert_eq!(with(words, r"\frac{mgd}{I_O}"), "ppp", "{words}");
+        assert_eq!(with(words, r"\frac{mgd}{2I_O}"), "ppr", "{words}");
+    }
+    let told = |square: &str| {
+        verdicts(&format!(
+            "{ABOUT_CENTRE}\n\n$$ (I_G + mh^2)\\ddot\\theta + mgh\\sin\\theta = 0 $$\n\nFor small angles this is\n\n\
+             $$ \\ddot\\theta + \\omega_0^2\\theta = 0 $$\n\nwith\n\n$$ \\omega_0^2 = {square} $$\n"
+        ))
+    };
+    assert_eq!(told(r"\frac{mgh}{I_G + mh^2}"), "ppp");
+    assert_eq!(told(r"\frac{mgh}{I_G}"), "ppr");
+}
