@@ -20,6 +20,10 @@ const FREE: &[&str] = &[
     "free motion",
     "free rigid body",
     "free body",
+    "freely about its centre of mass",
+    "freely about its center of mass",
+    "freely about its mass centre",
+    "freely about its mass center",
 ];
 static FREE_BOOK: LazyLock<Book> = LazyLock::new(|| Book::of(FREE));
 
