@@ -55,7 +55,9 @@ fn part_of(number: &Number, part: Part) -> BigRational {
             {
                 zeros *= &ten;
             }
-            last.max(zeros * half())
+            // Half of a number is no rounding of it: 10 is not what 5 is to the next ten.
+            let less_than_half = &number.value * BigRational::new(49.into(), 100.into());
+            last.max((zeros * half()).min(less_than_half))
         }
         _ => BigRational::zero(),
     }
@@ -192,6 +194,8 @@ mod tests {
         );
         // 360 has two or three digits
         assert_eq!(parts((360, 1), None, 0), [r(0, 1), r(1, 2), r(5, 1)]);
+        // 10 has one or two digits, and is not said of 5
+        assert_eq!(parts((10, 1), None, 0), [r(0, 1), r(1, 2), r(49, 10)]);
         // 0 is exact
         assert_eq!(parts((0, 1), None, 0), [r(0, 1), r(0, 1), r(0, 1)]);
     }

@@ -196,7 +196,7 @@ fn counterexample_in<T: Witness>(
     equation: &Equation,
     tries: u64,
 ) -> Option<Counterexample> {
-    for seed in 1..=tries {
+    for seed in 1..=tries + tries / 4 {
         // Beyond the budget every further world would only cost time.
         if theory.exhausted {
             return None;
@@ -204,6 +204,9 @@ fn counterexample_in<T: Witness>(
         let tensor = inertia(&mut theory.atoms, theory.setting.products);
         let bodiless = theory.premises().iter().any(|p| p.name == ROTOR_ALONE);
         let mut world: World<T> = World::new(theory, seed);
+        if seed > tries {
+            world.widen(tensor.as_slice());
+        }
         world.draw_roots(equation.residual.entries.iter());
         let entries: Option<Vec<T>> = tensor.iter().map(|e| world.fraction(e)).collect();
         let Some(entries) = entries else { continue };

@@ -194,6 +194,21 @@ impl<'a, T: Substance> World<'a, T> {
         }
     }
 
+    /// Gives the moments of inertia that nothing rules large values near each other, so that a body exists whatever its
+    /// products are: a long one, where the third moment has a value.
+    pub(crate) fn widen(&mut self, tensor: &[Fraction]) {
+        let sizes = [12, 60, 300, 2000];
+        let size = sizes[self.seed as usize % sizes.len()];
+        for (axis, entry) in (0..).zip(tensor.iter().step_by(4)) {
+            if let Some(moment) = entry.as_variable()
+                && self.theory.rule(moment).is_none()
+                && let Some(value) = T::lift(&Rational::from(size + axis))
+            {
+                self.keep(moment, value);
+            }
+        }
+    }
+
     /// What a free variable is.
     pub(crate) fn kind(&self, variable: Variable) -> Kind {
         let Atom::Part {

@@ -43,7 +43,23 @@ const SIZES: &[&str] = &[
 /// Whether the last word before a symbol calls it a size: "a rod of length ⟨".
 pub(crate) fn names_a_size(before: &str) -> bool {
     let last = before.split_whitespace().next_back();
-    last.is_some_and(|word| SIZES.contains(&word)) && !names_a_side_of_an_equation(before)
+    last.is_some_and(|word| SIZES.contains(&word))
+        && !names_a_side_of_an_equation(before)
+        && !names_a_time(before)
+}
+
+/// "A step of length ⟨", "time intervals of length ⟨": a time, and no length.
+fn names_a_time(before: &str) -> bool {
+    let words = before.trim_end_matches(['⟨', ',', ' ']);
+    let of = words.trim_end_matches('s').strip_suffix("length");
+    let of = of.map(|of| of.trim_end().trim_end_matches(" the"));
+    let of = of.and_then(|of| of.trim_end().strip_suffix(" of"));
+    let thing = of.map(|of| of.trim_end().trim_end_matches('s'));
+    let times = ["step", "interval", "time", "period"];
+    thing.is_some_and(|thing| times.iter().any(|time| thing.ends_with(time)))
+        || ["step length ", "step size "]
+            .iter()
+            .any(|said| before.ends_with(said))
 }
 
 /// "The right-hand sides ⟨": of equations, and no lengths.
@@ -79,6 +95,7 @@ pub(crate) fn names_a_length(before: &str) -> bool {
         .find(|last| word(last))
         .is_some_and(|last| LENGTHS.contains(&last))
         && !names_a_side_of_an_equation(before)
+        && !names_a_time(before)
 }
 
 /// Whether the words behind a symbol call it the speeds of wheels.

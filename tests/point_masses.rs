@@ -1,0 +1,43 @@
+//! Bodies made of a few masses: only some of their moments of inertia are said.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn a_body_is_found_for_any_product_of_inertia() {
+    let text = |moment: &str, energy: &str| {
+        format!(
+            "Two masses $m$ sit at $(a, 0, b)$ and $(-a, 0, -b)$. The products of inertia are $J_{{xz}} = \\sum_i m_i x_i z_i$ \
+             and $J_{{yz}} = \\sum_i m_i y_i z_i$. For the two masses\n\n\
+             $$ J_{{zz}} = 2ma^2, \\qquad J_{{xz}} = 2mab, \\qquad J_{{yz}} = 0 $$\n\n\
+             The shaft turns at a constant rate, $\\boldsymbol\\omega = \\Omega\\,\\mathbf k$, so\n\n\
+             $$ M_y = {moment}mab\\,\\Omega^2 $$\n\n\
+             Let $m = 0.05$ kg, $a = 0.1$ m, $b = 0.2$ m and $\\Omega = 100$ rad/s. The kinetic energy is\n\n\
+             $$ T = \\tfrac12 J_{{zz}}\\,\\Omega^2 = {energy}\\ \\mathrm J $$\n"
+        )
+    };
+    assert!(
+        verdicts(&text("-2", "5")).ends_with("paaaap"),
+        "{}",
+        verdicts(&text("-2", "5"))
+    );
+    // Half of what is shown is not rounded to it.
+    assert!(
+        verdicts(&text("-", "10")).ends_with("raaaar"),
+        "{}",
+        verdicts(&text("-", "10"))
+    );
+}
+
+#[test]
+fn a_step_of_some_length_is_a_time() {
+    let text = "Principal axes, no torque. Let $I_1 = 2$, $I_2 = 3$ and $I_3 = 4$ (in kg m²). At the start let $\\omega_1 = 1$, \
+                $\\omega_2 = 2$ and $\\omega_3 = -1$ (in rad/s). The explicit step of length $h$ is defined by \
+                $\\boldsymbol\\omega^{\\text{new}} = \\boldsymbol\\omega + h\\,\\dot{\\boldsymbol\\omega}$. With $h = 0.1$ s we get\n\n\
+                $$ \\omega_1^{\\text{new}} = \\omega_1 + h\\,\\dot\\omega_1 = 1.1 $$\n\n\
+                $$ \\omega_3^{\\text{new}} = \\omega_3 + h\\,\\dot\\omega_3 = -0.95 $$\n";
+    assert_eq!(verdicts(text), "aaaaaaaapr");
+}
