@@ -64,3 +64,4 @@ pub(super) mod steps;
 pub(super) mod summation;
 pub(super) mod trust;
 pub(super) mod vanishes_for;
+pub(super) mod worked_out;

@@ -280,6 +280,10 @@ impl Checker<'_> {
                 _ => return false,
             }
         }
+        if finding.role == Role::Claim && self.is_momentum_by_moments(left, right) {
+            finding.reason = Some(TAKEN_AS_GIVEN.to_owned());
+            return true;
+        }
         let sides = [left.clone(), right.clone()];
         let Ok(read) = self.read(&sides, Frame::Moving) else {
             return false;

@@ -46,6 +46,8 @@ impl Checker<'_> {
             "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
         } else if claimed && self.equates_two_points(symbol, right) {
             "what it is about one point does not follow so from what it is about the other"
+        } else if let Some(reason) = self.worked_out(symbol).filter(|_| claimed) {
+            reason
         } else {
             return false;
         };

@@ -42,12 +42,27 @@ const FROM_BODY: &[&str] = &[
     "relative to the body",
 ];
 
+/// Verbs of an axis, seen from space, before what it goes round.
+const GOES_ROUND: &[&str] = &[
+    "goes round",
+    "goes around",
+    "moves round",
+    "moves around",
+    "turns round",
+    "turns around",
+    "precesses round",
+    "precesses around",
+    "precesses about",
+    "circles ",
+];
+
 impl Checker<'_> {
     /// Decides what a new symbol, or its rate, is said to be by words that call it this rate.
     pub(crate) fn precesses(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
         let [left, right] = sides else { return false };
         let words = lowered(&self.sentence);
-        let called = words.contains("precess") && has_any(&words, FROM_SPACE);
+        let called = words.contains("precess") && has_any(&words, FROM_SPACE)
+            || words.contains("axis") && self.goes_round_momentum();
         let rated = matches!(
             &left.kind,
             Kind::TimeDerivative { order: 1, .. } | Kind::Symbol(_)
@@ -68,6 +83,19 @@ impl Checker<'_> {
             self.reading.scalars = before;
         }
         settled
+    }
+
+    /// "The axis goes round ⟨L⟩": the letter is that of the momentum, which stands in the sentence before its mark.
+    fn goes_round_momentum(&self) -> bool {
+        GOES_ROUND.iter().any(|words| {
+            let behind = self.sentence.split_once(words).map(|(_, behind)| behind);
+            let formula = behind.and_then(|behind| behind.split_once('⟨'));
+            let mut names = formula
+                .into_iter()
+                .flat_map(|(names, _)| names.split_whitespace());
+            let name = names.next_back().unwrap_or_default();
+            self.reading.quantities.get(&Letter::plain(name)) == Some(&Quantity::Momentum)
+        })
     }
 
     fn goes_round(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
