@@ -9,6 +9,7 @@ pub(super) mod euler_words;
 pub(super) mod legend;
 pub(super) mod moments_by_adjective;
 pub(super) mod moments_in_words;
+pub(super) mod near_a_spin;
 pub(super) mod only_product;
 pub(super) mod outlasting;
 pub(super) mod phrases;

@@ -30,7 +30,7 @@ impl Checker<'_> {
     pub(crate) fn small_before(&mut self, node: &Node) {
         let near = self.sentence.split_whitespace().rev().take(3);
         let clause: Vec<String> = near.map(|word| word.to_lowercase()).collect();
-        if clause.iter().any(|word| BEFORE.contains(&word.as_str())) {
+        if clause.iter().any(|word| BEFORE.contains(&word.as_str())) || self.goes_on_small() {
             self.call_small(node);
             // "For small ⟨θ⟩ this is ⟨…⟩": to first order.
             self.linear |= clause.starts_with(&["small".to_owned(), "for".to_owned()]);
@@ -38,6 +38,19 @@ impl Checker<'_> {
         if clause.iter().any(|word| word == "positive") {
             self.call_positive(node);
         }
+    }
+
+    /// "The small components ⟨ω_1⟩ and": whether the list that goes on has begun with one of ω that is called small.
+    fn goes_on_small(&mut self) -> bool {
+        let words = self.sentence.trim_end();
+        let joined = words.ends_with("⟩ and") || words.ends_with("⟩,") || words.ends_with("⟩, and");
+        let last = match self.named.last().map(|node| &inner(node).kind) {
+            Some(Kind::Symbol(symbol)) if joined => symbol.clone(),
+            _ => return false,
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        matches!(self.meaning_of(&last), Meaning::Component(entity, axis)
+            if entity == omega && self.small_turns.contains(&axis))
     }
 
     /// Notes the expressions of a list that the words behind it call small.

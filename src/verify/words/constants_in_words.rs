@@ -136,6 +136,7 @@ impl Checker<'_> {
             let supposed = vector && !Words::of(&self.sentence).derive();
             self.constant_in_words(node, supposed);
         }
+        self.turns_near(node);
         self.small_before(node);
         self.turning_axes(node);
         if before.ends_with("vertical is") {
