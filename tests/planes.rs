@@ -19,6 +19,17 @@ $$ n = J_z\,\dot r + (J_y - J_x)\,p\,q + J_{{xz}}(q r - \dot p) $$
 }
 
 #[test]
+fn a_product_that_is_left_does_not_vanish_in_a_chain_of_zeros() {
+    let with = |zeros: &str| {
+        verdicts(&format!(
+            "The $x$-$z$ plane is a plane of symmetry. Hence\n\n$$ {zeros} = 0 $$\n"
+        ))
+    };
+    assert_eq!(with("I_{xy} = I_{yz}"), "p");
+    assert!(!with("I_{xz} = I_{yz}").contains('p'));
+}
+
+#[test]
 fn a_plane_of_symmetry_is_named_by_its_axes() {
     for plane in [
         "It is symmetric about the plane of the body $x$ and $z$ axes.",

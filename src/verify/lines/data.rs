@@ -6,6 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::lines::decimals::holds_decimals;
+use crate::verify::lines::given::is_zero;
 use crate::verify::lines::numbers::Numerical;
 use crate::verify::reason::{RESTS_ON_GIVEN, TAKEN_AS_GIVEN};
 use crate::verify::theory::decide::{Decision, decide};
@@ -43,7 +44,9 @@ impl Checker<'_> {
             self.claim(sides, finding);
             return true;
         }
-        if sides.len() < 3 || !lone || !self.is_in_numbers(&sides[1..]) {
+        // A zero behind others is no number that was worked out.
+        let zero = sides.last().is_some_and(is_zero);
+        if sides.len() < 3 || !lone || zero || !self.is_in_numbers(&sides[1..]) {
             return false;
         }
         self.accept(&sides[..2], role, finding);
