@@ -17,8 +17,7 @@ use num_traits::Zero;
 impl Checker<'_> {
     /// Whether the right side of an equation is this moment for a vector of the document.
     pub(crate) fn is_gravity_gradient(&mut self, read: &Read) -> bool {
-        let text = self.text.lower();
-        if !text.contains("gravity") && !text.contains("gravitational") {
+        if !self.text.says(&["gravity", "gravitational"]) {
             return false;
         }
         let [equation] = read.equations.as_slice() else {
@@ -45,7 +44,7 @@ impl Checker<'_> {
 
     /// Whether sides say what the rate of a circular orbit is: Kepler's `n^2 = \mu/R^3`, or `GM/R^3`.
     pub(crate) fn is_law_of_orbit(&mut self, right: &Node) -> bool {
-        if !self.text.lower().contains("orbit") {
+        if !self.text.says(&["orbit"]) {
             return false;
         }
         let Some(value) = self.lowering(Frame::Moving).scalar(right) else {

@@ -10,7 +10,6 @@ use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
-use crate::verify::words::book::has_any;
 
 const NAME: &str = "moment of the weight";
 
@@ -23,8 +22,7 @@ impl Checker<'_> {
     /// Takes the weight for what acts, where a claim with a weight in it is proved by that and no letter stands for the
     /// moment in it.
     pub(crate) fn tie_weight(&mut self, sides: &[Node], finding: &Finding) {
-        let text = self.text.lower();
-        let said = text.contains("weight") && !has_any(text, OTHERWISE);
+        let said = self.text.says(&["weight"]) && !self.text.says(OTHERWISE);
         let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
         let weighs = met.iter().any(|s| s.name == "g" && s.subscripts.is_empty());
         if !said || !weighs || !self.reading.speaks_of(Quantity::Mass) {

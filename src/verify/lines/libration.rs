@@ -7,7 +7,6 @@ use crate::verify::theory::Premise;
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::value::Value;
-use crate::verify::words::book::has_any;
 use num_traits::Zero;
 
 /// What holds while one angle is all that changes.
@@ -28,8 +27,7 @@ impl Checker<'_> {
             "gravity-gradient",
             "gradient of gravity",
         ];
-        let text = self.text.lower();
-        let named = has_any(text, &gradient) && has_any(text, &said);
+        let named = self.text.says(&gradient) && self.text.says(&said);
         if !named || self.theory.premises().iter().any(|p| p.name == LIBRATION) {
             return;
         }

@@ -4,7 +4,8 @@ use crate::notation::document::Document;
 use crate::verify::words::attitude_words::{self, named};
 use crate::verify::words::book::lowered;
 use crate::verify::words::sentences::{Paragraphs, Sentence, sentences};
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
 use std::ops::Deref;
 
 /// A document and its words.
@@ -13,6 +14,7 @@ pub(crate) struct Text<'d> {
     lower: OnceCell<String>,
     sentences: OnceCell<Vec<Sentence<'d>>>,
     named: OnceCell<Vec<attitude_words::Sentence>>,
+    said: RefCell<BTreeMap<&'static str, bool>>,
 }
 
 impl<'d> Text<'d> {
@@ -23,6 +25,7 @@ impl<'d> Text<'d> {
             lower: OnceCell::new(),
             sentences: OnceCell::new(),
             named: OnceCell::new(),
+            said: RefCell::default(),
         }
     }
 
@@ -30,6 +33,16 @@ impl<'d> Text<'d> {
     pub(crate) fn lower(&self) -> &str {
         self.lower
             .get_or_init(|| lowered(&self.document.source.text))
+    }
+
+    /// Whether one of some phrases stands in the source in lower case.
+    pub(crate) fn says(&self, phrases: &[&'static str]) -> bool {
+        let mut said = self.said.borrow_mut();
+        let mut stands = |phrase| {
+            let known = said.entry(phrase);
+            *known.or_insert_with(|| self.lower().contains(phrase))
+        };
+        phrases.iter().any(|phrase| stands(*phrase))
     }
 
     /// Its sentences, none of which goes on in another paragraph.
