@@ -29,7 +29,6 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
-use crate::verify::words::book::has_any;
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::speaks_of_any_vector;
 use crate::verify::words::text::Text;
@@ -132,8 +131,7 @@ pub(super) struct Checker<'a> {
     pub(super) last_product: Option<Node>,
     /// The equation above, for one of its symbols.
     pub(super) sought: Option<Sought>,
-    /// Whether ± stands in the document, and the last equations whose roots it may give.
-    pub(super) writes_both_signs: bool,
+    /// The last equations whose roots a line with ± may give.
     pub(super) equations: Vec<Fraction>,
     /// Which quantities are greater than others.
     pub(super) orders: Vec<Order>,
@@ -223,7 +221,6 @@ impl<'a> Checker<'a> {
             oscillation: None,
             sought: None,
             last_product: None,
-            writes_both_signs: has_any(&document.source.text, &["\\pm", "±"]),
             equations: vec![],
             orders: vec![],
             positive: BTreeSet::new(),

@@ -9,7 +9,6 @@ use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::subscript::{between, is_of_the_body};
 use crate::verify::values::value::Value;
-use crate::verify::words::book::has_any;
 
 impl Checker<'_> {
     /// The angular velocity of the axes at rest in those that turn.
@@ -78,7 +77,7 @@ impl Checker<'_> {
             labels.any(|other| frames.of_text(other).is_some_and(|other| other != frame))
         };
         let by_pair = || frames.of_text(label).filter(|frame| other(*frame));
-        let speaks = || has_any(self.text.lower(), &["frame", "axes", "observer"]);
+        let speaks = || self.text.says(&["frame", "axes", "observer"]);
         frames
             .of_derivatives(label)
             .or_else(|| by_pair().filter(|_| axis(label).is_none() && speaks()))

@@ -19,6 +19,15 @@ use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
 impl Checker<'_> {
+    /// What a line would come to as a claim; its slips are not noted.
+    pub(crate) fn verdict_as_claim(&mut self, sides: &[Node], finding: &Finding) -> Verdict {
+        let slips = self.slips.len();
+        let mut tried = finding.clone();
+        self.claim(sides, &mut tried);
+        self.slips.truncate(slips);
+        tried.verdict
+    }
+
     pub(crate) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
         let readings = match self.readings(sides) {
             Ok(readings) => readings,

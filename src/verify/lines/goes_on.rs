@@ -122,20 +122,28 @@ impl Checker<'_> {
             && !self.entities([left]).contains(&entity)
     }
 
-    /// A value at t = 0.
+    /// A value at t = 0, with what moves in it as it stands.
     fn without_time(&mut self, value: &Fraction) -> Fraction {
+        self.at_time_zero(value, |_, _| None)
+    }
+
+    /// A value at t = 0, with what starts otherwise by a function of its variables.
+    pub(crate) fn at_time_zero(
+        &mut self,
+        value: &Fraction,
+        start: fn(&mut Self, Variable) -> Option<Fraction>,
+    ) -> Fraction {
         let mut images: HashMap<Variable, Fraction> = HashMap::new();
         for variable in value.variables() {
             let image = match self.theory.atoms.atom(variable).clone() {
-                _ if self.is_time(variable) => Fraction::zero(),
+                _ if self.is_time(variable) => Some(Fraction::zero()),
                 Atom::Kernel { function, argument } => {
-                    let argument = self.without_time(&argument);
-                    let kernel = self.lowering(Frame::Moving).kernel(function, argument);
-                    kernel.unwrap_or_else(|| variable_fraction(variable))
+                    let argument = self.at_time_zero(&argument, start);
+                    self.lowering(Frame::Moving).kernel(function, argument)
                 }
-                _ => variable_fraction(variable),
+                _ => start(self, variable),
             };
-            images.insert(variable, image);
+            images.extend(image.map(|image| (variable, image)));
         }
         put_in(value, &images)
     }

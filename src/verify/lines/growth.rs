@@ -11,7 +11,6 @@ use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
-use crate::verify::values::lower::substituted;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role};
@@ -42,8 +41,7 @@ impl Checker<'_> {
         if left.numerator().len() > LONGEST {
             return false;
         }
-        let starts = [&left, &right].map(|side| self.at_the_beginning(side));
-        let [first, second] = starts;
+        let [first, second] = [&left, &right].map(|side| self.at_time_zero(side, Self::start_of));
         if !self.theory.kernels_reduced(first - second).is_zero() {
             return false;
         }
@@ -100,30 +98,14 @@ impl Checker<'_> {
         value.numerator().len() <= LONGEST && self.theory.normal(&rate).is_zero()
     }
 
-    /// A value at t = 0, with what moves in it as it is then.
-    fn at_the_beginning(&mut self, value: &Fraction) -> Fraction {
-        let mut images: Vec<(Variable, Fraction)> = vec![];
-        for variable in value.variables() {
-            let image = match self.theory.atoms.atom(variable).clone() {
-                _ if self.is_time(variable) => Fraction::zero(),
-                Atom::Kernel { function, argument } => {
-                    let argument = self.at_the_beginning(&argument);
-                    let kernel = self.lowering(Frame::Moving).kernel(function, argument);
-                    kernel.unwrap_or_else(|| variable_fraction(variable))
-                }
-                Atom::Part { .. } if !self.lasts(&variable_fraction(variable)) => {
-                    let start = names::at_instant(&mut self.theory.atoms, variable, "0");
-                    self.theory.atoms.value(start, 0, 0)
-                }
-                _ => variable_fraction(variable),
-            };
-            images.push((variable, image));
+    /// What a variable is at t = 0, where it moves.
+    fn start_of(&mut self, variable: Variable) -> Option<Fraction> {
+        let part = matches!(self.theory.atoms.atom(variable), Atom::Part { .. });
+        if !part || self.lasts(&variable_fraction(variable)) {
+            return None;
         }
-        let image = |v: Variable| {
-            let found = images.iter().find(|(own, _)| *own == v);
-            found.map_or_else(|| variable_fraction(v), |(_, image)| image.clone())
-        };
-        substituted(value, &image)
+        let start = names::at_instant(&mut self.theory.atoms, variable, "0");
+        Some(self.theory.atoms.value(start, 0, 0))
     }
 
     pub(crate) fn is_time(&self, variable: Variable) -> bool {

@@ -75,11 +75,8 @@ impl Checker<'_> {
         });
         let known = self.known.clone();
         self.known.extend([arm, gravity]);
-        let slips = self.slips.len();
-        let mut tried = finding.clone();
-        self.claim(sides, &mut tried);
-        self.slips.truncate(slips);
-        let proved = matches!(tried.verdict, Verdict::Proved(_));
+        let verdict = self.verdict_as_claim(sides, finding);
+        let proved = matches!(verdict, Verdict::Proved(_));
         if proved {
             self.keep(NAME, false);
         } else {

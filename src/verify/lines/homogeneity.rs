@@ -12,7 +12,6 @@ use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Diagnosis, Finding, Verdict};
-use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
 
 /// Powers of mass, length and time.
@@ -80,7 +79,7 @@ impl Checker<'_> {
             && !made_of.is_empty()
             && whole.iter().map(owner).all(|owner| inertia(&owner))
             && made_of.iter().map(owner).all(|owner| length(&owner));
-        if missing && !has_any(self.text.lower(), OF_UNIT) {
+        if missing && !self.text.says(OF_UNIT) {
             finding.verdict = Verdict::Refuted;
             finding.diagnosis = Some(Diagnosis {
                 kind: "dimension",
@@ -117,8 +116,7 @@ impl Checker<'_> {
         };
         let unlike = powers.windows(2).any(|pair| pair[0] != pair[1]);
         let alone = matches!(inner(&sides[0]).kind, Kind::Symbol(_));
-        let unit = has_any(self.text.lower(), OF_UNIT);
-        if unlike && alone && sum.is_polynomial() && !unit {
+        if unlike && alone && sum.is_polynomial() && !self.text.says(OF_UNIT) {
             finding.verdict = Verdict::Refuted;
             finding.diagnosis = Some(Diagnosis {
                 kind: "dimension",
@@ -235,7 +233,7 @@ impl Checker<'_> {
     }
 
     /// Whether a number of the document has the letter of the inertia and a label of its own: I_{box}.
-    fn is_moment_of_inertia(&self, key: &str) -> bool {
+    pub(crate) fn is_moment_of_inertia(&self, key: &str) -> bool {
         let name = key
             .strip_suffix(" Scalar")
             .and_then(|key| key.split_once(' '));

@@ -7,11 +7,11 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::two_points::CENTRES;
 use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::lines::defined_squares::is_two;
 use crate::verify::lines::points::Law;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::has_any;
-use num_traits::ToPrimitive;
 
 /// The name of the law.
 const LAW: &str = "the weight about the axis";
@@ -30,9 +30,8 @@ impl Checker<'_> {
     /// Takes the law in before the first line that it could be.
     pub(crate) fn take_pendulum(&mut self, sides: &[Node]) -> Option<()> {
         let swung = sides.iter().find_map(swung)?;
-        let hangs = has_any(self.text.lower(), HANGS);
         let taken = self.theory.premises().iter().any(|p| p.name == LAW);
-        if !hangs || taken || !self.says_of(&swung, &["vertical"]) {
+        if taken || !self.text.says(HANGS) || !self.says_of(&swung, &["vertical"]) {
             return None;
         }
         let mut met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
@@ -119,7 +118,7 @@ impl Checker<'_> {
 fn squared(node: &Node) -> Option<Symbol> {
     if let Kind::Power(base, exponent) = &node.kind
         && let Kind::Symbol(symbol) = &inner(base).kind
-        && matches!(&inner(exponent).kind, Kind::Number(n) if n.value.to_f64() == Some(2.0))
+        && is_two(inner(exponent))
     {
         return Some(symbol.clone());
     }

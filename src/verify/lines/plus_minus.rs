@@ -27,7 +27,7 @@ impl Checker<'_> {
     pub(crate) fn note_equation(&mut self, sides: &[Node], finding: &Finding) {
         let [_, right] = sides else { return };
         let holds = !matches!(finding.verdict, Verdict::Refuted | Verdict::Unreadable);
-        if !self.writes_both_signs || !holds || !is_zero(right) {
+        if !holds || !is_zero(right) || !self.text.says(&["\\pm", "±"]) {
             return;
         }
         let Ok(read) = self.read(sides, Frame::Moving) else {

@@ -66,11 +66,8 @@ impl Checker<'_> {
         if taken.is_empty() {
             return;
         }
-        let slips = self.slips.len();
-        let mut tried = finding.clone();
-        self.claim(sides, &mut tried);
-        self.slips.truncate(slips);
-        if !said && !matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+        let verdict = self.verdict_as_claim(sides, finding);
+        if !said && !matches!(verdict, Verdict::Proved(_) | Verdict::Refuted) {
             taken.push(self.line_name(finding));
             self.scopes.retain(|(name, _)| !taken.contains(name));
             self.theory.retain(|premise| !taken.contains(&premise.name));

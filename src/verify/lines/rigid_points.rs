@@ -3,8 +3,6 @@
 use crate::notation::ast::Symbol;
 use crate::verify::check::Checker;
 use crate::verify::lines::points::{Law, label};
-use crate::verify::theory::Premise;
-use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::words::book::{has_any, lowered};
@@ -16,8 +14,8 @@ impl Checker<'_> {
     /// The velocity of a point of a rigid body by that of another, with the arm that a line has between them.
     pub(crate) fn points_of_one_body(&mut self, left: &Symbol, met: &[&Symbol]) -> Option<Law> {
         let to = point_of_velocity(left)?;
-        let rigid = self.text.lower().contains("rigid");
-        if !rigid || self.reading.moving_point.is_some() || !self.is_new(left) {
+        if self.reading.moving_point.is_some() || !self.is_new(left) || !self.text.says(&["rigid"])
+        {
             return None;
         }
         let others = met.iter().filter(|s| **s != left && s.name == left.name);
@@ -85,17 +83,8 @@ impl Checker<'_> {
             return;
         };
         let name = format!("{point} is at rest: {}", symbol.name);
-        let preferred: Vec<_> = (0..3)
-            .map(|i| self.theory.atoms.part(entity, i, 0))
-            .collect();
-        self.theory.assume(Premise {
-            name: name.clone(),
-            residuals: preferred.iter().map(|&v| variable_fraction(v)).collect(),
-            preferred,
-            definition: false,
-        });
+        self.vanishes_in(&name, entity, &[0, 1, 2]);
         self.known.insert(entity);
-        self.keep(&name, false);
     }
 }
 

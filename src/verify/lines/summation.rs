@@ -5,6 +5,7 @@
 use crate::notation::ast::{Factor, FrameLabel, Kind, Line, Node, Number, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::usage::symbols;
+use crate::verify::lines::defined_squares::is_two;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
@@ -256,10 +257,6 @@ fn rank(symbol: &Symbol) -> Option<usize> {
         "delta" => Some(2),
         _ => None,
     }
-}
-
-fn is_two(node: &Node) -> bool {
-    matches!(&node.kind, Kind::Number(n) if n.value == BigRational::from_integer(2.into()))
 }
 
 /// The indices that are met but once.
