@@ -249,3 +249,47 @@ fn wheels_have_the_momentum_and_an_engine_adds_it() {
     assert_eq!(verdicts(&text("-")), "appp");
     assert_eq!(verdicts(&text("+")), "appr");
 }
+
+#[test]
+fn a_motor_changes_the_momentum_of_its_wheel_until_the_speed_is_supposed_constant() {
+    let text = |motor: &str, second: &str| {
+        format!(
+            r"Let $h_w = J_w\,\Omega_w$, where $\Omega_w$ is the speed of the wheel relative to the body, along the principal axis 2. {motor}
+
+$$ \mathbf h = \begin{{bmatrix}} I_1\omega_1 \\ I_2\omega_2 + h_w \\ I_3\omega_3 \end{{bmatrix}} $$
+
+The second component is
+
+$$ T_2 = I_2\dot\omega_2 + (I_1 - I_3)\,\omega_3\omega_1 {second} $$
+
+Assume $\mathbf T = \mathbf 0$, a constant wheel speed, and $\omega_2 = 0$. Then
+
+$$ I_1\dot\omega_1 = h_w\,\omega_3 $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("", "")), "aapaap");
+    let motor = "The motor can change this speed.";
+    assert_eq!(verdicts(&text(motor, r"+ \dot h_w")), "aapaap");
+    assert_eq!(verdicts(&text(motor, "")), "aaraap");
+    let governor = "The motor keeps it constant, no load changes it.";
+    assert_eq!(verdicts(&text(governor, "")), "aapaap");
+}
+
+#[test]
+fn a_component_of_the_stored_momentum_that_is_written_elsewhere_is_missed_where_it_is_not() {
+    let text = |second: &str| {
+        format!(
+            r"The wheels have the momentum $\mathbf h$ relative to the body, whose total momentum on principal axes is
+
+$$ \mathbf H = \mathbf J\boldsymbol\omega + \mathbf h $$
+
+With the wheel momenta $h_1$, $h_2$, $h_3$ along the axes the components of $\mathbf H$ are
+
+$$ H_1 = J_1\omega_1 + h_1, \quad H_2 = J_2\omega_2 {second}, \quad H_3 = J_3\omega_3 + h_3 $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("+ h_2")), "pppp");
+    assert_eq!(verdicts(&text("")), "pprp");
+}

@@ -150,6 +150,7 @@ impl Reading {
         reading.note_labelled_wheel(document);
         reading.by_words();
         reading.part_rivals(document);
+        reading.part_stored(document);
         reading.by_attitude(document);
         reading.wheel_speeds();
         reading.by_custom();

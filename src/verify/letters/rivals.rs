@@ -33,6 +33,28 @@ impl Reading {
             }
         }
     }
+
+    /// In a document about wheels, of two momenta in `\mathbf H = \mathbf J\boldsymbol\omega + \mathbf h` the one that is added is theirs.
+    pub(crate) fn part_stored(&mut self, document: &Document) {
+        if !self.speaks_of_wheels {
+            return;
+        }
+        let momentum = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Momentum);
+        let stored = lines(document).find_map(|line| {
+            let [left, right] = line.sides.as_slice() else {
+                return None;
+            };
+            let Kind::Symbol(whole) = &inner(left).kind else {
+                return None;
+            };
+            let whole = Letter::of(whole);
+            let mut added = sums(right).into_iter().flatten();
+            added.find(|letter| *letter != whole && momentum(&whole) && momentum(letter))
+        });
+        if let Some(letter) = stored {
+            self.quantities.insert(letter, Quantity::RelativeMomentum);
+        }
+    }
 }
 
 /// Whether the three differences of A, B and C stand in a document, as they do in Euler's equations.

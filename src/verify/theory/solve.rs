@@ -234,8 +234,9 @@ impl Theory {
             let wanted = match premise.preferred.contains(&variable) {
                 // A definition says what its symbol is, and nothing of what that is made of.
                 true if premise.definition => 64,
-                true => 8,
-                false => 0,
+                // The rule for a rate would be lost.
+                true if !self.has_rule_of_rate(variable) => 8,
+                _ => 0,
             };
             let behind = self.is_behind_a_mean(polynomial, variable);
             Some((score + wanted + u32::from(behind) * 128, variable))
@@ -244,6 +245,21 @@ impl Theory {
         let coefficient = Fraction::from(polynomial.coefficient_of(variable, 1));
         let rest = Fraction::from(polynomial.coefficient_of(variable, 0));
         Some((variable, -rest / coefficient))
+    }
+
+    /// Whether a premise gave a rate of a variable.
+    fn has_rule_of_rate(&self, variable: Variable) -> bool {
+        match *self.atoms.atom(variable) {
+            Atom::Part {
+                entity,
+                component,
+                order,
+            } => {
+                let rule = self.rules.get(&(entity, component));
+                rule.is_some_and(|(ruled, _)| *ruled > order)
+            }
+            _ => false,
+        }
     }
 
     /// How well a polynomial can be solved for a variable; `None` where it cannot.

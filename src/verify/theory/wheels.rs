@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{Letter, inner, undotted};
+use crate::verify::letters::usage::{Letter, axis, inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
@@ -79,12 +79,26 @@ impl Checker<'_> {
                 } => self.reading.wheel_axis == Some(component),
                 _ => false,
             };
-            let once = once.is_some_and(|v| !along(v));
+            let once = once.is_some_and(|v| !along(v) && !self.writes_stored_part(v));
             let told = owners.is_empty() || own_one || alone && once;
             told && (owners.len() <= 2 || one_each) && owners.iter().all(|o| own(o) || wheels(o))
         });
         // A momentum that has lost all of theirs says nothing of them.
         told && met && (lost < 3 || self.is_free_input(first))
+    }
+
+    /// Whether the document writes a component of the momentum of the wheels, which a line without it has then lost.
+    fn writes_stored_part(&self, variable: Variable) -> bool {
+        let Atom::Part { component, .. } = *self.theory.atoms.atom(variable) else {
+            return false;
+        };
+        let reading = &self.reading;
+        let stored = |quantity: &Quantity| *quantity == Quantity::RelativeMomentum;
+        let letters = reading.quantities.iter().filter(|(_, q)| stored(q));
+        let mut indices = letters.filter_map(|(letter, _)| reading.usage.subscripts.get(letter));
+        let mut named = reading.components.values();
+        indices.any(|met| met.iter().any(|index| axis(index) == Some(component)))
+            || named.any(|(q, part)| stored(q) && *part == component)
     }
 
     /// Whether an expression is the rate of the momentum that the only wheel has along its axis, `J (\dot\omega_3 + \dot\sigma)`:
@@ -189,6 +203,8 @@ impl Checker<'_> {
         let parts: Vec<Variable> = (0..3)
             .map(|component| self.theory.atoms.part(wheels, component, 0))
             .collect();
+        let within: Vec<Variable> = rests.iter().flat_map(Fraction::variables).collect();
+        self.let_wheels_change(&within);
         let stored = parts.iter().zip(rests);
         let name = self.line_name(finding);
         let taken = self.theory.assume(Premise {

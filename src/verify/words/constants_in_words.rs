@@ -152,6 +152,7 @@ impl Checker<'_> {
         if self.is_steady(text) {
             self.turns_steadily(span);
         }
+        self.wheels_turn_steadily(text, span);
         let rest = text.trim_start_matches(',').trim_start();
         let goes_on = rest.is_empty() || rest.starts_with("and ");
         if goes_on && rest.split_whitespace().count() <= 4 && !rest.contains(['.', ';', ':']) {

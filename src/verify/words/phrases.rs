@@ -80,7 +80,7 @@ fn is_of_a_wheel(clause: &str) -> bool {
     let part = WHEELS
         .iter()
         .filter_map(|word| clause.find(word))
-        .any(|at| clause[at..].contains(" has "));
+        .any(|at| has_any(&clause[at..], &[" has ", " have "]));
     let adds = |at: usize| has_any(&clause[at..], &[" adds ", " contributes ", " stores "]);
     part && clause.contains("relative to")
         || WHEELS.iter().filter_map(|word| clause.find(word)).any(adds)
