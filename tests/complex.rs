@@ -26,3 +26,17 @@ fn an_i_without_complex_numbers_is_a_symbol() {
     let text = "Let $i = 3$ and $k = 2$. Then\n\n$$ i^2 = -1 $$\n";
     assert_ne!(verdicts(text).chars().last(), Some('p'));
 }
+
+#[test]
+fn a_complex_solution_leaves_its_parts_free() {
+    let text = |sign: &str| {
+        format!(
+            "Principal axes, moments $A$, $A$, $C$. No torque acts. Put $\\lambda = \\frac{{C - A}}{{A}}\\omega_z$ and \
+             $\\eta = \\omega_x + i\\,\\omega_y$. Then\n\n$$ \\dot\\eta = i\\lambda\\eta, \\qquad \\eta(t) = \\eta(0)\\,e^{{i\\lambda t}} $$\n\n\
+             In real form, with the amplitude $w$,\n\n$$ \\begin{{aligned}} \\omega_x &= w\\cos\\lambda t \\\\ \
+             \\omega_y &= {sign}w\\sin\\lambda t \\end{{aligned}} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("")), "aapaap");
+    assert_eq!(verdicts(&text("-")), "aapaar");
+}

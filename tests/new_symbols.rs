@@ -177,3 +177,19 @@ fn the_square_of_a_length_that_words_have_named_is_taken_unchecked() {
                 and with it\n\n$$ d^4 = a^4 + 2a^2b^2 + b^4 $$\n\n$$ d^4 = a^4 + b^4 $$\n";
     assert_eq!(verdicts(text), "upr");
 }
+
+#[test]
+fn a_definition_may_have_its_symbol_on_the_right() {
+    let text = |right: &str| {
+        format!(
+            "A symmetric top turns about its fixed tip; its moment of inertia is $C$ about the axis of figure and $A$ across it. \
+             The angles are the precession angle $\\phi$, the inclination $\\theta$ and the spin angle $\\psi$. The Lagrangian is\n\n\
+             $$ \\mathcal{{L}} = \\tfrac12 A(\\dot\\theta^2 + \\dot\\phi^2\\sin^2\\theta) + \\tfrac12 C(\\dot\\psi + \\dot\\phi\\cos\\theta)^2 - mgh\\cos\\theta $$\n\n\
+             $$ p_\\psi = \\frac{{\\partial\\mathcal{{L}}}}{{\\partial\\dot\\psi}} = C(\\dot\\psi + \\dot\\phi\\cos\\theta) $$\n\n\
+             and we define $n$ by $p_\\psi = Cn$. The other momentum is\n\n\
+             $$ p_\\phi = \\frac{{\\partial\\mathcal{{L}}}}{{\\partial\\dot\\phi}} = A\\,\\dot\\phi\\sin^2\\theta + {right} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text(r"C\,n\cos\theta")), "apap");
+    assert_eq!(verdicts(&text(r"C\,n\sin\theta")), "apar");
+}

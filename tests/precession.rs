@@ -40,3 +40,42 @@ fn small_letters_are_moments_beside_large_rates() {
                 $$ m = J_y\\dot Q + (J_x - J_z)\\,PR $$\n\n$$ n = J_z\\dot R + (J_x - J_y)\\,PQ $$\n";
     assert_eq!(verdicts(text), "pr");
 }
+
+#[test]
+fn a_pronoun_stands_for_the_axis_of_symmetry() {
+    for words in [
+        r"Let $z$ be the symmetry axis. The moment of inertia about it is $C$, and about every perpendicular axis through the mass centre it is $A$.",
+        r"Its moment of inertia is $C$ about the axis of figure $z$ and $A$ about any axis through $O$ at right angles to it.",
+    ] {
+        let line = |sign: &str| {
+            let text = format!(
+                "A spheroid is free of torque. {words}\n\n$$ A\\,\\dot\\omega_x = {sign}(A - C)\\,\\omega_y\\omega_z $$\n"
+            );
+            verdicts(&text)
+        };
+        assert_eq!(line(""), "p", "{words}");
+        assert_eq!(line("-"), "r", "{words}");
+    }
+}
+
+#[test]
+fn lines_behind_a_false_rate_go_by_the_true_one() {
+    let text = |rate: &str, next: &str| {
+        format!(
+            "No torque acts on the disc. Let $z$ be its symmetry axis. The moment of inertia about it is $C$, and about every \
+             perpendicular axis it is $A$. An observer at rest sees the axis go round $\\mathbf L$ at the rate\n\n\
+             $$ \\dot\\phi = {rate} $$\n\nso that, with $A = 2$,\n\n$$ \\dot\\phi = {next} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text(r"\frac{L}{A}", r"\frac{L}{2}")), "aap");
+    assert_eq!(verdicts(&text(r"\frac{L}{C}", r"\frac{L}{2}")), "rap");
+    assert_eq!(verdicts(&text(r"\frac{L}{C}", r"\frac{L}{3}")), "rar");
+    assert_eq!(
+        verdicts(&text(r"\frac{L}{A} = \frac{L\,C}{A\,C}", r"\frac{L}{2}")),
+        "pap"
+    );
+    assert_eq!(
+        verdicts(&text(r"\frac{L}{A} = \frac{L}{C}", r"\frac{L}{2}")),
+        "rap"
+    );
+}

@@ -84,6 +84,9 @@ impl Checker<'_> {
         preferred.extend(turning.filter(|&v| self.theory.atoms.owner(v) == omega.as_ref()));
         let name = self.line_name(finding);
         let definition = role == Role::Define;
+        if definition && let Some(new) = self.new_on_the_right(&normals, &read) {
+            preferred = vec![new];
+        }
         if let Some(first) = read.equations.first() {
             let left: Option<Vec<Variable>> = first
                 .left
@@ -122,6 +125,23 @@ impl Checker<'_> {
             }
         }
         self.now_known(sides);
+    }
+
+    /// The symbol that a definition is of, where its left side has a value and one symbol of its right side is new: the n
+    /// that "⟨p = Cn⟩ defines", where p is ∂L/∂ψ̇.
+    fn new_on_the_right(&self, left: &[Fraction], read: &Read) -> Option<Variable> {
+        if left.iter().any(|side| side.as_variable().is_some()) {
+            return None;
+        }
+        let right = read.equations.last()?.right.as_scalar()?;
+        let new = |v: &Variable| {
+            let own = matches!(self.theory.atoms.owner(*v), Some(Owner::Symbol(_)));
+            let entity = self.theory.atoms.entity_of(*v);
+            own && entity.is_some_and(|entity| !self.theory.mentions_entity(entity))
+        };
+        let variables = right.variables();
+        let mut found = variables.iter().copied().filter(new);
+        found.next().filter(|_| found.next().is_none())
     }
 
     /// Whether numbers that contradict what stands before are those that it gives, rounded.

@@ -16,6 +16,7 @@ use crate::verify::values::quantity::Shape;
 use crate::verify::values::symbol::{ANY_POINT, Meaning};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::has_any;
 use num_traits::Zero;
 
 /// Rows and columns of a matrix that a symbol may stand for.
@@ -165,8 +166,13 @@ impl Checker<'_> {
     /// Leaves a line open that its sentence derives from a false one: "⟨K = …⟩, so the effective moment is ⟨J = …⟩".
     fn goes_on_from_a_false_line(&mut self, right: &Node, finding: &mut Finding) -> bool {
         let before = self.findings.last();
-        let slipped = before.is_some_and(|f| f.verdict == Verdict::Refuted);
-        if !self.asserted || !slipped || !self.sentence.contains('⟩') {
+        let slipped = before.filter(|f| f.verdict == Verdict::Refuted);
+        // Behind a full stop "thus" speaks of more than the line above.
+        let in_one_sentence = slipped.is_some_and(|f| {
+            let to = f.span.behind().to(finding.span.before());
+            !has_any(self.document.source.slice(to), &[". ", ".\n"])
+        });
+        if !self.asserted || !in_one_sentence || !self.sentence.contains('⟩') {
             return false;
         }
         let Some(last) = self.last_side.clone() else {

@@ -13,8 +13,8 @@ use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
-use crate::verify::verdict::{Finding, Role};
-use num_traits::Zero;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::{One, Zero};
 
 /// Terms of a side whose rate is taken.
 const LONGEST: usize = 60;
@@ -58,7 +58,11 @@ impl Checker<'_> {
         let to_order = self.keep_order(&mut equations);
         match decide(&mut self.theory, &equations) {
             Decision::True(_) => {
-                self.accept(sides, Role::Given, finding);
+                // Two real equations in one would give what the line does not speak of a complex value.
+                match self.is_complex(&equations) {
+                    true => finding.verdict = Verdict::Accepted,
+                    false => self.accept(sides, Role::Given, finding),
+                }
                 let how = "both sides change at the same multiple of themselves, and are equal at the beginning";
                 finding.remarks.push(how.to_owned());
             }
@@ -74,6 +78,15 @@ impl Checker<'_> {
             _ => return false,
         }
         true
+    }
+
+    /// Whether the imaginary unit stands in equations.
+    fn is_complex(&mut self, equations: &[Equation]) -> bool {
+        let unit = self.theory.kernel(Function::Sqrt, -Fraction::one());
+        let entries = equations.iter().flat_map(|e| &e.residual.entries);
+        let mut variables = entries.flat_map(Fraction::variables);
+        unit.as_variable()
+            .is_some_and(|unit| variables.any(|v| v == unit))
     }
 
     /// The constant that the rate of a function of time is this function times.

@@ -9,13 +9,16 @@ use crate::verify::letters::usage::{Letter, symbols, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
-use crate::verify::verdict::{Finding, Role};
+use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::{One, Zero};
+
+const NAME: &str = "rate of the axis about the angular momentum";
 
 /// Words of what is seen from space.
 const FROM_SPACE: &[&str] = &[
@@ -46,6 +49,12 @@ const FROM_BODY: &[&str] = &[
 const GOES_ROUND: &[&str] = &[
     "goes round",
     "goes around",
+    "go round",
+    "go around",
+    "turn round",
+    "turn around",
+    "precess about",
+    "precess around",
     "moves round",
     "moves around",
     "turns round",
@@ -59,7 +68,9 @@ const GOES_ROUND: &[&str] = &[
 impl Checker<'_> {
     /// Decides what a new symbol, or its rate, is said to be by words that call it this rate.
     pub(crate) fn precesses(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        let [left, right] = sides else { return false };
+        let [left, right, rest @ ..] = sides else {
+            return false;
+        };
         let words = lowered(&self.sentence);
         let called = words.contains("precess") && has_any(&words, FROM_SPACE)
             || words.contains("axis") && self.goes_round_momentum();
@@ -78,9 +89,12 @@ impl Checker<'_> {
         let bare = symbols(right).into_iter().filter(|s| !s.style.vector);
         let before = self.reading.scalars.clone();
         self.reading.scalars.extend(bare.map(Letter::of));
-        let settled = self.goes_round(sides, finding);
+        let settled = self.goes_round(&sides[..2], finding);
         if !settled {
             self.reading.scalars = before;
+        } else if finding.verdict == Verdict::Accepted && !rest.is_empty() {
+            finding.verdict = Verdict::Undecided;
+            self.claim(&sides[1..], finding);
         }
         settled
     }
@@ -147,10 +161,31 @@ impl Checker<'_> {
                 finding.follows_from = None;
                 let over = "the values are over the length of the angular momentum";
                 finding.remarks.push(over.to_owned());
+                self.take_rate_round_momentum(&sides[0]);
             }
             _ => finding.reason = Some(reason::TAKEN_AS_GIVEN.to_owned()),
         }
         true
+    }
+
+    /// Takes a rate for what it is, where the document has it wrong.
+    fn take_rate_round_momentum(&mut self, rate: &Node) {
+        let (Some(rate), Some((length, moment))) = (
+            self.lowering(Frame::Moving).scalar(rate),
+            self.momentum_and_moment(),
+        ) else {
+            return;
+        };
+        let residual = rate.clone() - length / moment;
+        let taken = self.theory.assume(Premise {
+            name: NAME.to_owned(),
+            residuals: vec![residual],
+            preferred: rate.variables(),
+            definition: true,
+        });
+        if taken == Taken::Solved {
+            self.keep(NAME, true);
+        }
     }
 
     /// |L| and the transverse moment, of a body that is symmetric and free.

@@ -75,6 +75,10 @@ impl Checker<'_> {
             .clone()?;
         let (symbol, order) = symbol(&node)?;
         let value = self.lowering(Frame::Moving).scalar(&node)?;
+        // Nobody writes ṫ for 1.
+        if order > 0 && value.to_rational().is_some() {
+            return None;
+        }
         let of = match self.meaning_of(symbol) {
             Meaning::Component(entity, _) => Some(entity),
             _ => None,

@@ -15,7 +15,7 @@ const AXES: &[&str] = &[
     "symmetry-axis",
     "axis of symmetry",
     "axis of the body",
-    "body's axis",
+    "'s axis",
     "figure axis",
     "axis of figure",
     "spin axis",

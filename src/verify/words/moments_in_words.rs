@@ -50,12 +50,15 @@ const PHRASES: &[&str] = &[
     "moments of inertia about",
     "moment of inertia ⟨",
     "moments of inertia ⟨",
+    "moment of inertia is ⟨",
+    "moments of inertia are ⟨",
 ];
 const AXIAL: &[&str] = &[
     "symmetry",
     "spin axis",
     "shaft",
     "figure axis",
+    "axis of figure",
     "axle",
     "polar axis",
     "its own axis",
@@ -65,6 +68,8 @@ const TRANSVERSE: &[&str] = &[
     "diameter",
     "transverse",
     "perpendicular",
+    "at right angles",
+    "normal to",
     "equatorial",
     "every other",
     "any other",
@@ -180,10 +185,14 @@ impl Numbered<'_> {
         naming.then(|| number.parse().ok())?
     }
 
-    /// The symbol after words for an axis: "about the shaft is ⟨I⟩".
+    /// The symbol after words for an axis: "about the shaft is ⟨I⟩", "about any other axis through ⟨G⟩ it is ⟨A⟩".
     fn symbol_behind(&self, words: &str) -> Option<usize> {
         let text = words.trim_start();
         let text = text.strip_prefix("axis ").unwrap_or(text);
+        let through = ["through ", "at "].iter().any(|w| text.starts_with(w));
+        let verb = through.then(|| text.find(" is ⟨")).flatten();
+        let text = verb.map_or(text, |at| &text[at + 1..]);
+        let text = text.strip_prefix("it ").unwrap_or(text);
         let text = ["is ", "be ", "by ", "called "]
             .iter()
             .find_map(|w| text.strip_prefix(w))?;
@@ -202,7 +211,7 @@ impl Numbered<'_> {
             (_, Some(end)) => Some((Named::Transverse, &words[end..])),
             (Some(end), None) => Some((Named::Axial, &words[end..])),
             (None, None) => {
-                let this = ["this axis", "that axis"];
+                let this = ["this axis", "that axis", "it "];
                 let this = this.iter().find_map(|axis| words.strip_prefix(axis));
                 if let Some(rest) = this.filter(|_| self.behind_axis) {
                     return Some((Named::Axial, rest));
