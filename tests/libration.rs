@@ -40,3 +40,49 @@ fn sides_of_an_equation_are_no_lengths() {
                 $$ \\dot p = \\frac RA, \\qquad \\dot q = \\frac SA $$\n";
     assert_eq!(verdicts(text), "aapr");
 }
+
+/// A satellite of which the words name the components of the only unit vector, and say where its pitch axis lies.
+fn named(torque: &str, frequency: &str) -> String {
+    verdicts(&format!(
+        r"# The torque
+
+A station is on a circular orbit with the rate $\nu$. Let the unit vector towards the Earth have the components $a_1$, $a_2$, $a_3$ on the principal axes. The gravity-gradient torque is
+
+$$ \mathbf T = 3\nu^2\,\hat{{\mathbf r}}\times(\mathbf J\hat{{\mathbf r}}) $$
+
+$$ T_2 = 3\nu^2\,{torque}\,a_3a_1 $$
+
+# Pitch
+
+Let the pitch angle $\beta$ be the only one. With axis 2 normal to the orbit,
+
+$$ \omega_1 = \omega_3 = 0, \qquad \omega_2 = \dot\beta - \nu $$
+
+and the unit vector has the components
+
+$$ a_1 = -\sin\beta, \qquad a_2 = 0, \qquad a_3 = \cos\beta $$
+
+The equation of motion is
+
+$$ J_2\ddot\beta + 3\nu^2 (J_1 - J_3)\sin\beta\cos\beta = 0 $$
+
+For small angles this is a harmonic motion, $\ddot\beta + \Lambda^2\beta = 0$, with the frequency
+
+$$ \Lambda = \nu\sqrt{{\frac{{{frequency}(J_1 - J_3)}}{{J_2}}}} $$
+"
+    ))
+}
+
+#[test]
+fn words_name_the_components_of_a_unit_vector() {
+    assert_eq!(named("(J_1 - J_3)", "3"), "apaaaaappa");
+    assert_eq!(named("(J_3 - J_1)", "3"), "araaaaappa");
+    assert_eq!(named("(J_1 - J_3)", "6"), "apaaaaappr");
+}
+
+#[test]
+fn a_frequency_is_no_definition_where_the_motion_was_spoken_of() {
+    let text = "The angle obeys $J\\ddot\\phi + e\\phi = s\\phi$. This is $\\ddot\\phi + p^2\\phi = 0$ with the frequency\n\n\
+                $$ p = \\sqrt{\\frac{e + s}{J}} $$\n";
+    assert_eq!(verdicts(text), "uuu");
+}

@@ -245,6 +245,7 @@ impl<'a> Checker<'a> {
         checker.tie_moving_point();
         checker.tie_particles();
         checker.note_cones();
+        checker.name_components();
         checker.keep_momentum_between_states();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);

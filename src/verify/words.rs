@@ -3,6 +3,7 @@
 pub(super) mod attitude_words;
 pub(super) mod book;
 pub(super) mod central_axes;
+pub(super) mod component_names;
 pub(super) mod cones_in_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;

@@ -61,7 +61,7 @@ impl Checker<'_> {
             finding.reason = Some("what is small does not vanish by that".to_owned());
             return true;
         }
-        if role == Role::Claim && self.is_in_doubt(entity) {
+        if (role == Role::Claim || self.has_a_frequency(role)) && self.is_in_doubt(entity) {
             let symbol = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
             let name = names::latex(&self.theory.atoms, symbol);
             finding.reason = Some(format!("a line about `{name}` was left open before"));
@@ -85,7 +85,9 @@ impl Checker<'_> {
         }
         let claimed = role == Role::Claim;
         if !self.firm && self.is_more_than_a_name(left, right, claimed, finding)
-            || claimed && rest.is_empty() && self.is_frequency(left, right, finding)
+            || rest.is_empty()
+                && (claimed || self.has_a_frequency(role) && self.is_tied_by_square(left))
+                && self.is_frequency(left, right, finding)
             || claimed && rest.is_empty() && self.energy_of_part(left, right, finding)
             || claimed && self.goes_on_from_a_false_line(right, finding)
             || claimed && self.is_energy_behind_a_step(left, finding)

@@ -1,14 +1,16 @@
 //! Symbols that are used before they are defined: "$\dot\omega_1 = -k\,\omega_2$, where $k = …$".
 
-use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Formula, Item, Row};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
+use crate::verify::lines::pendulum::{squared, swung};
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::verdict::{Finding, Role};
 use crate::verify::words::book::lowered;
+use crate::verify::words::points_in_words::lone;
 use std::collections::BTreeSet;
 
 /// Items that are looked at behind a formula.
@@ -60,7 +62,11 @@ impl<'a> Checker<'a> {
             return;
         }
         // The motion that is known by then says what the frequency is, and what stands behind is a claim.
-        if lines_of(formula).any(|line| self.frequency_in_equation(&line.sides).is_some()) {
+        let behind = &self.document.items[..at];
+        if lines_of(formula).any(|line| {
+            self.frequency_in_equation(&line.sides).is_some()
+                || writes_oscillation_again(behind, &line.sides)
+        }) {
             return;
         }
         let mut used: BTreeSet<Entity> = BTreeSet::new();
@@ -189,6 +195,31 @@ impl<'a> Checker<'a> {
         }
         accepted
     }
+}
+
+/// Whether `\ddot x + w^2 x = 0` stands in a document that had an equation for the second rate of x before: that one says
+/// what w is.
+fn writes_oscillation_again(before: &[Item], sides: &[Node]) -> bool {
+    let Some(swung) = sides.iter().find_map(swung) else {
+        return false;
+    };
+    let mut lines = before.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(lines_of(formula)),
+        _ => None,
+    });
+    let again = |line: &Line| line.sides.iter().any(|side| swings(side, &swung));
+    sides.iter().any(|side| squared(side).is_some()) && lines.any(|mut lines| lines.any(again))
+}
+
+/// Whether the second rate of a symbol stands in a node.
+fn swings(node: &Node, symbol: &Symbol) -> bool {
+    let own = match &node.kind {
+        Kind::TimeDerivative {
+            operand, order: 2, ..
+        } => lone(operand) == Some(symbol),
+        _ => false,
+    };
+    own || node.children().into_iter().any(|c| swings(c, symbol))
 }
 
 fn lines_of(formula: &Formula) -> impl Iterator<Item = &Line> {

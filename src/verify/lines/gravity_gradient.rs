@@ -3,6 +3,7 @@
 
 use crate::algebra::{Fraction, Polynomial};
 use crate::notation::ast::Node;
+use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::Letter;
@@ -24,6 +25,29 @@ impl Checker<'_> {
             return false;
         };
         let written = equation.right.entries.clone();
+        self.is_moment_of_gradient(&written)
+    }
+
+    /// Whether a premise is that this moment acts, and no words from a heading on take it away: gravity does not end with
+    /// a section.
+    pub(crate) fn goes_on_in_orbit(&mut self, name: &str, heading: Span) -> bool {
+        let mut premises = self.theory.premises().iter();
+        let Some(premise) = premises.find(|p| p.name == name && p.residuals.len() == 3) else {
+            return false;
+        };
+        let residuals = premise.residuals.clone();
+        if !self.text.says(&["gravity", "gravitational"]) || self.is_freed_from(heading) {
+            return false;
+        }
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let written: Vec<Fraction> = (0..)
+            .zip(residuals)
+            .map(|(c, residual)| self.theory.atoms.value(moment, c, 0) - residual)
+            .collect();
+        self.is_moment_of_gradient(&written)
+    }
+
+    fn is_moment_of_gradient(&mut self, written: &[Fraction]) -> bool {
         let vectors: Vec<Entity> = written
             .iter()
             .flat_map(Fraction::variables)
@@ -39,7 +63,7 @@ impl Checker<'_> {
             .collect();
         vectors
             .first()
-            .is_some_and(|&u| self.is_moment_along(&written, u))
+            .is_some_and(|&u| self.is_moment_along(written, u))
     }
 
     /// Whether sides say what the rate of a circular orbit is: Kepler's `n^2 = \mu/R^3`, or `GM/R^3`.

@@ -34,6 +34,14 @@ const ABOUT_VERTICAL: &[&str] = &[
     "angular momentum about the fixed axis",
 ];
 
+/// The name of the law of small swings.
+const OF_SWINGS: &str = "frequency of small swings";
+
+/// Whether a premise is that law.
+pub(crate) fn is_of_swings(name: &str) -> bool {
+    name.starts_with(OF_SWINGS)
+}
+
 impl Checker<'_> {
     /// The law that words give the symbol on the left of a line, alone or squared.
     pub(crate) fn law_in_words(&mut self, left: &Node, right: Option<&Node>) -> Option<Law> {
@@ -197,17 +205,18 @@ impl Checker<'_> {
     /// The square that words call a frequency.
     fn frequency(&mut self, symbol: &Symbol) -> Option<Law> {
         let named = has_any(&lowered(&self.sentence), FREQUENCIES);
-        let law = self.frequency_of_swings(symbol).filter(|_| named);
+        let angle = self.reading.usage.only_angle().filter(|_| named)?;
+        let angle = Symbol {
+            name: angle.name,
+            ..Symbol::default()
+        };
+        let law = self.frequency_of_swings(symbol, &angle);
         law.map(Law::said)
     }
 
-    /// ω² of q̈ = −ω² q, to which the motion of the one angle that an equation of motion rules comes down near zero.
-    pub(crate) fn frequency_of_swings(&mut self, symbol: &Symbol) -> Option<Law> {
-        let angle = self.reading.usage.only_angle()?;
-        let angle = self.entity_named(&Symbol {
-            name: angle.name,
-            ..Symbol::default()
-        })?;
+    /// ω² of q̈ = −ω² q, to which the motion of an angle that an equation of motion rules comes down near zero.
+    pub(crate) fn frequency_of_swings(&mut self, symbol: &Symbol, angle: &Symbol) -> Option<Law> {
+        let angle = self.entity_named(angle)?;
         let own = matches!(self.theory.atoms.info(angle).owner, Owner::Symbol(_));
         let second = self.theory.atoms.value(angle, 0, 2);
         let second = self.theory.normal(&second);
@@ -228,6 +237,6 @@ impl Checker<'_> {
         }
         let entity = self.entity_named(symbol)?;
         let value = Value::scalar(Fraction::zero() - slope);
-        Some(Law::new("frequency of small swings", entity, value).squared())
+        Some(Law::new(OF_SWINGS, entity, value).squared())
     }
 }

@@ -188,6 +188,7 @@ impl Checker<'_> {
             || self.finds_the_root(&sides, finding)
             || self.slips_in_integral(&sides, finding)
             || self.slips_in_unnamed_law(&sides, finding)
+            || self.slips_in_labelled_law(&sides, finding)
             || self.brings_wheels(&sides, finding)
             || self.says_by_use(&sides, finding)
             || !self.firm && self.precesses(&sides, finding)

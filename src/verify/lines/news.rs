@@ -138,7 +138,8 @@ impl Checker<'_> {
                 _ => {}
             }
         }
-        let load = !new.is_empty() && read.equations.len() == 1;
+        let first = by_gradient && !self.theory.mentions_entity(entity);
+        let load = (first || !new.is_empty()) && read.equations.len() == 1;
         if load {
             self.loads.extend(new);
         }

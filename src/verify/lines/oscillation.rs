@@ -5,10 +5,11 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
+use crate::verify::lines::laws_in_words::is_of_swings;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::value::Value;
-use crate::verify::verdict::{Diagnosis, Finding, Verdict};
+use crate::verify::verdict::{Diagnosis, Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
@@ -72,6 +73,38 @@ impl Checker<'_> {
         oscillates.then(|| Fraction::from(spring) / Fraction::from(inertia))
     }
 
+    /// Whether a sentence names a frequency in passing: "with the libration frequency".
+    pub(crate) fn has_a_frequency(&self, role: Role) -> bool {
+        role == Role::Define && !self.firm && lowered(&self.sentence).contains("frequency")
+    }
+
+    /// Whether a law says what the square of a symbol is.
+    pub(crate) fn is_tied_by_square(&mut self, left: &Node) -> bool {
+        self.square_by_law(left).is_some()
+    }
+
+    /// The square of a symbol that stands in `\ddot x + w^2 x = 0`, where the motion of x is known.
+    fn square_by_law(&mut self, left: &Node) -> Option<Fraction> {
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return None;
+        };
+        let entity = self.entity_named(symbol)?;
+        let own = self.theory.atoms.part(entity, 0, 0);
+        let tied = self
+            .theory
+            .premises()
+            .iter()
+            .filter(|p| is_of_swings(&p.name));
+        let residuals: Vec<Fraction> = tied.flat_map(|p| p.residuals.clone()).collect();
+        residuals.into_iter().find_map(|residual| {
+            let above = residual.numerator();
+            let leads = above.degree_in(own) == 2 && above.coefficient_of(own, 1).is_zero();
+            let square = above.coefficient_of(own, 2);
+            let rest = Fraction::from(above.coefficient_of(own, 0));
+            leads.then(|| (Fraction::zero() - rest) / Fraction::from(square))
+        })
+    }
+
     /// Decides a new symbol, or its square, that the words call the frequency of the oscillation before it, or what a
     /// deviation grows by.
     pub(crate) fn is_frequency(
@@ -81,7 +114,9 @@ impl Checker<'_> {
         finding: &mut Finding,
     ) -> bool {
         let words = lowered(&self.sentence);
-        let Some((at, square)) = self.oscillation.clone() else {
+        let tied = self.square_by_law(left);
+        let noted = tied.map(|square| (self.findings.len(), square));
+        let Some((at, square)) = noted.or_else(|| self.oscillation.clone()) else {
             return false;
         };
         let grows = words.contains(" grow");

@@ -105,17 +105,17 @@ impl Checker<'_> {
 impl Checker<'_> {
     /// The new symbol whose square stands in `\ddot\theta + \omega_0^2\theta = 0`.
     pub(crate) fn frequency_in_equation(&mut self, sides: &[Node]) -> Option<Law> {
-        sides.iter().find_map(swung)?;
+        let swung = sides.iter().find_map(swung)?;
         let squared = sides.iter().find_map(squared)?;
         if sides.len() != 2 || !self.is_new(&squared) {
             return None;
         }
-        self.frequency_of_swings(&squared)
+        self.frequency_of_swings(&squared, &swung)
     }
 }
 
 /// A symbol whose square stands in a node.
-fn squared(node: &Node) -> Option<Symbol> {
+pub(crate) fn squared(node: &Node) -> Option<Symbol> {
     if let Kind::Power(base, exponent) = &node.kind
         && let Kind::Symbol(symbol) = &inner(base).kind
         && is_two(inner(exponent))
@@ -126,7 +126,7 @@ fn squared(node: &Node) -> Option<Symbol> {
 }
 
 /// The angle whose second rate stands in a node.
-fn swung(node: &Node) -> Option<Symbol> {
+pub(crate) fn swung(node: &Node) -> Option<Symbol> {
     if let Kind::TimeDerivative {
         operand, order: 2, ..
     } = &node.kind

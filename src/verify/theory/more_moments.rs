@@ -4,11 +4,13 @@ use crate::algebra::{Fraction, Monomial, Variable};
 use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::axis;
+use crate::verify::letters::usage::{axis, symbols};
+use crate::verify::lines::line::Read;
 use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::subscript::{LOADS, POINTS};
-use crate::verify::verdict::Finding;
+use crate::verify::verdict::{Diagnosis, Finding, Verdict};
+use crate::verify::words::book::{has_any, lowered};
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 
@@ -106,15 +108,10 @@ impl Checker<'_> {
         let Ok(read) = self.read(sides, Frame::Moving) else {
             return false;
         };
-        let kinds: Option<BTreeSet<TermOfLaw>> = read
-            .residuals()
-            .flat_map(|entry| entry.numerator().terms())
-            .map(|(term, _)| self.term_of_law(term, load))
-            .collect();
-        let slips = kinds.is_some_and(|kinds| kinds.len() == 3)
+        let slips = self.has_form_of_law(&read, load)
             && read
                 .residuals()
-                .any(|entry| !self.holds_as_moment(entry, load));
+                .any(|entry| !self.holds_as_moment(entry, load, 1));
         if slips {
             let name = &self.theory.atoms.info(load).latex;
             finding.reason = Some(format!("`{name}` is no moment by Euler's equation"));
@@ -122,14 +119,88 @@ impl Checker<'_> {
         slips
     }
 
-    /// Whether an entry vanishes with the moment in place of a vector.
-    fn holds_as_moment(&mut self, entry: &Fraction, load: Entity) -> bool {
+    /// Refutes what words call the moment on one body of several, where every symbol of the line has the same label and
+    /// what is left without it has the form of Euler's equation and is not that equation, with either sign of the moment.
+    pub(crate) fn slips_in_labelled_law(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let mut labels = sides
+            .iter()
+            .flat_map(symbols)
+            .map(|s| s.subscripts.as_slice());
+        let Some([label]) = labels.next() else {
+            return false;
+        };
+        if !labels.all(|other| other == [label.clone()]) || axis(label).is_some() {
+            return false;
+        }
+        // A label of axes makes no other body.
+        let main = [
+            Quantity::Inertia,
+            Quantity::AngularVelocity,
+            Quantity::Moment,
+        ];
+        let main = main.map(|quantity| self.theory.atoms.quantity(quantity));
+        if self.entities(sides).iter().any(|e| main.contains(e)) {
+            return false;
+        }
+        let mut bare = sides.to_vec();
+        for side in &mut bare {
+            side.change_symbols(&mut |symbol| symbol.subscripts.clear());
+        }
+        let entities = self.entities(&bare);
+        let rated = entities.iter().copied().find(|&e| self.may_be_load(e));
+        let (Some(load), Ok(read)) = (rated, self.read(&bare, Frame::Moving)) else {
+            return false;
+        };
+        if !self.has_form_of_law(&read, load) {
+            return false;
+        }
+        let holds = |checker: &mut Self, sign: i64| {
+            let mut entries = read.residuals();
+            entries.all(|entry| checker.holds_as_moment(entry, load, sign))
+        };
+        if holds(self, 1) || holds(self, -1) {
+            return false;
+        }
+        let words = lowered(&self.sentence);
+        let name = &self.theory.atoms.info(load).latex;
+        finding.reason = Some(format!("`{name}` is no moment by Euler's equation"));
+        if has_any(&words, &["moment", "torque", "couple", "euler"]) {
+            finding.verdict = Verdict::Refuted;
+            finding.diagnosis = Some(Diagnosis {
+                kind: "sign",
+                message: "ω × Iω stands on the side of Iω̇, with the same sign".to_owned(),
+                suggestion: None,
+                place: Some(finding.place),
+            });
+        }
+        true
+    }
+
+    /// A moment by its letter, or a vector of the document.
+    fn may_be_load(&self, entity: Entity) -> bool {
+        let moment = Owner::Quantity(Quantity::Moment, String::new());
+        self.may_be_a_moment(entity) || self.theory.atoms.info(entity).owner == moment
+    }
+
+    /// Whether an equation has the terms of Euler's equation, each kind, and no other.
+    fn has_form_of_law(&self, read: &Read, load: Entity) -> bool {
+        let entries = read.residuals();
+        let terms = entries.flat_map(|entry| entry.numerator().terms());
+        let kinds: Option<BTreeSet<TermOfLaw>> = terms
+            .map(|(term, _)| self.term_of_law(term, load))
+            .collect();
+        kinds.is_some_and(|kinds| kinds.len() == 3)
+    }
+
+    /// Whether an entry vanishes with the moment, times a sign, in place of a vector.
+    fn holds_as_moment(&mut self, entry: &Fraction, load: Entity, sign: i64) -> bool {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         let mut value = entry.clone();
         for component in 0..3 {
             let own = self.theory.atoms.part(load, component, 0);
             if let Some(factor) = coefficient(entry, own) {
                 let acts = self.theory.atoms.value(moment, component, 0);
+                let acts = acts * Fraction::from_ratio(sign, 1);
                 value += factor * (acts - variable_fraction(own));
             }
         }

@@ -215,7 +215,7 @@ impl Theory {
                 && *ruled > order
             {
                 let known = self.of_rates.entry(of_rate.name.clone()).or_default();
-                *known = (*known).max(*ruled);
+                *known = (*known).max(ruled.saturating_add(1));
             }
             self.case = None;
             self.sources.insert(part, source);

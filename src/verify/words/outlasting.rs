@@ -12,7 +12,7 @@ use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::{has_any, lowered};
-use crate::verify::words::torque_free::speaks_of_a_torque;
+use crate::verify::words::torque_free::{speaks_of_a_torque, torque_free};
 use std::collections::BTreeSet;
 
 /// Words that leave the shape of the body behind.
@@ -56,6 +56,7 @@ impl Checker<'_> {
         free && !self.speaks_of_a_moment_from(heading)
             || self.is_used_under(name, heading)
             || self.shapes_the_body(name, heading)
+            || self.goes_on_in_orbit(name, heading)
     }
 
     /// Whether a premise that products of inertia vanish holds on under the next heading: formulas from there on have one
@@ -141,6 +142,14 @@ impl Checker<'_> {
         });
         let named = |symbol: &Symbol| symbol.subscripts.is_empty() && keys.contains(&symbol.name);
         met.iter().any(moment) && !keys.is_empty() && written.into_iter().any(named)
+    }
+
+    /// Whether words from a heading on say that no moment acts.
+    pub(crate) fn is_freed_from(&self, heading: Span) -> bool {
+        items_from(self.document, heading).any(|item| match item {
+            Item::Prose { text, .. } | Item::Heading { text, .. } => torque_free(&lowered(text)),
+            _ => false,
+        })
     }
 
     fn speaks_of_a_moment_from(&self, heading: Span) -> bool {

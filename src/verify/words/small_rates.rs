@@ -1,10 +1,13 @@
 //! Rates and angles that words call small, all of them at once: "small rates, so their products are dropped".
 
-use crate::notation::ast::Symbol;
+use crate::algebra::Fraction;
+use crate::notation::ast::{Function, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::small_words::DROPPED;
+use std::collections::BTreeSet;
 
 /// What turns, in the plural.
 const RATES: &[&str] = &["rates", "angular velocities", "velocities"];
@@ -123,8 +126,9 @@ impl Checker<'_> {
         }
     }
 
-    /// The angles of roll, pitch and yaw that the document writes.
+    /// The angles of roll, pitch and yaw that the document writes, or else the one angle that moves and has a sine.
     fn call_angles_small(&mut self) {
+        let before = self.small.len();
         for name in ["phi", "theta", "psi"] {
             let symbol = Symbol {
                 name: name.to_owned(),
@@ -136,5 +140,31 @@ impl Checker<'_> {
                 self.small.insert(entity);
             }
         }
+        if self.small.len() == before
+            && let [angle] = self.moving_angles().as_slice()
+        {
+            self.small.insert(*angle);
+        }
+    }
+
+    /// Symbols of the document that move, and of which a premise has the sine or cosine.
+    fn moving_angles(&self) -> Vec<Entity> {
+        let atoms = &self.theory.atoms;
+        let written = self.theory.premises().iter().flat_map(|p| &p.residuals);
+        let kernels = written.flat_map(Fraction::variables);
+        let arguments = kernels.flat_map(|v| match atoms.atom(v) {
+            Atom::Kernel {
+                function: Function::Sin | Function::Cos,
+                argument,
+            } => argument.variables(),
+            _ => vec![],
+        });
+        let entities = arguments.filter_map(|v| atoms.entity_of(v));
+        let moving = entities.filter(|&e| {
+            let info = atoms.info(e);
+            !info.constant && matches!(info.owner, Owner::Symbol(_))
+        });
+        let moving: BTreeSet<Entity> = moving.collect();
+        moving.into_iter().collect()
     }
 }
