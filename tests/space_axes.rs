@@ -117,3 +117,24 @@ fn two_letters_are_one_tensor_on_two_sets_of_axes() {
     assert_eq!(verdicts(&text(one, other)), "pppp");
     assert_eq!(verdicts(&text(other, one)), "pprp");
 }
+
+#[test]
+fn a_momentum_without_a_label_is_turned_into_space_beside_its_components_in_the_body() {
+    let text = |momentum: &str, sign: &str| {
+        format!(
+            r"Let $R$ be the rotation matrix that takes body components to lab components:
+
+$$ {momentum} $$
+
+$$ \mathbf L = R\,\mathbf L_b $$
+
+$$ \dot{{\mathbf L}} = R(\mathbf I\dot{{\boldsymbol\omega}} {sign} \boldsymbol\omega\times\mathbf I\boldsymbol\omega) $$
+"
+        )
+    };
+    let body = r"\mathbf L_b = \mathbf I\boldsymbol\omega";
+    assert_eq!(verdicts(&text(body, "+")), "ppp");
+    assert_eq!(verdicts(&text(body, "-")), "ppr");
+    let space = r"\mathbf L = \mathbf I\boldsymbol\omega";
+    assert_eq!(verdicts(&text(space, "+"))[..2], *"pp");
+}

@@ -293,3 +293,23 @@ $$ H_1 = J_1\omega_1 + h_1, \quad H_2 = J_2\omega_2 {second}, \quad H_3 = J_3\om
     assert_eq!(verdicts(&text("+ h_2")), "pppp");
     assert_eq!(verdicts(&text("")), "pprp");
 }
+
+#[test]
+fn a_number_in_a_component_is_the_momentum_of_the_rotor_along_its_axis() {
+    let text = |rotor: &str, h: &str, sign: &str| {
+        format!(
+            r"The aircraft has the plane of symmetry $xz$. {rotor} The body rates are $p$, $q$, $r$ and the external moments $L$, $M$, $N$. The angular momentum is
+
+$$ H_x = I_x p - I_{{xz}} r + {h}, \qquad H_y = I_y q $$
+
+$$ M = I_y\dot q + (I_x - I_z)\,rp + I_{{xz}}(p^2 - r^2) {sign} {h}\,r $$
+"
+        )
+    };
+    let carries = "The engine rotor turns about an axis parallel to $x$ and carries the constant angular momentum $h_E$ relative to the airframe.";
+    assert_eq!(verdicts(&text(carries, "h_E", "+")), "ppp");
+    assert_eq!(verdicts(&text(carries, "h_E", "-")), "ppr");
+    let has = "The rotor turns about an axis parallel to $x$. Relative to the airframe it has the constant angular momentum $h$.";
+    assert_eq!(verdicts(&text(has, "h", "+")), "ppp");
+    assert_eq!(verdicts(&text(has, "h", "-")), "ppr");
+}

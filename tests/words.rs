@@ -317,3 +317,16 @@ fn typed_notes_hold_lines_in_comments_and_brackets() {
     assert_eq!(with("-Ixz"), Some('p'));
     assert_eq!(with("Ixz"), Some('r'));
 }
+
+#[test]
+fn what_there_is_none_of_is_not_named() {
+    let text = r"I know that $L = I\omega$. Let $R$ be the rotation matrix that takes body components to lab components, and mark body components with a subscript $b$:
+
+$$ L = R\,L_b $$
+
+Without a torque both $T$ and $L$ are constant in the lab frame. The body components change:
+
+$$ \dot L_b = -\omega_b\times L_b $$
+";
+    assert_eq!(verdicts(text), "ppp");
+}

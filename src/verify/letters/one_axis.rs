@@ -316,7 +316,8 @@ pub(crate) fn wheel_axis(sentence: &str) -> Option<u8> {
         .filter_map(|words| Some(sentence[wheel..].find(words)? + words.len()))
         .min()?;
     let near: String = sentence[wheel + at..].chars().take(30).collect();
-    if !near.contains("axis") {
+    let before = &sentence[wheel..wheel + at];
+    if !near.contains("axis") && !before.ends_with("axis parallel to ") {
         return None;
     }
     let mut words = near.split(|c: char| c.is_whitespace() || matches!(c, '-' | '~'));

@@ -12,7 +12,7 @@ use crate::verify::letters::labelled_wheel::LabelledWheel;
 use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
-use crate::verify::letters::space_axes::SpaceAxes;
+use crate::verify::letters::space_axes::{SpaceAxes, momentum_in_space};
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::two_states::TwoStates;
 use crate::verify::letters::usage::{Letter, Usage, axis};
@@ -124,6 +124,8 @@ pub(crate) struct Reading {
     pub(crate) left_sides: BTreeSet<Letter>,
     /// Letters of vectors and tensors that a label puts on the body's axes or on space axes, without any other mark.
     pub(crate) on_both_axes: BTreeSet<Letter>,
+    /// The letter that stands on space axes where it has no label.
+    pub(crate) plain_in_space: Option<Letter>,
 }
 
 impl Reading {
@@ -173,6 +175,12 @@ impl Reading {
         let to_body = reading.attitude.convention.matrix_to_body;
         reading.space_axes = matrix
             .and_then(|matrix| SpaceAxes::of(document, Some(matrix), &reading.quantities, to_body));
+        reading.plain_in_space = matrix
+            .filter(|_| reading.space_axes.is_none())
+            .and_then(|matrix| momentum_in_space(document, matrix, &reading.quantities));
+        reading
+            .on_both_axes
+            .extend(reading.plain_in_space.iter().cloned());
         reading
     }
 

@@ -79,7 +79,11 @@ impl SpaceAxes {
             });
         }
         let rate = || turned_vector(document, matrix?, &of(Quantity::AngularVelocity));
-        let (_, labelled) = tensor.or_else(rate)?;
+        let momentum = || {
+            let turned = turned_vector(document, matrix?, &of(Quantity::Momentum));
+            turned.filter(|(_, labelled)| !is_by_plain_rate(document, labelled, quantities))
+        };
+        let (_, labelled) = tensor.or_else(rate).or_else(momentum)?;
         let found = Self {
             label: labelled.subscripts.concat().trim().to_owned(),
             inertia: tensor.map(|(plain, _)| Letter::of(plain)),
@@ -262,6 +266,36 @@ fn turned_vector<'d>(
         let on_body = BODY.contains(&labelled.subscripts.concat().trim());
         let told = on_body && is_label(labelled) && plain.subscripts.is_empty();
         (by && same && told && !plain.style.hat).then_some((plain, labelled))
+    })
+}
+
+/// The letter of a momentum that stands in space without a label, `\mathbf L = R\,\mathbf L_b`, where `\mathbf L_b = \mathbf I\boldsymbol\omega`
+/// has all else on the body's axes.
+pub(crate) fn momentum_in_space(
+    document: &Document,
+    matrix: &Letter,
+    quantities: &BTreeMap<Letter, Quantity>,
+) -> Option<Letter> {
+    let momentum = |s: &Symbol| quantities.get(&Letter::of(s)) == Some(&Quantity::Momentum);
+    let turned = turned_vector(document, matrix, &momentum);
+    let beside = |labelled| is_by_plain_rate(document, labelled, quantities);
+    turned
+        .filter(|(_, labelled)| beside(labelled))
+        .map(|(plain, _)| Letter::of(plain))
+}
+
+/// Whether a line gives the labelled momentum by a rate without a label, which then stands on the body's axes.
+fn is_by_plain_rate(
+    document: &Document,
+    momentum: &Symbol,
+    quantities: &BTreeMap<Letter, Quantity>,
+) -> bool {
+    let rate = |s: &Symbol| quantities.get(&Letter::of(s)) == Some(&Quantity::AngularVelocity);
+    let is_momentum = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s == momentum);
+    let plain = |s: &&Symbol| s.subscripts.is_empty() && rate(s);
+    lines(document).any(|line| {
+        line.sides.iter().any(is_momentum)
+            && line.sides.iter().flat_map(symbols).any(|s| plain(&s))
     })
 }
 

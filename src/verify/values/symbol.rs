@@ -80,8 +80,17 @@ fn on_axes(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
     }
 }
 
-/// The same, where every symbol stands on the axes used unless a mark of its own says otherwise.
+/// The same, where every symbol stands on the axes used unless a mark of its own says otherwise, or that it has none.
 fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    let plain = symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
+    let meaning = by_marks(symbol, reading, atoms);
+    match &reading.plain_in_space {
+        Some(letter) if plain && Letter::of(symbol) == *letter => in_space(meaning, atoms),
+        _ => meaning,
+    }
+}
+
+fn by_marks(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
     if let Some(part) = reading.attitude.part(symbol) {
         let entity = atoms.quantity(Quantity::Quaternion);
         return match part {
@@ -94,7 +103,7 @@ fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning 
         return in_space(meaning, atoms);
     }
     if let Some(bare) = without_body_label(symbol, reading) {
-        return as_written(&bare, reading, atoms);
+        return by_marks(&bare, reading, atoms);
     }
     if reading.marks_skew(symbol) {
         let mut vector = symbol.clone();

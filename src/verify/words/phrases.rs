@@ -59,6 +59,23 @@ const ASIDE: &[&str] = &[
     "from the ",
 ];
 
+/// Words before what there is none of: "without a torque both ⟨T⟩ and ⟨L⟩ are constant" names neither.
+const ABSENT: &[&str] = &[
+    " no",
+    "no external",
+    "no applied",
+    "without",
+    "without a",
+    "without an",
+    "without any",
+    "without an external",
+    "without external",
+    "in the absence of a",
+    "in the absence of",
+    "in the absence of an external",
+    "in the absence of external",
+];
+
 /// Parts of a body that spin in it.
 const WHEELS: &[&str] = &[
     "wheel",
@@ -81,7 +98,12 @@ fn is_of_a_wheel(clause: &str) -> bool {
         .iter()
         .filter_map(|word| clause.find(word))
         .any(|at| has_any(&clause[at..], &[" has ", " have "]));
-    let adds = |at: usize| has_any(&clause[at..], &[" adds ", " contributes ", " stores "]);
+    let adds = |at: usize| {
+        has_any(
+            &clause[at..],
+            &[" adds ", " carries ", " contributes ", " stores "],
+        )
+    };
     part && clause.contains("relative to")
         || WHEELS.iter().filter_map(|word| clause.find(word)).any(adds)
 }
@@ -124,7 +146,8 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     // "Writing ⟨α⟩ for the angular acceleration, …" names what stands before.
     let named = lead.ends_with("⟨ for") && behind.starts_with(',');
     let law = |text: &str| LAWS.iter().any(|law| text.ends_with(law));
-    if named || lead.ends_with(" no") || law(lead) || law(of_rate) {
+    let absent = ABSENT.iter().any(|words| lead.ends_with(words));
+    if named || absent || law(lead) || law(of_rate) {
         return None;
     }
     let of_axes = clause.is_some_and(|words| {
