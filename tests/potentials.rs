@@ -101,3 +101,30 @@ $$ {row} $$
     let wrong = r"\mathbf L_A = \mathbf L_G + (\mathbf r_A - \mathbf r_G)\times m\mathbf v_G";
     assert!(!text(wrong).ends_with(['p', 'a']));
 }
+
+#[test]
+fn what_is_called_the_lagrangian_gives_the_equations_of_motion() {
+    let text = |letter: &str, gyroscopic: &str, steady: &str| {
+        let text = format!(
+            r"A symmetric top turns about a fixed point. Its moment of inertia is $C$ about the axis of figure and $A$ across it, the mass is $m$, the centre of mass lies at the distance $h$ from the point, and $\theta$ is the inclination of the axis to the upward vertical.
+With the precession angle $\phi$ and the spin angle $\psi$ the Lagrangian is
+
+$$ {letter} = \tfrac12 A(\dot\theta^2 + \dot\phi^2\sin^2\theta) + \tfrac12 C(\dot\psi + \dot\phi\cos\theta)^2 - mgh\cos\theta $$
+
+and Lagrange's equation for the inclination is
+
+$$ A\,\ddot\theta = A\,\dot\phi^2\sin\theta\cos\theta {gyroscopic} C(\dot\psi + \dot\phi\cos\theta)\,\dot\phi\sin\theta + mgh\sin\theta $$
+
+Let $\dot\theta = \ddot\theta = 0$. Dividing by $\sin\theta$ we obtain
+
+$$ A\cos\theta\,\dot\phi^2 - C(\dot\psi + \dot\phi\cos\theta)\,\dot\phi {steady} mgh = 0 $$
+"
+        );
+        verdicts(&text)
+    };
+    for letter in ["L", r"\mathcal L"] {
+        assert_eq!(text(letter, "-", "+"), "apap", "{letter}");
+        assert_eq!(text(letter, "+", "+"), "arap", "{letter}");
+        assert_eq!(text(letter, "-", "-"), "apar", "{letter}");
+    }
+}

@@ -20,6 +20,7 @@ pub(super) mod roots;
 pub(super) mod solution;
 pub(super) mod solve;
 mod substances;
+mod turns;
 pub(super) mod variety;
 pub(super) mod wheels;
 pub(super) mod world;
@@ -103,7 +104,7 @@ pub(super) struct Theory {
     pub(super) premises: Vec<Premise>,
     mentioned: Mentioned,
     /// The turn of the premise that was solved last.
-    last_turn: Option<solve::Turn>,
+    last_turn: Option<turns::Turn>,
     /// Angles that a vector makes with the axis of symmetry, and which vector; the axis, where it is named by its letter.
     pub(super) cones: BTreeMap<Variable, (Quantity, Option<u8>)>,
     /// Premises that turned out to speak of a rate, by what they gave.

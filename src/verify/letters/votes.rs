@@ -6,7 +6,8 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, symbols};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::legend::{
-    in_a_legend, listed_apart, names_a_length, names_a_size, names_wheel_speeds,
+    in_a_legend, listed_apart, names_a_length, names_a_size, names_the_lagrangian,
+    names_wheel_speeds,
 };
 use crate::verify::words::phrases::{
     apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
@@ -98,6 +99,9 @@ impl Reading {
                     }
                     if names_a_residual(&before) {
                         self.residuals.extend(named.iter().take(1).cloned());
+                    }
+                    if names_the_lagrangian(&before) {
+                        self.apart.extend(named.iter().take(1).cloned());
                     }
                     if names_a_size(&before) {
                         self.apart.extend(named.iter().cloned());

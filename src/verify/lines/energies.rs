@@ -16,6 +16,7 @@ use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
 use crate::verify::words::book::{has_any, lowered};
+use crate::verify::words::legend::names_the_lagrangian;
 use num_traits::Zero;
 
 /// Terms of a Lagrangian whose equations are set up.
@@ -88,13 +89,21 @@ impl Checker<'_> {
         let text = self.text.lower();
         let conservative = !has_any(text, OTHER_FORCES);
         let named = text.contains("lagrang");
+        // Without letters for the energies what is called the Lagrangian is their difference.
+        let called = names_the_lagrangian(&lowered(&self.sentence))
+            && !self.reading.speaks_of(Quantity::Energy)
+            && self.potential.is_none();
         let kinetic = self.theory.atoms.quantity(Quantity::Energy);
         let mut known = |entity| self.theory.atoms.value(entity, 0, 0);
         let (whole, kinetic) = (known(lagrangian), known(kinetic));
         let potential = self.potential.map_or_else(Fraction::zero, known);
         let apart = self.theory.normal(&(whole.clone() - kinetic + potential));
         let value = self.theory.normal(&whole);
-        if !named || !conservative || !apart.is_zero() || value.numerator().len() > MOST_TERMS {
+        if !named
+            || !conservative
+            || !(called || apart.is_zero())
+            || value.numerator().len() > MOST_TERMS
+        {
             return;
         }
         for (coordinate, rate) in self.coordinates_of_motion(&value) {

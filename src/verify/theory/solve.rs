@@ -10,9 +10,6 @@ use crate::verify::values::quantity::{Quantity, Shape};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
-/// Sorts premises by when they are solved.
-pub(crate) type Turn = (bool, bool, u8);
-
 /// Terms of a relation that is tried again.
 const MOST_TERMS: usize = 12;
 
@@ -62,34 +59,6 @@ impl Theory {
         }
     }
 
-    /// When a premise is solved: those of one instant last, definitions and the form of the inertia first, rates after
-    /// values.
-    fn turn(&self, premise: &Premise) -> Turn {
-        let momentary = self.instants.contains(&premise.name);
-        let mut residuals = premise.residuals.iter();
-        let mean = residuals.all(|r| self.is_mean(r.numerator()));
-        let later = !premise.definition && !mean && !self.is_of_products(premise);
-        (momentary, later, self.highest_order(premise))
-    }
-
-    /// Whether all that a premise says is that products of inertia vanish, which makes what others say shorter.
-    fn is_of_products(&self, premise: &Premise) -> bool {
-        let inertia = Owner::Quantity(Quantity::Inertia, String::new());
-        let product = |residual: &Fraction| {
-            let entity = residual.as_variable().and_then(|v| self.atoms.entity_of(v));
-            entity.is_some_and(|entity| self.atoms.info(entity).owner == inertia)
-        };
-        premise.residuals.iter().all(product)
-    }
-
-    /// Whether a premise that is added can be solved behind all others, so that their solutions stand.
-    pub(crate) fn comes_last(&mut self, premise: &Premise) -> bool {
-        let turn = Some(self.turn(premise));
-        let in_turn = self.relations.kept.is_empty() && turn >= self.last_turn;
-        self.last_turn = self.last_turn.max(turn);
-        self.left_out.is_empty() && (in_turn || self.only_names(premise))
-    }
-
     /// Tries again what was kept, where rules came after it: they may have simplified it.
     fn solve_kept(&mut self, order: &[Premise]) -> Taken {
         let rules = self.sources.len();
@@ -114,24 +83,6 @@ impl Theory {
             true => Taken::Solved,
             false => Taken::Kept,
         }
-    }
-
-    /// The highest order of a rate in a premise; the moment counts as a rate, as it stands for one.
-    fn highest_order(&self, premise: &Premise) -> u8 {
-        let variables = premise
-            .residuals
-            .iter()
-            .flat_map(|r| r.numerator().variables());
-        let order = |variable| match self.atoms.atom(variable) {
-            Atom::Part { entity, order, .. } => match self.atoms.info(*entity).owner {
-                Owner::Quantity(Quantity::Moment, _) => 1,
-                _ => *order,
-            },
-            Atom::SpaceRate { .. } => 1,
-            Atom::Kernel { .. } | Atom::Opaque { .. } => 0,
-        };
-        let found = self.of_rates.get(&premise.name).copied();
-        variables.map(order).chain(found).max().unwrap_or(0)
     }
 
     /// Whether a condition is that no moment acts about the axis of which the equation of motion is dropped.
@@ -344,7 +295,7 @@ impl Theory {
     }
 
     /// Whether a relation is linear and between three angular velocities, as before and behind a step and their mean.
-    fn is_mean(&self, relation: &Polynomial) -> bool {
+    pub(crate) fn is_mean(&self, relation: &Polynomial) -> bool {
         let variant = |v: Variable| match self.atoms.owner(v) {
             Some(Owner::Quantity(Quantity::AngularVelocity, variant)) => Some(variant.as_str()),
             _ => None,

@@ -48,6 +48,22 @@ pub(crate) fn names_a_size(before: &str) -> bool {
         && !names_a_time(before)
 }
 
+/// Whether the clause before a formula calls it the Lagrangian: "the Lagrangian of the top is ⟨".
+pub(crate) fn names_the_lagrangian(before: &str) -> bool {
+    let before = before.trim_end_matches(['.', ':', ' ', '⟩']);
+    let clause = before.rsplit(['⟨', ',', ';', '.', ':']).next();
+    let (_, behind) = match clause.and_then(|clause| clause.rsplit_once("lagrang")) {
+        Some(named) => named,
+        None => return false,
+    };
+    // "Lagrange's equation for θ is" names another thing.
+    let function = ["ian", "e function", "e's function", "ean"];
+    function.iter().any(|end| behind.starts_with(end))
+        && !["equation", "gives", "yields", "follow", "derive"]
+            .iter()
+            .any(|word| behind.contains(word))
+}
+
 /// "A step of length ⟨", "time intervals of length ⟨": a time, and no length.
 fn names_a_time(before: &str) -> bool {
     let words = before.trim_end_matches(['⟨', ',', ' ']);
