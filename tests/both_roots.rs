@@ -61,3 +61,38 @@ fn words_say_at_which_angle_the_product_vanishes() {
     assert_ne!(with(r"\frac{I_{xy}}{I_y - I_x}"), 'a');
     assert_ne!(with(r"\frac{2I_{xy}}{I_x - I_y}"), 'a');
 }
+
+#[test]
+fn roots_are_real_where_the_discriminant_is_positive() {
+    let text = |words: &str, condition: &str, least: &str| {
+        let text = format!(
+            r"A top of moments $A$, $A$, $C$ about its fixed tip spins steadily. Its mass is $m$ and the centre of mass is at the distance $h$. Suppose
+
+$$ A\cos\theta\,\Omega^2 - C n\,\Omega + mgh = 0 $$
+
+The roots must be real{words}, that is,
+
+$$ {condition} $$
+
+and the least spin is
+
+$$ n_{{\min}} = {least} $$
+"
+        );
+        verdicts(&text)
+    };
+    let small = " also for a small inclination";
+    let (right, least) = (r"C^2 n^2 \ge 4Amgh", r"\frac{2}{C}\sqrt{Amgh}");
+    assert_eq!(text(small, right, least), "aaa");
+    assert_eq!(text(small, r"4Amgh \le C^2 n^2", least), "aaa");
+    assert_eq!(text(small, r"C^2 n^2 \ge 2Amgh", least), "ara");
+    assert_eq!(text(small, r"C^2 n^2 \le 4Amgh", least), "ara");
+    assert_eq!(text(small, right, r"\frac{4}{C}\sqrt{Amgh}"), "aar");
+    assert_eq!(text(small, right, r"\frac{2}{A}\sqrt{Amgh}"), "aar");
+    let inclined = text(
+        "",
+        r"C^2 n^2 \ge 4Amgh\cos\theta",
+        r"\frac{2}{C}\sqrt{Amgh\cos\theta}",
+    );
+    assert_eq!(inclined, "aaa");
+}

@@ -133,6 +133,8 @@ pub(super) struct Checker<'a> {
     pub(super) sought: Option<Sought>,
     /// The last equations whose roots a line with ± may give.
     pub(super) equations: Vec<Fraction>,
+    /// What vanishes at the border of the values for which roots are real.
+    pub(super) border: Option<Fraction>,
     /// Which quantities are greater than others.
     pub(super) orders: Vec<Order>,
     /// What lines or words call positive.
@@ -222,6 +224,7 @@ impl<'a> Checker<'a> {
             sought: None,
             last_product: None,
             equations: vec![],
+            border: None,
             orders: vec![],
             positive: BTreeSet::new(),
             from_prose: vec![],

@@ -54,6 +54,7 @@ pub(super) mod plus_minus;
 pub(super) mod points;
 pub(super) mod precession;
 pub(super) mod put_in;
+pub(super) mod real_roots;
 pub(super) mod rigid_points;
 pub(super) mod role_by_content;
 pub(super) mod signs;

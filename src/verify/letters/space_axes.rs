@@ -294,8 +294,7 @@ fn is_by_plain_rate(
     let is_momentum = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s == momentum);
     let plain = |s: &&Symbol| s.subscripts.is_empty() && rate(s);
     lines(document).any(|line| {
-        line.sides.iter().any(is_momentum)
-            && line.sides.iter().flat_map(symbols).any(|s| plain(&s))
+        line.sides.iter().any(is_momentum) && line.sides.iter().flat_map(symbols).any(|s| plain(&s))
     })
 }
 

@@ -32,6 +32,7 @@ impl Checker<'_> {
                 finding.reason = None;
             }
             Relation::NotEqual if line.relations.len() == 1 => self.not_equal(line, role, finding),
+            _ if ordered && self.has_real_roots(line, finding) => {}
             // A criterion is not shown by what is said to follow from it.
             _ if ordered && self.displayed && Words::of(&self.sentence).condition() => {}
             _ if ordered && role != Role::Claim => {

@@ -29,6 +29,9 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };
+        if self.is_on_border(left, right, finding) {
+            return true;
+        }
         let words = lowered(&self.sentence);
         let of_a_surface = has_any(&words, &["semi-ax", "semiax"]);
         let reason = if claimed && of_a_surface {

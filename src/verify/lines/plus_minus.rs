@@ -23,11 +23,11 @@ use std::collections::BTreeSet;
 const MOST_EQUATIONS: usize = 6;
 
 impl Checker<'_> {
-    /// Keeps an equation that has zero on its right, in a document that writes both signs at once.
+    /// Keeps an equation that has zero on its right, in a document that speaks of roots.
     pub(crate) fn note_equation(&mut self, sides: &[Node], finding: &Finding) {
         let [_, right] = sides else { return };
         let holds = !matches!(finding.verdict, Verdict::Refuted | Verdict::Unreadable);
-        if !holds || !is_zero(right) || !self.text.says(&["\\pm", "±"]) {
+        if !holds || !is_zero(right) || !self.text.says(&["\\pm", "±", "root"]) {
             return;
         }
         let Ok(read) = self.read(sides, Frame::Moving) else {
