@@ -86,3 +86,25 @@ fn a_frequency_is_no_definition_where_the_motion_was_spoken_of() {
                 $$ p = \\sqrt{\\frac{e + s}{J}} $$\n";
     assert_eq!(verdicts(text), "uuu");
 }
+
+#[test]
+fn that_a_vector_is_one_of_unit_length_ties_it_to_nothing() {
+    let text = |unit: &str, sign: &str| {
+        format!(
+            r"# The gradient of gravity
+
+The orbital rate is $n$. Let $\mathbf{{o}} = (o_1, o_2, o_3)$ be the unit vector to the Earth{unit}. On principal axes the torque is
+
+$$ \mathbf{{G}} = 3n^2\,\mathbf{{o}}\times\mathbf{{J}}\mathbf{{o}} $$
+
+and its component is
+
+$$ G_3 = {sign}3n^2(J_2 - J_1)\,o_1o_2 $$
+"
+        )
+    };
+    let unit = ", so that $o_1^2 + o_2^2 + o_3^2 = 1$";
+    assert_eq!(verdicts(&text("", "")), "aap");
+    assert_eq!(verdicts(&text(unit, "")), "aaap");
+    assert_eq!(verdicts(&text(unit, "-")), "aaar");
+}

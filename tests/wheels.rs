@@ -295,6 +295,15 @@ $$ H_1 = J_1\omega_1 + h_1, \quad H_2 = J_2\omega_2 {second}, \quad H_3 = J_3\om
 }
 
 #[test]
+fn a_constant_momentum_of_the_rotor_may_be_said_in_a_formula() {
+    let text = r"The components of the angular velocity are $p$, $q$, $r$. The rotor of the engine adds an angular momentum $h$ about the $x$ axis. It runs at constant speed, so $\dot{h} = 0$.
+
+$$ H_x = I_x p + h, \qquad H_y = I_y q $$
+";
+    assert_eq!(verdicts(text), "app");
+}
+
+#[test]
 fn a_number_in_a_component_is_the_momentum_of_the_rotor_along_its_axis() {
     let text = |rotor: &str, h: &str, sign: &str| {
         format!(

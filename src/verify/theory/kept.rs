@@ -12,6 +12,7 @@ use crate::verify::theory::variety::Variety;
 use crate::verify::theory::world::Drawn;
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::quantity::Shape;
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -79,18 +80,21 @@ impl Theory {
         Monomial::from_powers(common.powers().into_iter().filter(nonzero))
     }
 
-    /// Whether a symbol of the document stands in a relation that is kept, as written or with every rule put in.
+    /// Whether a symbol of the document stands in a relation that is kept, as written or with every rule put in. That a
+    /// vector has a length ties it to nothing.
     pub(crate) fn is_in_relation(&mut self, entity: Entity) -> bool {
         if !matches!(self.atoms.info(entity).owner, Owner::Symbol(_)) {
             return false;
         }
+        let vector = self.atoms.info(entity).shape == Shape::Vector;
         self.relations.kept.clone().into_iter().any(|kept| {
             let mut variables = self.normal(&kept.written).variables();
             variables.extend(kept.written.variables());
-            let mut entities = variables
+            let entities = variables
                 .into_iter()
                 .filter_map(|v| self.atoms.entity_of(v));
-            entities.any(|found| found == entity)
+            let entities: BTreeSet<Entity> = entities.collect();
+            entities.contains(&entity) && !(vector && entities.len() == 1)
         })
     }
 

@@ -58,6 +58,8 @@ impl Checker<'_> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         // Of an equation of motion, what is left is no news of the wheels.
         let alone = matches!(&undotted(first).kind, Kind::Symbol(symbol) if self.meaning_of(symbol).entity() != Some(moment));
+        let stored = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let theirs = self.entities([first]).contains(&stored);
         let (mut met, mut lost) = (false, 0);
         let told = read.residuals().all(|entry| {
             let rest = self.theory.normal(entry);
@@ -79,7 +81,7 @@ impl Checker<'_> {
                 } => self.reading.wheel_axis == Some(component),
                 _ => false,
             };
-            let once = once.is_some_and(|v| !along(v) && !self.writes_stored_part(v));
+            let once = once.is_some_and(|v| !along(v) && (theirs || !self.writes_stored_part(v)));
             let told = owners.is_empty() || own_one || alone && once;
             told && (owners.len() <= 2 || one_each) && owners.iter().all(|o| own(o) || wheels(o))
         });
