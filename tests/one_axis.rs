@@ -4,7 +4,8 @@
 #[path = "outcome/verdicts.rs"]
 mod outcome;
 
-use outcome::verdicts;
+use outcome::{verdicts, verdicts_in};
+use polhode::notation::document::Format;
 
 #[test]
 fn two_states_of_a_body_have_one_momentum_where_it_is_conserved() {
@@ -191,4 +192,21 @@ fn a_rotor_turns_through_an_angle_about_a_bearing_with_a_letter() {
     };
     assert_eq!(verdicts(&text("-")), "ppppp");
     assert_eq!(verdicts(&text("+")), "pprrp");
+}
+
+#[test]
+fn plain_text_crosses_the_letter_of_a_number() {
+    let text = |sign: &str| {
+        let text = format!(
+            "Two small balls of mass m sit at the ends of a light rod of length 2b.\n\
+             Axes x, y, z turn with the shaft, rod in the xz plane.\n\n\
+             The positions of the balls are\n\n    r₁ = (b sin α, 0, b cos α)\n    r₂ = −r₁\n\n\
+             The shaft turns at the rate ω about z, so the angular momentum is\n\n    L_x = −I_xz ω\n    L_y = 0\n    L_z = I_zz ω\n\n\
+             The torque, seen from the turning axes, is\n\n    τ = L̇ + ω × L\n\nIn components\n\n    \
+             τ_x = −I_xz ω̇\n    τ_y = {sign}I_xz ω²\n    τ_z = I_zz ω̇\n"
+        );
+        verdicts_in(&text, Format::Text)
+    };
+    assert_eq!(text("−"), "aappppppp");
+    assert_eq!(text(""), "aappppprp");
 }

@@ -33,16 +33,20 @@ impl Reading {
     pub(crate) fn about_fixed_axis(&mut self, document: &Text) {
         let letter = self.quantities.iter().find_map(|(letter, quantity)| {
             let used = self.usage.get(letter);
-            let bare = used.bare > 0 && used.component == 0 && used.crossed_bare == 0;
+            let bare = used.bare > 0 && used.component == 0;
             (*quantity == Quantity::AngularVelocity && bare).then(|| letter.clone())
         });
+        // In plain text ω × L is written in the letter of the number.
+        let crossed = letter
+            .as_ref()
+            .is_some_and(|letter| self.usage.get(letter).crossed_bare > 0);
         let others = self
             .components
             .values()
             .any(|(q, _)| *q == Quantity::AngularVelocity);
         // Where ω is only ever a number, it need not be said that the axis is fixed.
         let number = letter.as_ref();
-        let number = number.is_some_and(|letter| self.usage.get(letter).vector == 0);
+        let number = number.is_some_and(|letter| self.usage.get(letter).vector == 0) && !crossed;
         if letter.is_none() && !others && !self.plane && self.euler_angles.is_none() {
             return self.through_an_angle(document);
         }

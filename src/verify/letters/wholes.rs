@@ -38,6 +38,7 @@ impl Wholes {
             match row {
                 Row::Line(line) => {
                     wholes.line(line);
+                    wholes.opposite(line);
                     met.extend(line.sides.iter().flat_map(symbols));
                     line.sides.iter().for_each(|side| crossed(side, &mut used));
                     line.sides
@@ -148,6 +149,25 @@ impl Wholes {
         if indexed && (grid || square || symbol.style.vector && is_directed(right, symbol)) {
             self.named
                 .insert((Letter::of(symbol), symbol.subscripts.clone()));
+        }
+    }
+
+    /// `r_2 = -r_1`, where r₁ was written out: both are wholes.
+    fn opposite(&mut self, line: &Line) {
+        let [left, right] = line.sides.as_slice() else {
+            return;
+        };
+        let right = match &inner(right).kind {
+            Kind::Negate(inside) => inside,
+            _ => right,
+        };
+        let (Kind::Symbol(one), Kind::Symbol(other)) = (&inner(left).kind, &inner(right).kind)
+        else {
+            return;
+        };
+        let name = |s: &Symbol| (Letter::of(s), s.subscripts.clone());
+        if name(one).0 == name(other).0 && self.named.contains(&name(other)) {
+            self.named.insert(name(one));
         }
     }
 

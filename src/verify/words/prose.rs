@@ -189,6 +189,17 @@ pub(crate) fn speaks_of_any_vector(document: &Document) -> bool {
     })
 }
 
+/// What has no extent across the plane in which it lies.
+const THIN: &[&str] = &[
+    "rod",
+    "wire",
+    "balls",
+    "particles",
+    "masses",
+    "dumbbell",
+    "dumb-bell",
+];
+
 fn axis_name(axis: u8) -> &'static str {
     ["x", "y", "z"][usize::from(axis) % 3]
 }
@@ -209,7 +220,17 @@ pub(crate) fn symmetry_plane(text: &str) -> Vec<Said> {
         "symmetric about",
     ];
     let flat = has_any(text, &["flat", "thin", "lamina", "plate"])
-        && has_any(text, &["lies in the", "lying in the", "in the plane"]);
+        && has_any(text, &["lies in the", "lying in the", "in the plane"])
+        || THIN.iter().any(|body| {
+            let lies = [
+                " in the ",
+                " lies in the ",
+                " lie in the ",
+                " lying in the ",
+            ];
+            lies.iter()
+                .any(|words| text.contains(&format!("{body}{words}")))
+        });
     let named = match flat || has_any(text, &symmetric) {
         true => named_plane(text),
         false => None,
