@@ -22,6 +22,6 @@ fn the_moment_on_a_labelled_body_obeys_eulers_equation() {
     let turning = r"\boldsymbol\omega_k\times\mathbf J_k\boldsymbol\omega_k";
     assert_eq!(chain(moment, &format!("{rate} + {turning}")), "a");
     assert_eq!(chain(moment, &format!("{rate} - {turning}")), "r");
-    assert_eq!(chain(moment, &format!("-{rate} - {turning}")), "a");
+    assert_eq!(chain(moment, &format!("-{rate} - {turning}")), "u");
     assert_eq!(chain("This vector of", &format!("{rate} - {turning}")), "u");
 }

@@ -165,6 +165,7 @@ impl<'a> Checker<'a> {
             dropped_axis: None,
             translation: None,
             wheel_inertia: None,
+            energy_of_parts: None,
             drifts: reading.speaks_of(Quantity::CentreVelocity),
             newton: !reading.usage.speaks_of_a_centre() && !reading.drifts_beside_a_point(),
             rigid: !inertia_changes(document, &reading),

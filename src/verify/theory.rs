@@ -15,6 +15,7 @@ pub(super) mod mentioned;
 pub(super) mod more_moments;
 pub(super) mod normal;
 pub(super) mod parallel_axes;
+pub(super) mod parts_of_body;
 pub(super) mod point;
 pub(super) mod roots;
 pub(super) mod solution;

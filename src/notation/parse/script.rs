@@ -63,7 +63,9 @@ impl<'t, 'a> Parser<'t, 'a> {
         if matches!(tokens, [t] if matches!(t.kind, Lexeme::Command("times" | "wedge"))) {
             return skew(node);
         }
-        if let Some(symbol) = indexed(&mut node) {
+        // `\dot{\vec H}_{xyz}`: the axes under a dot are those that the rate is seen from.
+        let seen = is_rate_of_vector(&node) && is_frame(&text::plain(tokens));
+        if let Some(symbol) = indexed(&mut node).filter(|_| !seen) {
             let parts = super::split_outside(tokens, |t| t.kind == Lexeme::Char(','));
             symbol
                 .subscripts
@@ -161,6 +163,25 @@ fn indexed(node: &mut Node) -> Option<&mut Symbol> {
         Kind::Power(base, _) => symbol_of(base),
         _ => None,
     }
+}
+
+/// Whether a node is the rate of a vector that has no index.
+fn is_rate_of_vector(node: &Node) -> bool {
+    match &node.kind {
+        Kind::TimeDerivative {
+            operand,
+            frame: None,
+            ..
+        } => {
+            matches!(&operand.kind, Kind::Symbol(s) if (s.style.vector || s.style.bar) && s.subscripts.is_empty())
+        }
+        _ => false,
+    }
+}
+
+/// Whether a label is the three axes of a frame.
+fn is_frame(label: &str) -> bool {
+    matches!(label, "xyz" | "XYZ" | "Oxyz" | "OXYZ" | "Gxyz" | "x'y'z'")
 }
 
 fn is_e(symbol: &Symbol) -> bool {

@@ -1,6 +1,6 @@
 //! Symbols that a line defines by their square: `\nu^2 = mgd/I`.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Monomial, Rational};
 use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::inner;
@@ -57,13 +57,23 @@ impl Checker<'_> {
         let own = matches!(atoms.owner(*variable), Some(Owner::Symbol(_)));
         let entity = atoms.entity_of(*variable);
         let rests = entity.is_some_and(|entity| atoms.info(entity).constant);
-        let new = own && rests && !self.theory.mentions(*variable);
+        // What moves may change its sign, but for the length of its components.
+        let new = own && (rests || is_sum_of_squares(right)) && !self.theory.mentions(*variable);
         if new && (left.clone() - square).is_zero() && !right.variables().is_empty() {
             let right = self.theory.normal(right);
             let root = self.theory.kernel(Function::Sqrt, right);
             *residual = variable_fraction(*variable) - root;
         }
     }
+}
+
+/// Whether several squares are added up.
+fn is_sum_of_squares(value: &Fraction) -> bool {
+    let terms = value.numerator().terms();
+    let square = |(monomial, factor): &(Monomial, Rational)| {
+        *factor == 1.into() && monomial.factors().all(|(_, power)| power == 2)
+    };
+    value.is_polynomial() && terms.len() > 1 && terms.iter().all(square)
 }
 
 /// Whether an exponent is a 2.

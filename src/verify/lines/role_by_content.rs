@@ -11,6 +11,7 @@ use crate::verify::values::symbol::{MAGNITUDE, Meaning};
 use crate::verify::verdict::Role;
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 /// What turns steadily.
 const STEADY: &[&str] = &[
@@ -43,6 +44,9 @@ impl Checker<'_> {
             || !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides))
         {
             return Role::Assume;
+        }
+        if role == Role::Assume && self.writes_components(left, rest) {
+            return Role::Given;
         }
         if role == Role::Claim || self.firm {
             return role;
@@ -93,6 +97,36 @@ impl Checker<'_> {
             true => role,
             false => Role::Claim,
         }
+    }
+
+    /// Whether a line only gives the three components of a vector their names: `\omega = p\,i + q\,j + r\,k`.
+    fn writes_components(&mut self, left: &Node, rest: &[Node]) -> bool {
+        let ([right], Kind::Symbol(whole)) = (rest, &inner(left).kind) else {
+            return false;
+        };
+        let Kind::Sum(terms) = &inner(right).kind else {
+            return false;
+        };
+        let vector = self.entity_named(whole);
+        let vector = vector.is_some_and(|v| self.theory.atoms.info(v).shape == Shape::Vector);
+        let mut axes = BTreeSet::new();
+        let mut names = |checker: &mut Self, term: &Node| {
+            let met: Vec<Meaning> = symbols(term)
+                .into_iter()
+                .map(|symbol| checker.meaning_of(symbol))
+                .collect();
+            let product = matches!(inner(term).kind, Kind::Product(_));
+            match met.as_slice() {
+                [part, Meaning::UnitVector(axis)] => {
+                    product && part.entity().is_some() && axes.insert(*axis)
+                }
+                _ => false,
+            }
+        };
+        let plain = terms
+            .iter()
+            .all(|term| !term.negative && names(self, &term.node));
+        vector && plain && axes.len() == 3
     }
 
     /// Whether a symbol of the document stands in a line that nothing before says anything of.

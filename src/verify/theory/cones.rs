@@ -13,12 +13,16 @@ impl Theory {
     /// body is not symmetric or turns by this angle.
     pub(crate) fn cone(&mut self, angle: Variable) -> Option<(Fraction, Fraction)> {
         let (quantity, named) = *self.cones.get(&angle)?;
-        let [axial, first, second] = self.symmetry()?;
+        let vector = self.normals_of(quantity);
+        let rate = self.normals_of(Quantity::AngularVelocity);
+        let (momentum, wheels) = (quantity == Quantity::Momentum, self.setting.gyrostat);
+        let [axial, first, second] = match momentum && wheels {
+            true => across(&vector, &rate)?,
+            false => self.symmetry()?,
+        };
         if named.is_some_and(|named| usize::from(named) != axial) {
             return None;
         }
-        let vector = self.normals_of(quantity);
-        let rate = self.normals_of(Quantity::AngularVelocity);
         let turns = |f: &Fraction| {
             let mut inside = f.variables().into_iter();
             inside.any(|v| wraps(&self.atoms, v, angle))
@@ -29,6 +33,7 @@ impl Theory {
         let inertia = self.atoms.quantity(Quantity::Inertia);
         let moment = self.atoms.value(inertia, first as u8, 0);
         let factor = match quantity {
+            Quantity::Momentum if wheels => vector[first].clone() / rate[first].clone(),
             Quantity::Momentum => self.normal(&moment),
             _ => Fraction::one(),
         };
@@ -78,6 +83,22 @@ impl Theory {
             }
         }
     }
+}
+
+/// The axis of wheels in a body that is symmetric about it, and the other two: the momentum across the axis is a multiple of
+/// the angular velocity, and along it is not.
+fn across(momentum: &[Fraction; 3], rate: &[Fraction; 3]) -> Option<[usize; 3]> {
+    let turning: Vec<Variable> = rate.iter().flat_map(Fraction::variables).collect();
+    let axes = [[2, 0, 1], [0, 1, 2], [1, 2, 0]];
+    axes.into_iter().find(|&[axial, first, second]| {
+        if rate[first].is_zero() {
+            return false;
+        }
+        let factor = momentum[first].clone() / rate[first].clone();
+        let lies = |at: usize| (momentum[at].clone() - factor.clone() * rate[at].clone()).is_zero();
+        let moment = factor.variables().iter().all(|v| !turning.contains(v));
+        moment && lies(second) && !lies(axial)
+    })
 }
 
 /// Whether a variable is a function of another.

@@ -56,6 +56,8 @@ pub(crate) struct Setting {
     pub translation: Option<Entity>,
     /// The axis and the moment of inertia of the only wheel, where the kinetic energy is that of body and wheel.
     pub wheel_inertia: Option<(u8, Variable)>,
+    /// What the kinetic energy of the parts of a body comes to, where a line gives its momentum by these.
+    pub energy_of_parts: Option<Entity>,
     /// Moments that act beside the one that is written as the moment.
     pub other_moments: OtherMoments,
     /// Inertia about the mass centre and about another point: tensors, and moments about one axis.
@@ -225,6 +227,9 @@ fn determined(
         }
         OriginVelocity if !setting.origin_moves => Some(("origin at rest", Fraction::zero())),
         Energy => {
+            if let Some(whole) = setting.energy_of_parts {
+                return Some(("energy", atoms.value(whole, 0, 0)));
+            }
             let half = Fraction::from_ratio(1, 2);
             let omega = vector(atoms, AngularVelocity, 0);
             // Of the body alone: what its wheels have beside depends on how they are made.

@@ -119,9 +119,13 @@ impl Checker<'_> {
         slips
     }
 
-    /// Refutes what words call the moment on one body of several, where every symbol of the line has the same label and
-    /// what is left without it has the form of Euler's equation and is not that equation, with either sign of the moment.
-    pub(crate) fn slips_in_labelled_law(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+    /// Settles a line that has the form of Euler's equation for one body of several, whose label every symbol has: it is
+    /// taken in where it is that equation, and refuted where it is not, with either sign of what words call the moment.
+    pub(crate) fn is_law_of_labelled_body(
+        &mut self,
+        sides: &[Node],
+        finding: &mut Finding,
+    ) -> bool {
         let mut labels = sides
             .iter()
             .flat_map(symbols)
@@ -158,7 +162,11 @@ impl Checker<'_> {
             let mut entries = read.residuals();
             entries.all(|entry| checker.holds_as_moment(entry, load, sign))
         };
-        if holds(self, 1) || holds(self, -1) {
+        if holds(self, 1) {
+            self.given(sides, finding);
+            return finding.verdict == Verdict::Accepted;
+        }
+        if holds(self, -1) {
             return false;
         }
         let words = lowered(&self.sentence);

@@ -127,7 +127,7 @@ impl Checker<'_> {
     /// relative momentum J s along an axis, ½ ω·Iω + ω·h + ½ J s² (Hughes, Spacecraft Attitude Dynamics, section 3.4).
     pub(crate) fn note_wheel_energy(&mut self, sides: &[Node]) {
         let [left, right @ ..] = sides else { return };
-        if !self.theory.setting.gyrostat || self.theory.setting.wheel_inertia.is_some() {
+        if !self.theory.setting.gyrostat || self.knows_energy_of_wheels() {
             return;
         }
         let energy = self.theory.atoms.quantity(Quantity::Energy);
@@ -180,11 +180,16 @@ impl Checker<'_> {
         (stored[axis] == product).then_some((axis as u8, inertia))
     }
 
+    fn knows_energy_of_wheels(&self) -> bool {
+        let setting = &self.theory.setting;
+        setting.wheel_inertia.is_some() || setting.energy_of_parts.is_some()
+    }
+
     /// Whether a difference from the kinetic energy has something of the wheels in it, and nothing says what their own is.
     pub(crate) fn lacks_energy_of_wheels(&mut self, read: &Read) -> bool {
         let energy = self.theory.atoms.quantity(Quantity::Energy);
         let energy = self.theory.atoms.part(energy, 0, 0);
-        if !self.theory.setting.gyrostat || self.theory.setting.wheel_inertia.is_some() {
+        if !self.theory.setting.gyrostat || self.knows_energy_of_wheels() {
             return false;
         }
         let residuals: Vec<Fraction> = read.residuals().cloned().collect();
@@ -199,7 +204,12 @@ impl Checker<'_> {
     }
 
     /// Gives the wheels the momentum that is missing beside Iω: what Iω less the right side has, but for the sign.
-    fn take_wheels(&mut self, rests: Vec<Fraction>, sides: &[Node], finding: &mut Finding) -> bool {
+    pub(crate) fn take_wheels(
+        &mut self,
+        rests: Vec<Fraction>,
+        sides: &[Node],
+        finding: &mut Finding,
+    ) -> bool {
         self.theory.set(|setting| setting.gyrostat = true);
         let wheels = self.theory.atoms.quantity(Quantity::RelativeMomentum);
         let parts: Vec<Variable> = (0..3)

@@ -19,6 +19,12 @@ const AXES: &[&str] = &[
     "figure axis",
     "axis of figure",
     "spin axis",
+    "bearing axis",
+    "rotor axis",
+    "axis of the rotor",
+    "wheel axis",
+    "axis of the wheel",
+    "common axis",
     "3-axis",
     "third axis",
 ];
