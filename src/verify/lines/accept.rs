@@ -118,7 +118,10 @@ impl Checker<'_> {
             Taken::Solved | Taken::Kept => {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);
-                self.note_assumption(&name, role);
+                // Names of components are no case that another one takes the place of.
+                if !self.writes_components(sides) {
+                    self.note_assumption(&name, role);
+                }
                 if self.small_turns.len() == 2 || self.linear && !self.small.is_empty() {
                     self.drop_second_order();
                 }

@@ -45,9 +45,6 @@ impl Checker<'_> {
         {
             return Role::Assume;
         }
-        if role == Role::Assume && self.writes_components(left, rest) {
-            return Role::Given;
-        }
         if role == Role::Claim || self.firm {
             return role;
         }
@@ -100,8 +97,9 @@ impl Checker<'_> {
     }
 
     /// Whether a line only gives the three components of a vector their names: `\omega = p\,i + q\,j + r\,k`.
-    fn writes_components(&mut self, left: &Node, rest: &[Node]) -> bool {
-        let ([right], Kind::Symbol(whole)) = (rest, &inner(left).kind) else {
+    pub(crate) fn writes_components(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(whole) = &inner(left).kind else {
             return false;
         };
         let Kind::Sum(terms) = &inner(right).kind else {
