@@ -88,3 +88,22 @@ $$ M_x = A\dot\Omega_x SIGN (C - A)\,\Omega_y\Omega_z $$
     assert_eq!(with("+"), Some('p'));
     assert_eq!(with("-"), Some('r'));
 }
+
+#[test]
+fn no_torque_about_a_shaft_leaves_those_across_it() {
+    let text = |words: &str| {
+        verdicts(&format!(
+            r"A rotor turns with the constant rate $\boldsymbol\omega = \Omega\,\hat k$ on axes fixed in it. {words}
+
+$$ \mathbf M = -I_{{yz}}\Omega^2\,\hat\imath $$
+"
+        ))
+    };
+    // With none at all, both sides would vanish.
+    assert_eq!(text("No torque acts about the shaft."), "ar");
+    assert_eq!(
+        text("By its bearings no torque acts on it along the axis."),
+        "ar"
+    );
+    assert_eq!(text("No torque acts about any axis."), "au");
+}

@@ -174,12 +174,6 @@ pub(crate) fn principal(text: &str) -> bool {
 static NOT_SO: LazyLock<Book> =
     LazyLock::new(|| Book::of(["not ", "need not", "n't ", "general axes", "arbitrary"]));
 
-/// Whether one of the phrases stands in a text and nothing in its clause denies it.
-pub(crate) fn stands(phrases: &Book, text: &str) -> bool {
-    let mut places = phrases.places(text);
-    places.any(|(_, at, end)| !is_denied(text, at, end))
-}
-
 /// Whether something in its clause denies a phrase that stands there.
 pub(crate) fn is_denied(text: &str, at: usize, end: usize) -> bool {
     let stops = ['.', ';', '!', '?'];

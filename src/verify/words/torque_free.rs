@@ -1,7 +1,7 @@
 //! What words say of the torque on a body: that none acts, or that there is one.
 
 use crate::verify::words::book::{Book, has_any, lowered};
-use crate::verify::words::suppositions::{NOTHING, Supposition, stands};
+use crate::verify::words::suppositions::{NOTHING, Supposition, is_denied};
 use std::sync::LazyLock;
 
 /// Set phrases for a motion without a torque.
@@ -115,6 +115,10 @@ static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
     )
 });
 
+/// Words between a torque and its axis, and what an axis is called.
+const ABOUT: &[&str] = &["about", "along", "around", "on"];
+const AXES: &[&str] = &["axis", "shaft", "axle", "hinge", "line", "vertical"];
+
 const THERE: &[&str] = &["is no ", "are no ", "with no "];
 
 /// What no text is without that says that no torque acts.
@@ -125,12 +129,23 @@ static CUES: LazyLock<Book> =
 pub(crate) fn torque_free(text: &str) -> bool {
     let says = || {
         let mut supposed = [&NO_TORQUE, &FREELY, &NO_FORCE].into_iter();
-        stands(&FREE_BOOK, text)
+        let mut set = FREE_BOOK.places(text);
+        set.any(|(_, at, end)| !is_denied(text, at, end) && !is_about_an_axis(&text[end..]))
             || denies_a_kind(text)
             || there_is_none(text)
             || supposed.any(|supposed| supposed.is_in(text))
     };
     CUES.is_in(text) && says()
+}
+
+/// Whether words behind "no torque" have it about one axis alone: "acts about the shaft".
+fn is_about_an_axis(behind: &str) -> bool {
+    let clause = behind.split(['.', ';', ',', '!', '?']).next();
+    let words = words(clause.unwrap_or_default());
+    let at = words.iter().position(|word| ABOUT.contains(word));
+    let named = at.map_or(&[][..], |at| &words[at..]);
+    let has = |any: &[&str]| named.iter().any(|word| any.contains(word));
+    has(AXES) && !has(&["any", "all", "each", "every", "three", "no"])
 }
 
 /// Whether a text speaks of a torque, other than that there is none.
