@@ -116,3 +116,31 @@ $$ \omega_{n+1}\cdot J\omega_{n+1} = \omega_n\cdot J\omega_n $$
 ";
     assert_eq!(verdicts(text), "paapp");
 }
+
+#[test]
+fn unmarked_rates_with_a_zero_and_a_one_that_a_matrix_multiplies_are_vectors() {
+    let text = |last: &str| {
+        format!(
+            r"The hat of a vector is the matrix of its cross product, $\hat{{a}}\,b = a\times b$, and $J$ is the inertia matrix.
+
+$$ J\dot\omega = \tau - \hat{{\omega}}J\omega $$
+
+A step of length $h$ leads from $\omega_0$ to $\omega_1$. With the midpoint
+
+$$ \omega_m = \frac{{1}}{{2}}\left(\omega_0 + \omega_1\right) $$
+
+we define the residual
+
+$$ F(\omega_1) = J(\omega_1 - \omega_0) + h\,\hat{{\omega}}_m J\omega_m - h\tau $$
+
+and Newton's method needs
+
+$$ \frac{{\partial F}}{{\partial\omega_1}} = J + {last} $$
+"
+        )
+    };
+    let half = r"\frac{h}{2}\left(\hat{\omega}_m J - \widehat{J\omega_m}\right)";
+    assert!(verdicts(&text(half)).ends_with("aap"));
+    let whole = r"h\left(\hat{\omega}_m J - \widehat{J\omega_m}\right)";
+    assert!(verdicts(&text(whole)).ends_with("aar"));
+}

@@ -44,6 +44,9 @@ impl Wholes {
                     line.sides
                         .iter()
                         .for_each(|side| beside_bare(side, &mut summed));
+                    line.sides
+                        .iter()
+                        .for_each(|side| multiplied(side, &mut summed));
                     if line.sides.iter().flat_map(terms).any(is_cross) {
                         used.extend(line.sides.iter().flat_map(terms).filter_map(lone));
                     }
@@ -55,10 +58,13 @@ impl Wholes {
         let beyond = met.iter().filter(|s| is_beyond_axes(s));
         wholes.counted = beyond.map(|s| Letter::of(s)).collect();
         // The ω_0 of `ω - ω_0` is a vector where ω is one.
+        let hatted = met.iter().copied().filter(|s| s.style.hat);
         let crossed: BTreeSet<Letter> = used
             .iter()
+            .copied()
             .filter(|s| s.subscripts.is_empty())
-            .map(|s| Letter::of(s))
+            .chain(hatted)
+            .map(Letter::of)
             .collect();
         let summed = summed
             .into_iter()
@@ -309,6 +315,30 @@ fn beside_bare<'a>(node: &'a Node, found: &mut Vec<(Letter, &'a Symbol)>) {
     node.children()
         .into_iter()
         .for_each(|child| beside_bare(child, found));
+}
+
+/// The symbols of one letter that stand in a sum with a 0 under one of them, and are multiplied together: `J(\omega_1 - \omega_0)`.
+fn multiplied<'a>(node: &'a Node, found: &mut Vec<(Letter, &'a Symbol)>) {
+    // `J(\omega_1 - \omega_0)` may be read as a call.
+    let factors: Vec<&Node> = match &node.kind {
+        Kind::Product(factors) => factors.iter().map(|factor| &factor.node).collect(),
+        Kind::Call(_, arguments) => arguments.iter().collect(),
+        _ => vec![],
+    };
+    for factor in factors {
+        let terms = terms(factor);
+        let all: Vec<&Symbol> = terms.iter().filter_map(|term| lone(term)).collect();
+        let one = all
+            .windows(2)
+            .all(|pair| Letter::of(pair[0]) == Letter::of(pair[1]));
+        let begins = all.iter().any(|s| number(s) == Some("0"));
+        if terms.len() > 1 && all.len() == terms.len() && one && begins {
+            found.extend(all.into_iter().map(|s| (Letter::of(s), s)));
+        }
+    }
+    node.children()
+        .into_iter()
+        .for_each(|child| multiplied(child, found));
 }
 
 /// The terms of a sum, or the node itself.

@@ -65,7 +65,10 @@ impl Slips<'_> {
             _ => return,
         };
         let inertia = self.reading.quantities.get(&letter) == Some(&Quantity::Inertia);
-        if inertia || !is_matrix(self.reading, node) {
+        if inertia {
+            return self.inverts(node);
+        }
+        if !is_matrix(self.reading, node) {
             return;
         }
         let text = self.source.slice(node.span);
@@ -74,6 +77,15 @@ impl Slips<'_> {
             false => format!("{text}^T"),
         };
         self.push(node.span, text, "transpose", 16, "a transpose is missing");
+    }
+
+    /// The inverse of the inertia for the inertia.
+    fn inverts(&mut self, node: &Node) {
+        let whole = matches!(&node.kind, Kind::Symbol(symbol) if symbol.subscripts.is_empty());
+        if whole {
+            let text = format!("{}^{{-1}}", self.source.slice(node.span));
+            self.push(node.span, text, "inverse", 17, "an inverse is missing");
+        }
     }
 }
 

@@ -148,8 +148,10 @@ impl<'a> Slips<'a> {
             }
             Kind::Power(base, exponent) => {
                 let base_text = self.slice(base).to_owned();
-                if self.slice(exponent).trim_matches(['{', '}', ' ']) == "2" {
-                    self.push(node.span, base_text, "factor", 24, "a square too many");
+                match self.slice(exponent).trim_matches(['{', '}', ' ']) {
+                    "2" => self.push(node.span, base_text, "factor", 24, "a square too many"),
+                    "-1" => self.push(node.span, base_text, "inverse", 5, "an inverse too many"),
+                    _ => {}
                 }
             }
             Kind::Transpose(inside) => {

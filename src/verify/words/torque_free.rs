@@ -130,7 +130,11 @@ pub(crate) fn torque_free(text: &str) -> bool {
     let says = || {
         let mut supposed = [&NO_TORQUE, &FREELY, &NO_FORCE].into_iter();
         let mut set = FREE_BOOK.places(text);
-        set.any(|(_, at, end)| !is_denied(text, at, end) && !is_about_an_axis(&text[end..]))
+        let whole = |at: usize, end: usize| {
+            let free = text[at..end].contains("free");
+            free || !is_about_an_axis(&text[end..])
+        };
+        set.any(|(_, at, end)| !is_denied(text, at, end) && whole(at, end))
             || denies_a_kind(text)
             || there_is_none(text)
             || supposed.any(|supposed| supposed.is_in(text))
