@@ -51,3 +51,22 @@ fn an_axis_that_goes_round_the_momentum_does_so_at_the_known_rate() {
     assert!(verdicts(&text("I_1")).ends_with('a'));
     assert!(verdicts(&text("I_3")).ends_with('r'));
 }
+
+#[test]
+fn numbers_alone_are_worked_out_and_not_handed_over() {
+    let text = |line: &str| {
+        verdicts(&format!(
+            "Let $m = 2$ and $r = 3$. The root is\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(
+        text(r"\tfrac12\sqrt{18\,000^2 + 4\cdot 1200^2} = 9080"),
+        "aap"
+    );
+    assert_eq!(
+        text(r"\tfrac12\sqrt{18\,000^2 + 4\cdot 1200^2} = 9180"),
+        "aar"
+    );
+    assert_eq!(text(r"3\sqrt{17} = 12.37"), "aap");
+    assert_eq!(text(r"3\sqrt{17} = 12.47"), "aar");
+}

@@ -42,3 +42,29 @@ $$ \lambda_1 + \lambda_2 + \lambda_3 = 22\mu $$
     assert!(!lines[5..8].contains(['r', 'u']), "{found}");
     assert_eq!(&lines[8..], "r", "{found}");
 }
+
+#[test]
+fn the_angle_of_principal_axes_is_where_the_product_vanishes() {
+    let text = |words: &str, angle: &str| {
+        let text = format!(
+            r"The axes are turned about $y$ through $\alpha$, and the product of inertia becomes
+
+$$ I_{{xz_s}} = \tfrac12(I_x - I_z)\sin 2\alpha + I_{{xz}}\cos 2\alpha $$
+
+{words}
+
+$$ {angle} $$
+"
+        );
+        verdicts(&text)
+    };
+    let (right, wrong) = (r"\frac{2I_{xz}}{I_z - I_x}", r"\frac{2I_{xz}}{I_x - I_z}");
+    let inclined = r"The axes on which the product of inertia disappears are inclined at the angle $\varepsilon$ with";
+    let condition =
+        r"The new axes are principal when $I_{xz_s} = 0$, which happens at the angle given by";
+    for (words, letter, before) in [(inclined, r"\varepsilon", ""), (condition, r"\alpha", "a")] {
+        let line = |value: &str| text(words, &format!(r"\tan 2{letter} = {value}"));
+        assert_eq!(line(right), format!("a{before}a"), "{words}");
+        assert_eq!(line(wrong), format!("a{before}r"), "{words}");
+    }
+}

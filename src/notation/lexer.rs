@@ -119,10 +119,12 @@ impl<'a> Lexer<'a> {
                 self.at += 1 + after;
             }
         }
-        let script = matches!(
-            self.out.last().map(|t| t.kind),
-            Some(Lexeme::Subscript | Lexeme::Superscript | Lexeme::Open)
-        );
+        let scripted = |kind| matches!(kind, Lexeme::Subscript | Lexeme::Superscript);
+        let script = match self.out.as_slice() {
+            [.., mark, last] if last.kind == Lexeme::Open => scripted(mark.kind),
+            [.., last] => scripted(last.kind),
+            [] => false,
+        };
         let decimals = self.decimals_behind_comma(start);
         if decimals > 0 && !script {
             self.at += 1 + decimals;

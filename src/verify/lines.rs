@@ -45,6 +45,7 @@ pub(super) mod moving_point;
 pub(super) mod named_only;
 pub(super) mod named_roots;
 pub(super) mod news;
+pub(super) mod numbered_axes;
 pub(super) mod numbers;
 pub(super) mod oscillation;
 pub(super) mod part_energy;

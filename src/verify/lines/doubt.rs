@@ -1,9 +1,9 @@
 //! Doubt: why a difference that is there may be no mistake, but a line before it that was not understood.
 
 use crate::algebra::{Fraction, Monomial, Rational, Variable};
-use crate::notation::ast::{Function, Kind, Line, Node, Symbol};
+use crate::notation::ast::{Function, Kind, Line};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{Letter, inner, symbols};
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
@@ -146,36 +146,6 @@ impl Checker<'_> {
             let found = variables.into_iter().find(direction)?;
             Some(names::latex(&self.theory.atoms, found))
         })
-    }
-
-    /// Numbered components in a line, where moments of inertia are numbered and about x and y as well: nothing says
-    /// whether the two sets of axes are one.
-    pub(crate) fn on_numbered_axes(&self, sides: &[Node]) -> Option<String> {
-        let usage = &self.reading.usage;
-        let quantities = &self.reading.quantities;
-        let lettered =
-            |letter: &Letter| ["x", "y"].iter().all(|axis| usage.has_index(letter, axis));
-        let moment = |letter: &Letter| quantities.get(letter) == Some(&Quantity::Inertia);
-        let entries =
-            |letter: &Letter| usage.has_lettered_entries(letter) && usage.has_index(letter, "1");
-        let told_apart = !self.reading.turns_to_numbers
-            && quantities
-                .keys()
-                .any(|letter| moment(letter) && entries(letter));
-        let of_both = |symbol: &&Symbol| {
-            let letter = Letter::of(symbol);
-            let numbered = matches!(symbol.subscripts.as_slice(), [s] if matches!(s.as_str(), "1" | "2" | "3"));
-            let beside = match moment(&letter) {
-                true => lettered(&letter),
-                false => told_apart && quantities.contains_key(&letter),
-            };
-            numbered && beside
-        };
-        let found = sides.iter().flat_map(symbols).find(of_both)?;
-        Some(format!(
-            "nothing before says whether `{}` is about the axes x, y, z",
-            found.name
-        ))
     }
 
     /// Whether a variable is a component of the inertia about the mass centre that is left unsaid where others are told:

@@ -36,6 +36,10 @@ impl Checker<'_> {
         let [first, .., last] = sides else {
             return false;
         };
+        // Numbers alone are worked out.
+        if self.entities(sides).is_empty() {
+            return false;
+        }
         if self.is_by_own_components(sides) {
             return self.lies_in_a_plane(sides);
         }

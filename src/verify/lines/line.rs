@@ -183,8 +183,8 @@ impl Checker<'_> {
             self.tie_weight(&sides, finding);
         }
         let settled = self.has_both_roots(&sides, finding)
-            || self.is_angle_of_principal_axes(&sides, role, finding)
             || self.vanishes_for(&sides, finding)
+            || self.is_angle_of_principal_axes(&sides, role, finding)
             || self.finds_the_root(&sides, finding)
             || self.slips_in_integral(&sides, finding)
             || self.slips_in_unnamed_law(&sides, finding)

@@ -1,14 +1,19 @@
 //! Conditions under which what stands before is zero: "it vanishes for ⟨tan 2θ = …⟩".
 
-use crate::notation::ast::{Kind, Node};
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::Premise;
-use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::theory::decide::{Decision, Equation, decide, passes_filter};
+use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::lower::substituted;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
+use std::collections::BTreeSet;
 
 const VANISHES: &[&str] = &[
     "vanishes",
@@ -44,6 +49,12 @@ impl Checker<'_> {
             return false;
         };
         let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        if !self.drop_condition(&subject) {
+            return false;
+        }
+        let Some(subject) = self.at_the_angle_of(&subject, &sides[0]) else {
             return false;
         };
         let name = self.line_name(finding);
@@ -82,6 +93,61 @@ impl Checker<'_> {
 }
 
 impl Checker<'_> {
+    /// A value with the angle of a tangent in the place of its own, where it has one only and the tangent another:
+    /// "the product vanishes on axes that are inclined at the angle ⟨ε⟩"; `None` where it has no angle at all.
+    fn at_the_angle_of(&mut self, subject: &Value, side: &Node) -> Option<Value> {
+        let Kind::Function(Function::Tan, argument) = &inner(side).kind else {
+            return Some(subject.clone());
+        };
+        let argument = self.lowering(Frame::Moving).scalar(argument)?;
+        let normal = subject.map(|entry| self.theory.normal(entry));
+        let kernels: Vec<(Variable, Function, Fraction)> = normal
+            .entries
+            .iter()
+            .flat_map(Fraction::variables)
+            .filter_map(|v| match self.theory.atoms.atom(v) {
+                Atom::Kernel { function, argument } => Some((v, *function, argument.clone())),
+                _ => None,
+            })
+            .collect();
+        let own: BTreeSet<Variable> = kernels.iter().flat_map(|(_, _, a)| a.variables()).collect();
+        let inside = argument.variables();
+        let own = own.first().copied().filter(|_| own.len() == 1)?;
+        let [other] = inside.as_slice() else {
+            return None;
+        };
+        if own == *other {
+            return Some(subject.clone());
+        }
+        let turned: Vec<(Variable, Fraction)> = kernels
+            .into_iter()
+            .map(|(v, function, argument)| {
+                let argument = substituted(&argument, &|_| variable_fraction(*other));
+                (v, self.theory.kernel(function, argument))
+            })
+            .collect();
+        Some(normal.map(|entry| {
+            substituted(entry, &|v| {
+                let found = turned.iter().find(|(own, _)| *own == v);
+                found.map_or_else(|| variable_fraction(v), |(_, image)| image.clone())
+            })
+        }))
+    }
+
+    /// Lets go of a condition right before that says what the line at hand says anew: "principal when ⟨I_{x'y'} = 0⟩, which
+    /// happens at the angle given by"; `false` where the value vanishes without it.
+    fn drop_condition(&mut self, subject: &Value) -> bool {
+        if passes_filter(&mut self.theory, subject) != Some(true) {
+            return true;
+        }
+        let accepted = matches!(self.findings.last(), Some(f) if f.verdict == Verdict::Accepted);
+        let last = self.theory.premises().last().filter(|_| accepted);
+        let name = last.map(|premise| premise.name.clone());
+        let Some(name) = name else { return false };
+        self.theory.retain(|premise| premise.name != name);
+        passes_filter(&mut self.theory, subject) != Some(true)
+    }
+
     /// Keeps the product of inertia that a line says most lately what it is.
     pub(crate) fn note_product(&mut self, sides: &[Node]) {
         let [left, _, ..] = sides else { return };
@@ -89,9 +155,14 @@ impl Checker<'_> {
             && self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Inertia)
         {
             let index = symbol.subscripts.concat();
-            let mut axes = index.chars().filter(char::is_ascii_alphabetic);
-            if let (Some(a), Some(b), None) = (axes.next(), axes.next(), axes.next())
+            // Of `x'y'` and of `xz_s` too.
+            let mut letters = index.chars().filter(char::is_ascii_alphabetic);
+            let named = |c: char| matches!(c, 'x' | 'y' | 'z' | 'X' | 'Y' | 'Z');
+            let (first, second) = (letters.next(), letters.next());
+            if let (Some(a), Some(b)) = (first, second)
                 && a != b
+                && (letters.next().is_none() || named(a) && named(b))
+                && named(a) == named(b)
             {
                 self.last_product = Some(left.clone());
             }
@@ -111,14 +182,18 @@ fn says_of_product(sentence: &str) -> bool {
         "follow from",
         "follows from",
     ];
-    has_any(
+    let vanishes = has_any(
         text,
         &["product of inertia", "product vanish", "product is zero"],
-    ) && has_any(text, VANISHES)
+    ) && has_any(text, VANISHES);
+    let principal = has_any(text, &["axes are principal", "axes become principal"]);
+    let inclined = text.contains("angle") && text.ends_with(" with");
+    (vanishes || principal)
         && determined
             .iter()
             .chain(UNDER)
             .any(|end| text.ends_with(end))
+        || vanishes && inclined
 }
 
 /// Whether the words behind the last formula say so of it.

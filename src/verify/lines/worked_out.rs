@@ -2,6 +2,8 @@
 //! equated come to, the angle of the principal axes. They are worked out, and where nothing here does so they stay open.
 
 use crate::notation::ast::{Function, Kind, Node, Symbol};
+use crate::notation::document::{Item, Row};
+use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::values::quantity::Quantity;
@@ -65,6 +67,25 @@ impl Checker<'_> {
                 Some("which way the angle of these axes is measured is not known".to_owned());
         }
         made_of_moments
+    }
+
+    /// Whether the display behind words of axes without products says by a product at which angle these lie: they are others
+    /// than those used.
+    pub(crate) fn seeks_angle(&self, span: Span) -> bool {
+        let next = self.document.items.iter().find_map(|item| match item {
+            Item::Formula(formula) if formula.display && formula.span.start >= span.end => {
+                formula.rows.first()
+            }
+            _ => None,
+        });
+        let Some(Row::Line(line)) = next else {
+            return false;
+        };
+        let [left, right] = line.sides.as_slice() else {
+            return false;
+        };
+        let tangent = matches!(&inner(left).kind, Kind::Function(Function::Tan, _));
+        tangent && self.has_products(right)
     }
 
     /// Whether products of inertia stand in a side.

@@ -46,7 +46,13 @@ impl Checker<'_> {
             }
             Said::DotsOnBody => self.dots.replace(Frame::Moving) != Some(Frame::Moving),
             Said::DotsInSpace => self.dots.replace(Frame::Space) != Some(Frame::Space),
-            Said::Principal if self.products_are_given() || self.seeks_moments(span) => false,
+            Said::Principal
+                if self.products_are_given()
+                    || self.seeks_moments(span)
+                    || self.seeks_angle(span) =>
+            {
+                false
+            }
             Said::Principal => self.vanish(&name, Quantity::Inertia, &[3, 4, 5]),
             Said::SymmetryPlane(a, b) | Said::OnlyProduct(a, b) => {
                 let across: Vec<u8> = (3..6).filter(|&c| c != product(a, b)).collect();

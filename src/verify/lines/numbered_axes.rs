@@ -1,0 +1,49 @@
+//! Axes told by numbers beside axes told by letters: whether the two sets are one.
+
+use crate::notation::ast::{Node, Symbol};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::{Letter, symbols};
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
+
+impl Checker<'_> {
+    /// Numbered components in a line, where moments of inertia are numbered and about x and y as well: nothing says
+    /// whether the two sets of axes are one.
+    pub(crate) fn on_numbered_axes(&self, sides: &[Node]) -> Option<String> {
+        let usage = &self.reading.usage;
+        let quantities = &self.reading.quantities;
+        let lettered =
+            |letter: &Letter| ["x", "y"].iter().all(|axis| usage.has_index(letter, axis));
+        let moment = |letter: &Letter| quantities.get(letter) == Some(&Quantity::Inertia);
+        let entries =
+            |letter: &Letter| usage.has_lettered_entries(letter) && usage.has_index(letter, "1");
+        let told_apart = !self.reading.turns_to_numbers
+            && quantities
+                .keys()
+                .any(|letter| moment(letter) && entries(letter));
+        let of_both = |symbol: &&Symbol| {
+            let letter = Letter::of(symbol);
+            let numbered = matches!(symbol.subscripts.as_slice(), [s] if matches!(s.as_str(), "1" | "2" | "3"));
+            let beside = match moment(&letter) {
+                true => lettered(&letter),
+                false => told_apart && quantities.contains_key(&letter),
+            };
+            numbered && beside
+        };
+        let mut found = sides.iter().flat_map(symbols).filter(of_both);
+        // What a line has said of it, it stands for.
+        let found = found.find(|symbol| !self.is_own_and_said(symbol))?;
+        Some(format!(
+            "nothing before says whether `{}` is about the axes x, y, z",
+            found.name
+        ))
+    }
+
+    fn is_own_and_said(&self, symbol: &Symbol) -> bool {
+        let entity = self.theory.atoms.meaning(symbol).and_then(|m| m.entity());
+        entity.is_some_and(|entity| {
+            let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
+            own && self.theory.mentions_entity(entity)
+        })
+    }
+}
