@@ -4,7 +4,8 @@
 #[path = "outcome/verdicts.rs"]
 mod outcome;
 
-use outcome::verdicts;
+use outcome::{verdicts, verdicts_in};
+use polhode::notation::document::Format;
 
 const BODY: &str =
     "On principal axes the body has $I_1 = I_2 = A$ and $I_3 = C$. No torque acts.\n\n";
@@ -101,4 +102,21 @@ fn a_display_with_a_stop_ends_the_sentence_before_the_angle() {
         last("\\Omega_p = \\frac{A\\,\\omega_3}{C\\cos\\theta}"),
         Some('r')
     );
+}
+
+#[test]
+fn plain_text_names_moments_rates_and_the_angle() {
+    let text = |line: &str| {
+        format!(
+            "A body of revolution is free of torques. C is the moment of inertia\nabout the symmetry axis, A the one about any \
+             transverse axis.\n\nLet ωs be the rate about the symmetry axis and ωt the transverse rate.\nThe angular momentum \
+             is H and the kinetic energy is\n\n    T = ½ (A ωt² + C ωs²)\n\nThe angle θ between the symmetry axis and H \
+             obeys\n\n    {line}\n\nLosing energy means that θ grows.\n"
+        )
+    };
+    let last = |line: &str| verdicts_in(&text(line), Format::Text);
+    assert_eq!(last("C ωs = H cos θ"), "pp");
+    assert_eq!(last("A ωt = H sin θ"), "pp");
+    assert_eq!(last("C ωs = H sin θ"), "pr");
+    assert_eq!(last("A ωs = H cos θ"), "pr");
 }

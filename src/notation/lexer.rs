@@ -291,7 +291,14 @@ impl<'a> Lexer<'a> {
         let mut written = self.text[..self.at].chars().rev();
         let own = written.find(|&c| unicode::mark(c).is_none());
         let behind = &self.text[self.at..];
-        let axis = behind.starts_with(['x', 'y', 'z']);
+        let label = match self.letters {
+            Letters::Words(triads) if own == Some('ω') => {
+                let mut label = behind.chars().take(1);
+                label.any(|label| triads.labels_rate(label))
+            }
+            _ => false,
+        };
+        let axis = label || behind.starts_with(['x', 'y', 'z']);
         // A raised digit is a power of it: `ωx²`.
         let name = |c: char| c.is_alphabetic() || c.is_ascii_digit();
         let ended = !behind[usize::from(axis)..].starts_with(name);

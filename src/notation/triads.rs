@@ -4,15 +4,26 @@ use crate::notation::plain_words::{Spelling, undotted};
 use crate::notation::token::Lexeme;
 use std::collections::BTreeSet;
 
-/// The letters of such vectors, a bit for each letter from A on.
+/// Such letters of a text, a bit for each letter from A on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Triads(u64);
+pub(crate) struct Triads {
+    /// The letters of the vectors.
+    vectors: u64,
+    /// Letters that tell one ω from another where words name it so: "let ωs be the spin rate".
+    labels: u64,
+}
+
+/// Words right behind a symbol that say what it is.
+const NAMED: &[&str] = &[
+    "be the ", "is the ", "are the ", "the ", "denotes ", "for the ",
+];
 
 impl Triads {
     /// Those of a text: all three are words of it, and no coordinate is a factor that the letter could multiply.
     pub(crate) fn of(text: &str) -> Self {
+        let labels = labels_of_rates(text);
         if has_coordinates(text) {
-            return Self::default();
+            return Self { vectors: 0, labels };
         }
         let letter = |c: char| !c.is_alphanumeric() && c != '_';
         let words: BTreeSet<&[u8]> = text
@@ -29,7 +40,13 @@ impl Triads {
                     .iter()
                     .all(|&axis| words.contains([head, axis].as_slice()))
         });
-        Self(heads.fold(0, |set, head| set | bit(head)))
+        let vectors = heads.fold(0, |set, head| set | bit(head));
+        Self { vectors, labels }
+    }
+
+    /// Whether a letter close behind an ω is its label.
+    pub(crate) fn labels_rate(self, label: char) -> bool {
+        label.is_ascii_lowercase() && self.labels & bit(label as u8) != 0
     }
 
     /// What a word stands for, if it is a component of one of them.
@@ -39,12 +56,23 @@ impl Triads {
             return None;
         };
         let component = head.is_ascii_alphabetic() && matches!(axis, b'x' | b'y' | b'z');
-        (component && self.0 & bit(head) != 0).then(|| Spelling {
+        (component && self.vectors & bit(head) != 0).then(|| Spelling {
             base: Lexeme::Letter(head.into()),
             subscript: &stem[1..],
             dots,
         })
     }
+}
+
+fn labels_of_rates(text: &str) -> u64 {
+    let named = text.match_indices('ω').filter_map(|(at, found)| {
+        let behind = &text[at + found.len()..];
+        let label = behind.bytes().next().filter(u8::is_ascii_lowercase)?;
+        let rest = behind[1..].strip_prefix([' ', '\n'])?;
+        let axis = matches!(label, b'x' | b'y' | b'z');
+        (!axis && NAMED.iter().any(|words| rest.starts_with(words))).then_some(label)
+    });
+    named.fold(0, |set, label| set | bit(label))
 }
 
 fn bit(letter: u8) -> u64 {

@@ -195,8 +195,9 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
         let word = piece.trim_end();
         if !word.is_empty() {
             let end = at + word.trim_end_matches(['.', ',', ';', ':']).len();
-            if belongs(word, run.as_ref().map(|run| &text[run.start..run.end])) {
-                let strong = look(word) == Look::Strong || is_held(word, &text[at + piece.len()..]);
+            let held = is_held(word, &text[at + piece.len()..]);
+            if held || belongs(word, run.as_ref().map(|run| &text[run.start..run.end])) {
+                let strong = look(word) == Look::Strong || held;
                 let mut next = run.take().unwrap_or(Run {
                     start: at,
                     end,
@@ -256,12 +257,25 @@ fn unbracketed(text: &str, start: usize, end: usize) -> Vec<(usize, usize)> {
     lines
 }
 
-/// Whether the words behind a lone letter say that it is a symbol: "suppose p constant".
+/// Whether the words behind a lone letter say that it is a symbol: "suppose p constant", "C is the moment of inertia about
+/// the axis and A the one about any diameter".
 fn is_held(word: &str, behind: &str) -> bool {
-    let lone = word.len() == 1 && word.bytes().all(|b| b.is_ascii_lowercase());
-    let said = ["constant", "is constant", "stays constant", "held constant"];
-    lone && said.iter().any(|words| behind.starts_with(words))
+    let lone = |of: fn(&u8) -> bool| word.len() == 1 && word.bytes().all(|b| of(&b));
+    let starts = |words: &[&str]| words.iter().any(|words| behind.starts_with(words));
+    lone(u8::is_ascii_lowercase) && starts(HELD) || lone(u8::is_ascii_alphabetic) && starts(NAMED)
 }
+
+/// Words behind a letter of what keeps its value.
+const HELD: &[&str] = &["constant", "is constant", "stays constant", "held constant"];
+/// Words behind a letter that say which moment of inertia it is; no article has them behind it.
+const NAMED: &[&str] = &[
+    "is the moment of inertia",
+    "the moment of inertia",
+    "is the one about",
+    "the one about",
+    "is that about",
+    "that about",
+];
 
 /// A text without a bracket that words go on from: `N = 0 (T` of "N = 0 (T may act)".
 fn closed(text: &str) -> &str {

@@ -220,8 +220,10 @@ impl Reading {
             // "The kinetic energy of the plate (for any a and b)": sides are small letters, energies large ones.
             Quantity::Power if matches!(letter.name.as_str(), "T" | "E" | "K") => false,
             Quantity::Energy | Quantity::Power => {
-                let small = letter.name.len() == 1 && letter.name.chars().all(char::is_lowercase);
-                (!small || letter.name == "e") && used.bare > 0 && used.vector == 0
+                // An angle is no energy: "losing energy means that θ grows".
+                let small = letter.name.chars().all(char::is_lowercase);
+                let own = matches!(letter.name.as_str(), "e" | "epsilon" | "varepsilon");
+                (!small || own) && used.bare > 0 && used.vector == 0
             }
             Quantity::Inertia => {
                 matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")

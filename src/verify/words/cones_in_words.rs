@@ -55,7 +55,14 @@ const PARTS: [Part; 2] = [
     Part {
         name: "axial part",
         across: false,
-        said: &["axial", "along the"],
+        said: &[
+            "axial",
+            "along the",
+            "about the symmetry axis",
+            "about the axis of symmetry",
+            "about its axis",
+            "about the figure axis",
+        ],
         labels: &["a", "A", "s", "ax", "axial", "∥", "parallel"],
     },
 ];
@@ -136,7 +143,13 @@ impl Checker<'_> {
         let speaks = |quantity: Quantity, words: &str| {
             let letter =
                 |s: &Symbol| self.reading.quantities.get(&Letter::of(s)) == Some(&quantity);
-            clause.contains(words) || met.iter().any(|(_, s)| letter(s))
+            // Plain text has the letter of a vector as a word: "the angle θ between the axis and H".
+            let mut quantities = self.reading.quantities.iter();
+            let spelled = quantities.any(|(letter, of)| {
+                let mut words = clause.split([' ', '.']);
+                *of == quantity && words.any(|word| word.eq_ignore_ascii_case(&letter.name))
+            });
+            clause.contains(words) || spelled || met.iter().any(|(_, s)| letter(s))
         };
         let momentum = speaks(Quantity::Momentum, "angular momentum");
         let rate = speaks(Quantity::AngularVelocity, "angular velocity");
@@ -159,8 +172,9 @@ impl Checker<'_> {
             let label = |one: &String| part.labels.contains(&one.trim());
             let labelled = matches!(s.subscripts.as_slice(), [one] if label(one));
             let usage = &self.reading.usage;
-            let axial = ["3", "z"].iter().any(|axis| usage.has_index(&letter, axis))
-                || usage.get(&letter).component == 0;
+            let met = |axes: &[&str]| axes.iter().any(|axis| usage.has_index(&letter, axis));
+            // An ω₁ and an ω₂ without a third are rates before and after.
+            let axial = met(&["3", "z"]) || !met(&["x", "y"]);
             let rate = self.reading.quantities.get(&letter) == Some(&Quantity::AngularVelocity);
             labelled && axial && rate && !s.style.vector
         };
