@@ -193,3 +193,21 @@ fn a_definition_may_have_its_symbol_on_the_right() {
     assert_eq!(verdicts(&text(r"C\,n\cos\theta")), "apap");
     assert_eq!(verdicts(&text(r"C\,n\sin\theta")), "apar");
 }
+
+#[test]
+fn a_law_of_control_says_what_acts() {
+    let text = |last: &str| {
+        format!(
+            "The dynamics with the inertia matrix $J$ are\n\n$$ J\\dot{{\\bm\\omega}} + \\bm\\omega\\times J\\bm\\omega = \\bm u $$\n\n\
+             and the control law is chosen as\n\n$$ \\bm u = -c\\,\\bm s - d\\,\\bm\\omega $$\n\nHence\n\n$$ {last} $$\n"
+        )
+    };
+    let power = |sign: &str| {
+        format!(
+            "\\bm\\omega\\cdot J\\dot{{\\bm\\omega}} = -c\\,\\bm s\\cdot\\bm\\omega {sign} d\\,\\bm\\omega\\cdot\\bm\\omega"
+        )
+    };
+    assert_eq!(verdicts(&text(&power("-"))), "pap");
+    assert_eq!(verdicts(&text(&power("+"))).get(..2), Some("pa"));
+    assert_ne!(verdicts(&text(&power("+"))), "pap");
+}

@@ -117,8 +117,9 @@ impl Checker<'_> {
         }
         let load = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
         let owner = &self.theory.atoms.info(entity).owner;
-        if !matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty())
-        {
+        let acts = matches!(owner, Owner::Quantity(quantity, variant) if load(quantity) && variant.is_empty());
+        let beside = self.theory.setting.other_moments.has(entity);
+        if !acts && (!beside || self.asserted || self.obtained) {
             return false;
         }
         let by_gradient = self.is_gravity_gradient(read);

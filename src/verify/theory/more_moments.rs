@@ -39,7 +39,8 @@ impl OtherMoments {
         })
     }
 
-    fn has(self, entity: Entity) -> bool {
+    /// Whether an entity is one of them.
+    pub(crate) fn has(self, entity: Entity) -> bool {
         self.0
             .into_iter()
             .flatten()
