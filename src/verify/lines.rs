@@ -23,6 +23,7 @@ pub(super) mod euler_rates;
 pub(super) mod false_values;
 pub(super) mod first_said;
 pub(super) mod forward;
+pub(super) mod from_rest;
 pub(super) mod functions;
 pub(super) mod fundamental;
 pub(super) mod gimbals;

@@ -83,6 +83,7 @@ impl Checker<'_> {
                 || self.hands_over_a_load(sides, finding)
                 || self.goes_on(sides, &read, finding)
                 || self.grows_from_the_beginning(sides, finding)
+                || self.follows_from_rest(sides, &read, finding)
                 || self.settled_by_numbers(sides, &read, open, finding)
                 || self.holds_still(sides, finding)
             {
