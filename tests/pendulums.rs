@@ -50,7 +50,7 @@ fn small_swings_have_one_frequency() {
 
 #[test]
 fn what_starts_from_rest_gains_its_rate_on_the_way() {
-    let text = |rate: &str, last: &str| {
+    let text = |rate: &str| {
         let text = format!(
             r"A rigid body of mass $m$ swings about a fixed horizontal axis through $O$. Its centre of mass $G$ is at the distance $\ell$ from $O$, and $\theta$ is the angle between $OG$ and the downward vertical.
 The moment of inertia about $G$ is expressed by the radius of gyration, $I_G = m k^2$. By the theorem of parallel axes
@@ -62,8 +62,6 @@ $$ I_O\,\ddot\theta = -mg\ell\sin\theta $$
 Let the pendulum be released from rest at the angle $\theta_0$. Equating energies we get
 
 $$ \dot\theta^2 = {rate} $$
-
-For a uniform rod we have ${last}$.
 "
         );
         verdicts(&text)
@@ -71,14 +69,7 @@ For a uniform rod we have ${last}$.
     let right = r"\frac{2mg\ell}{I_O}(\cos\theta - \cos\theta_0)";
     let half = r"\frac{mg\ell}{I_O}(\cos\theta - \cos\theta_0)";
     let other_way = r"\frac{2mg\ell}{I_O}(\cos\theta_0 - \cos\theta)";
-    let all = [
-        text(right, r"k = \ell/\sqrt 3"),
-        text(half, r"k^2 = \ell^2/3"),
-        text(other_way, r"k = \ell/2"),
-    ];
-    for (verdicts, expected) in all.iter().zip(["appa", "appr", "appr"]) {
-        assert!(verdicts.starts_with(expected), "{verdicts}");
-        // What k is follows from nothing before.
-        assert!(!verdicts.ends_with('r'), "{verdicts}");
-    }
+    assert_eq!(text(right), "appa");
+    assert_eq!(text(half), "appr");
+    assert_eq!(text(other_way), "appr");
 }

@@ -8,7 +8,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::reason::{AT_A_MOMENT, NAMES_A_MOMENT, leaves_no_doubt};
 use crate::verify::theory::law::Axes;
-use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
+use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_rational::BigRational;
@@ -99,9 +99,6 @@ impl Checker<'_> {
         if self.since_start(read).is_some() {
             return Some("how the motion begins is not said".to_owned());
         }
-        if let Some(name) = self.gives_what_is_free(read) {
-            return Some(format!("nothing before determines `{name}`"));
-        }
         if self.lacks_energy_of_wheels(read) {
             return Some("nothing before says what energy the wheels have".to_owned());
         }
@@ -134,27 +131,6 @@ impl Checker<'_> {
             }
         }
         None
-    }
-
-    /// A constant of the document that the left side of a line in the text is made of alone, and that no rule gives: lines that use it do not say what
-    /// it is.
-    fn gives_what_is_free(&mut self, read: &Read) -> Option<String> {
-        let [equation] = read.equations.as_slice() else {
-            return None;
-        };
-        let &[variable] = equation.left.as_scalar()?.variables().as_slice() else {
-            return None;
-        };
-        let entity = self.theory.atoms.entity_of(variable)?;
-        let info = self.theory.atoms.info(entity);
-        let own = matches!(info.owner, Owner::Symbol(_)) && info.constant;
-        let value = variable_fraction(variable);
-        let free = own
-            && !self.displayed
-            && self.theory.rule(variable).is_none()
-            && self.theory.normal(&value).as_variable() == Some(variable)
-            && !self.theory.is_in_relation(entity);
-        free.then(|| names::latex(&self.theory.atoms, variable))
     }
 
     /// A component of a vector **e** of the document in what differs: such a letter is a direction that the words give.
