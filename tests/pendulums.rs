@@ -50,8 +50,8 @@ fn small_swings_have_one_frequency() {
 
 #[test]
 fn what_starts_from_rest_gains_its_rate_on_the_way() {
-    let text = |rate: &str| {
-        let text = format!(
+    let document = |rate: &str| {
+        format!(
             r"A rigid body of mass $m$ swings about a fixed horizontal axis through $O$. Its centre of mass $G$ is at the distance $\ell$ from $O$, and $\theta$ is the angle between $OG$ and the downward vertical.
 The moment of inertia about $G$ is expressed by the radius of gyration, $I_G = m k^2$. By the theorem of parallel axes
 
@@ -63,13 +63,19 @@ Let the pendulum be released from rest at the angle $\theta_0$. Equating energie
 
 $$ \dot\theta^2 = {rate} $$
 "
-        );
-        verdicts(&text)
+        )
     };
+    let text = |rate: &str| verdicts(&document(rate));
     let right = r"\frac{2mg\ell}{I_O}(\cos\theta - \cos\theta_0)";
     let half = r"\frac{mg\ell}{I_O}(\cos\theta - \cos\theta_0)";
     let other_way = r"\frac{2mg\ell}{I_O}(\cos\theta_0 - \cos\theta)";
     assert_eq!(text(right), "appa");
+    // What k is follows from nothing before.
+    let rod = format!(
+        "{}\nFor a uniform rod we have $k^2 = \\ell^2/3$.\n",
+        document(right)
+    );
+    assert!(!verdicts(&rod).ends_with('r'));
     assert_eq!(text(half), "appr");
     assert_eq!(text(other_way), "appr");
 }

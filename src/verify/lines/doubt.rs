@@ -99,6 +99,9 @@ impl Checker<'_> {
         if self.since_start(read).is_some() {
             return Some("how the motion begins is not said".to_owned());
         }
+        if let Some(name) = self.gives_a_free_square(read) {
+            return Some(format!("nothing before determines `{name}`"));
+        }
         if self.lacks_energy_of_wheels(read) {
             return Some("nothing before says what energy the wheels have".to_owned());
         }
@@ -131,6 +134,27 @@ impl Checker<'_> {
             }
         }
         None
+    }
+
+    /// A constant of the document whose power the text gives, ⟨k² = a²/12⟩, and that no rule gives: lines that use it do
+    /// not say what it is.
+    fn gives_a_free_square(&mut self, read: &Read) -> Option<String> {
+        let [equation] = read.equations.as_slice() else {
+            return None;
+        };
+        let left = equation.left.as_scalar()?;
+        let &[variable] = left.variables().as_slice() else {
+            return None;
+        };
+        let entity = self.theory.atoms.entity_of(variable)?;
+        let info = self.theory.atoms.info(entity);
+        let own = matches!(info.owner, Owner::Symbol(_)) && info.constant;
+        let free = own
+            && !self.displayed
+            && left.as_variable().is_none()
+            && self.theory.rule(variable).is_none()
+            && !self.theory.is_in_relation(entity);
+        free.then(|| names::latex(&self.theory.atoms, variable))
     }
 
     /// A component of a vector **e** of the document in what differs: such a letter is a direction that the words give.
