@@ -94,3 +94,29 @@ fn a_definition_adds_what_is_of_one_dimension() {
         assert_eq!(found, Some(verdict), "{line}");
     }
 }
+
+#[test]
+fn a_root_beside_other_terms_is_put_alone_before_it_is_squared() {
+    let text = |one: &str, other: &str| {
+        verdicts(&format!(
+            r"A thin plate lies in the $xy$ plane. The principal moments in the plane are
+
+$$ I_1 = \frac{{I_x + I_y}}{{2}} + \sqrt{{\left(\frac{{I_x - I_y}}{{2}}\right)^2 + I_{{xy}}^2}} $$
+
+$$ I_2 = \frac{{I_x + I_y}}{{2}} - \sqrt{{\left(\frac{{I_x - I_y}}{{2}}\right)^2 + I_{{xy}}^2}} $$
+
+A square plate of mass $m$ and side $s$ has
+
+$$ I_x = I_y = \frac{{1}}{{3}}ms^2, \qquad I_{{xy}} = \frac{{1}}{{4}}ms^2. $$
+
+The principal moments are
+
+$$ I_1 = {one}ms^2, \qquad I_2 = {other}ms^2 $$
+"
+        ))
+    };
+    let found = text(r"\frac{7}{12}", r"\frac{1}{12}");
+    assert_eq!(found[4..], ["proved", "proved"]);
+    let exchanged = text(r"\frac{1}{12}", r"\frac{7}{12}");
+    assert_eq!(exchanged[4..], ["undecided", "undecided"]);
+}

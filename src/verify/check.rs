@@ -6,6 +6,7 @@ use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::convention::convention;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::half_angles::writes_half_angles;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::space_axes::SpaceAxes;
 use crate::verify::letters::triad::Triad;
@@ -173,6 +174,7 @@ impl<'a> Checker<'a> {
             other_moments: OtherMoments::default(),
             parallel_axes: [None; 2],
             attitude: reading.attitude.convention,
+            half_angles: writes_half_angles(document),
         };
         let mut checker = Self {
             document,

@@ -12,6 +12,7 @@ pub(super) mod columns;
 pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;
+pub(super) mod half_angles;
 pub(super) mod imaginary;
 pub(super) mod labelled_wheel;
 pub(super) mod moving_point;

@@ -1,6 +1,7 @@
 //! What becomes of a line: a claim, a definition, something given, or a reason to leave it open.
 
 pub(super) mod accept;
+pub(super) mod at_the_start;
 pub(super) mod bare_letters;
 pub(super) mod between_frames;
 pub(super) mod between_states;

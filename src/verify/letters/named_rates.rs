@@ -33,7 +33,10 @@ impl Reading {
                     if !row.is_empty() && matches!(words.as_str(), "," | "and" | ", and") {
                         continue;
                     }
-                    if called_behind(&words) || called_before(&before) {
+                    if called_behind(&words)
+                        || called_before(&before)
+                        || called_around(&before, &words)
+                    {
                         self.take_rates(&row);
                     }
                     row.clear();
@@ -98,6 +101,14 @@ fn called_before(words: &str) -> bool {
         .iter()
         .any(|lead| clause.ends_with(&format!(" {lead}")));
     leads && names_components(clause).is_some()
+}
+
+/// "the components $p$, $q$, $r$ of the angular velocity".
+fn called_around(before: &str, behind: &str) -> bool {
+    let clause = behind.split(['.', ';', ',']).next().unwrap_or_default();
+    let of = ["of the angular velocity", "of its angular velocity"];
+    let elsewhere = has_any(before, ELSEWHERE) || has_any(clause, ELSEWHERE);
+    before.ends_with("components") && of.iter().any(|of| clause.starts_with(of)) && !elsewhere
 }
 
 /// Where a clause speaks of the components of the angular velocity on the axes of the body.

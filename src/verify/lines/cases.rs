@@ -60,6 +60,17 @@ impl Cases {
     }
 }
 
+/// Words for what ends with no section.
+const ONWARDS: &[&str] = &[
+    "from here on",
+    "from now on",
+    "henceforth",
+    "throughout",
+    "in all that follows",
+    "in everything that follows",
+    "for the rest of",
+];
+
 impl Checker<'_> {
     /// A heading ends the assumptions made under headings of its level and below; the title of a paragraph opens a case.
     pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {
@@ -125,9 +136,10 @@ impl Checker<'_> {
         }
     }
 
-    /// Keeps a premise of the document to the end of its section; definitions stay.
+    /// Keeps a premise of the document to the end of its section; definitions stay, and what holds "from here on".
     pub(crate) fn keep(&mut self, name: &str, definition: bool) {
-        let level = if definition { 0 } else { self.level };
+        let onwards = has_any(&lowered(&self.sentence), ONWARDS);
+        let level = if definition || onwards { 0 } else { self.level };
         self.scopes.push((name.to_owned(), level));
     }
 
@@ -244,7 +256,12 @@ impl Checker<'_> {
         };
         let same = |residual: &Fraction| residual.variables().iter().any(|v| variables.contains(v));
         let mut premises = self.theory.premises().iter();
-        let meets = premises.any(|p| earlier(&p.name) && p.residuals.iter().any(same));
+        // What a vector is made of may take another value: `\boldsymbol\Omega = \dot\theta\,\hat{\imath} + …`, now with θ at rest.
+        let made_of = |p: &Premise| {
+            p.residuals.len() == 3 && p.preferred.iter().all(|v| !variables.contains(v))
+        };
+        let meets =
+            premises.any(|p| earlier(&p.name) && !made_of(p) && p.residuals.iter().any(same));
         let passed_on = of_siblings.iter().any(earlier);
         if !meets && !passed_on || role != Role::Assume && !self.contradicts(sides) {
             return;

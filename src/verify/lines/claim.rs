@@ -86,6 +86,7 @@ impl Checker<'_> {
                 || self.follows_from_rest(sides, &read, finding)
                 || self.settled_by_numbers(sides, &read, open, finding)
                 || self.holds_still(sides, finding)
+                || self.holds_from_the_start(sides, finding)
             {
                 return;
             }

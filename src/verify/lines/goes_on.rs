@@ -169,7 +169,7 @@ impl Checker<'_> {
     }
 }
 
-fn put_in(value: &Fraction, images: &HashMap<Variable, Fraction>) -> Fraction {
+pub(crate) fn put_in(value: &Fraction, images: &HashMap<Variable, Fraction>) -> Fraction {
     let image = |v| images.get(&v).cloned();
     substituted(value, &|v| image(v).unwrap_or_else(|| variable_fraction(v)))
 }

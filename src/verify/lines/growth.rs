@@ -9,6 +9,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::lines::line::Read;
 use crate::verify::names;
+use crate::verify::theory::Theory;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
@@ -18,6 +19,12 @@ use num_traits::{One, Zero};
 
 /// Terms of a side whose rate is taken.
 const LONGEST: usize = 60;
+
+/// Whether a value is the same at all times.
+pub(crate) fn lasts(theory: &mut Theory, value: &Fraction) -> bool {
+    let rate = theory.atoms.derivative(value);
+    value.numerator().len() <= LONGEST && theory.normal(&rate).is_zero()
+}
 
 impl Checker<'_> {
     /// Decides a line of this form by the rate of its left side.
@@ -101,20 +108,14 @@ impl Checker<'_> {
         }
         let rate = self.theory.atoms.derivative(value);
         let factor = self.theory.normal(&(rate / value.clone()));
-        let lasts = factor.is_valid() && !factor.is_zero() && self.lasts(&factor);
+        let lasts = factor.is_valid() && !factor.is_zero() && lasts(&mut self.theory, &factor);
         lasts.then_some(factor)
-    }
-
-    /// Whether a value is the same at all times.
-    fn lasts(&mut self, value: &Fraction) -> bool {
-        let rate = self.theory.atoms.derivative(value);
-        value.numerator().len() <= LONGEST && self.theory.normal(&rate).is_zero()
     }
 
     /// What a variable is at t = 0, where it moves.
     fn start_of(&mut self, variable: Variable) -> Option<Fraction> {
         let part = matches!(self.theory.atoms.atom(variable), Atom::Part { .. });
-        if !part || self.lasts(&variable_fraction(variable)) {
+        if !part || lasts(&mut self.theory, &variable_fraction(variable)) {
             return None;
         }
         let start = names::at_instant(&mut self.theory.atoms, variable, "0");

@@ -136,6 +136,12 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether a value is known to be zero or more.
+    pub(crate) fn is_no_less_than_zero(&mut self, value: &Fraction) -> bool {
+        let sign = self.sign(value);
+        sign.is_some_and(|(sign, _)| !sign.negative)
+    }
+
     /// The sign of a difference, and the sum of terms of that sign that it is.
     fn sign(&mut self, entry: &Fraction) -> Option<(Sign, Fraction)> {
         let normal = self.theory.normal(entry);

@@ -8,7 +8,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, Equation, decide, passes_filter};
 use crate::verify::theory::world::{Kind, Substance, World};
-use crate::verify::values::atoms::Atom;
+use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::Finding;
 use num_traits::ToPrimitive;
@@ -38,6 +38,16 @@ impl Substance for f64 {
     }
     fn is_negative(&self) -> bool {
         *self < 0.0
+    }
+}
+
+/// The equation of the squares of two sides.
+fn squared(left: &Fraction, right: &Fraction) -> Equation {
+    let [left, right] = [left, right].map(|side| side.clone() * side.clone());
+    Equation {
+        residual: Value::scalar(left.clone() - right.clone()),
+        left: Value::scalar(left),
+        right: Value::scalar(right),
     }
 }
 
@@ -73,15 +83,19 @@ impl Checker<'_> {
                 continue;
             }
             rooted = true;
-            let [one, other] = [left, right].map(|side| side.clone() * side.clone());
-            let squares = Equation {
-                residual: Value::scalar(one.clone() - other.clone()),
-                left: Value::scalar(one),
-                right: Value::scalar(other),
-            };
+            let (mut left, mut right) = (left.clone(), right.clone());
+            let mut squares = squared(&left, &right);
             if passes_filter(&mut self.theory, &squares.residual) == Some(false) {
-                return false;
+                let Some((root, rest)) = self.root_alone(&equation.residual) else {
+                    return false;
+                };
+                (left, right) = (root, rest);
+                squares = squared(&left, &right);
+                if passes_filter(&mut self.theory, &squares.residual) == Some(false) {
+                    return false;
+                }
             }
+            let (left, right) = (&left, &right);
             match self.have_one_sign(left, right) {
                 Some(true) => {}
                 Some(false) => return false,
@@ -98,15 +112,15 @@ impl Checker<'_> {
         if !rooted {
             return false;
         }
-        let squared = Read {
+        let read = Read {
             equations,
             unlabelled: read.unlabelled,
             ambiguous: read.ambiguous,
             to_order: read.to_order,
         };
-        match decide(&mut self.theory, &squared.equations) {
+        match decide(&mut self.theory, &read.equations) {
             Decision::True(proof) if known => {
-                self.proved(&squared, proof, finding);
+                self.proved(&read, proof, finding);
                 for side in positive {
                     let shown = names::fraction(&self.theory.atoms, &side);
                     finding.conditions.push(format!("{shown} \\ge 0"));
@@ -119,6 +133,21 @@ impl Checker<'_> {
             _ => finding.reason = Some("it holds up to a sign that is not known here".to_owned()),
         }
         true
+    }
+
+    /// The only root in a difference that vanishes, and what it then is, which is not negative.
+    fn root_alone(&mut self, residual: &Value) -> Option<(Fraction, Fraction)> {
+        let difference = self.theory.normal(residual.as_scalar()?);
+        let sum = difference.numerator();
+        let variables = sum.variables().into_iter();
+        let mut roots = variables.filter(|&v| self.is_root(&variable_fraction(v)));
+        let (root, None) = (roots.next()?, roots.next()) else {
+            return None;
+        };
+        let [rest, factor] = [0, 1].map(|k| Fraction::from(sum.coefficient_of(root, k)));
+        let value = -rest / factor;
+        let root_of_it = sum.degree_in(root) == 1 && self.is_no_less_than_zero(&value);
+        root_of_it.then(|| (variable_fraction(root), value))
     }
 
     fn is_root(&self, side: &Fraction) -> bool {

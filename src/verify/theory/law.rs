@@ -66,6 +66,8 @@ pub(crate) struct Setting {
     pub dropped_axis: Option<u8>,
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
+    /// Whether sines and cosines are made of those of half the angle.
+    pub half_angles: bool,
 }
 
 /// The inertia tensor in the variables of the document.

@@ -56,8 +56,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// Sine and cosine of a sum of angles, by the addition theorem; each angle is a whole multiple of half a monomial,
-    /// so that sin x and sin 2x meet in the same kernels.
+    /// Sine and cosine of a sum of angles, by the addition theorem; each angle is a whole multiple of a monomial, or of half
+    /// of one in a document that writes halves, so that sin x and sin 2x meet in the same kernels.
     fn sine_cosine(&mut self, argument: &Fraction) -> Option<(Fraction, Fraction)> {
         // A function of a function stays as it is: taken apart, each one inside would double the work.
         let inside = argument.variables();
@@ -86,11 +86,16 @@ impl Lowering<'_> {
                 total = turned(total, &one, n);
                 continue;
             }
-            let double = coefficient.clone() * Rational::from(2);
-            let turns = double.to_integer().filter(|n| n.abs() <= 2 * MOST_TURNS);
+            let parts = if self.theory.setting.half_angles {
+                2
+            } else {
+                1
+            };
+            let turns = (coefficient.clone() * Rational::from(parts)).to_integer();
+            let turns = turns.filter(|n| n.abs() <= parts * MOST_TURNS);
             let (angle, turns) = match turns {
                 Some(n) => (
-                    Fraction::from(monomial) * constant(Rational::from((1, 2))),
+                    Fraction::from(monomial) * constant(Rational::from((1, parts))),
                     n,
                 ),
                 None => (Fraction::from(monomial) * constant(coefficient), 1),

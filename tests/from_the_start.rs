@@ -1,0 +1,43 @@
+//! Values at the start beside what does not change.
+#![cfg(feature = "verify")]
+
+#[path = "outcome/verdicts.rs"]
+mod outcome;
+
+use outcome::verdicts;
+
+#[test]
+fn what_does_not_change_has_the_value_that_it_had_at_the_start() {
+    let text = |last: &str| {
+        verdicts(&format!(
+            r"A free body, no torque. The principal moments are $A$, $B$, $C$, and at the start the components $p$, $q$, $r$ of the angular velocity are $p_0$, $q_0$, $r_0$. Then
+
+$$ 2T = Ap_0^2 + Bq_0^2 + Cr_0^2 $$
+
+$$ {last} $$
+"
+        ))
+    };
+    assert_eq!(text("L^2 = A^2p_0^2 + B^2q_0^2 + C^2r_0^2"), "aa");
+    assert_eq!(text("L^2 = A^2p_0^2 + B^2q_0^2 - C^2r_0^2"), "ar");
+    assert_eq!(text("2T = Ap_0^2 + Bq_0^2 - Cr_0^2"), "ar");
+    // A component of a body that turns is not what it was.
+    assert_eq!(text("L_x = Ap_0"), "au");
+}
+
+#[test]
+fn the_start_may_be_in_numbers() {
+    let text = |energy: &str, twice: &str| {
+        verdicts(&format!(
+            r"A free body, no torque, with the principal moments $I_1 = 2$, $I_2 = 3$ and $I_3 = 4$. At the start $\omega_{{10}} = 1$, $\omega_{{20}} = 2$ and $\omega_{{30}} = 1$. Then
+
+$$ 2T = I_1\omega_{{10}}^2 + I_2\omega_{{20}}^2 + I_3\omega_{{30}}^2 = {twice} $$
+
+so $T = {energy}$.
+"
+        ))
+    };
+    assert_eq!(text("9", "18"), "aaaaaaap");
+    assert_eq!(text("8", "18"), "aaaaaaar");
+    assert_eq!(text("9", "19"), "aaaaaarr");
+}
