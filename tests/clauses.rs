@@ -107,3 +107,15 @@ $$ \mathbf M = -I_{{yz}}\Omega^2\,\hat\imath $$
     );
     assert_eq!(text("No torque acts about any axis."), "au");
 }
+
+#[test]
+fn a_rate_that_is_not_zero_is_given_by_the_equality_before_it() {
+    let text = |last: &str| {
+        format!(
+            "Principal axes, no torque. Let $\\omega_2 = n {last}$. Then\n\n$$ \\omega_2\\omega_1 = n\\,\\omega_1 $$\n"
+        )
+    };
+    for last in ["", r"\ne 0", "> 0"] {
+        assert_eq!(verdicts(&text(last)), "ap", "{last}");
+    }
+}

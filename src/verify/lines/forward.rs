@@ -5,6 +5,7 @@ use crate::notation::document::{Formula, Item, Row};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
+use crate::verify::lines::index::is_equality;
 use crate::verify::lines::pendulum::{squared, swung};
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::symbol::MAGNITUDE;
@@ -99,6 +100,10 @@ impl<'a> Checker<'a> {
 
     /// A line that says what a symbol is that was used before.
     fn defined_behind(&mut self, line: &'a Line, used: &BTreeSet<Entity>) {
+        // The ⟨n ≠ 0⟩ of ⟨ω₂ = n ≠ 0⟩ says nothing of the kind.
+        if !line.relations.iter().any(|(r, _)| is_equality(*r)) {
+            return;
+        }
         // "With ⟨ν² = … > 0⟩."
         let (left, right) = match line.sides.as_slice() {
             [left, right] => (left, right),

@@ -94,6 +94,9 @@ impl Checker<'_> {
         if read.residuals().count() != line.relations.len() {
             return;
         }
+        if !self.orders_hold() {
+            return;
+        }
         let entries: Vec<Fraction> = read.residuals().cloned().collect();
         let mut equations = vec![];
         for (entry, (relation, _)) in entries.iter().zip(&line.relations) {
@@ -134,6 +137,16 @@ impl Checker<'_> {
             let ordered = "each term of the difference has this sign where it is not zero";
             finding.remarks.push(ordered.to_owned());
         }
+    }
+
+    /// Whether what lines say of orders agrees with what they say otherwise: of an exact motion about the middle axis, I₁ = I₃.
+    fn orders_hold(&mut self) -> bool {
+        self.orders.clone().into_iter().all(|order| {
+            let difference = variable_fraction(order.greater) - variable_fraction(order.smaller);
+            let difference = self.theory.normal(&difference);
+            let sign = self.sign_of(&difference, None);
+            sign.is_none_or(|(sign, _)| !sign.negative)
+        })
     }
 
     /// Whether a value is known to be zero or more.
