@@ -83,8 +83,7 @@ impl Monomial {
 
     /// Of a word in the short form, brought to the form that is its own.
     fn from_word(word: u128) -> Self {
-        let largest = Factors::Short(word << 8).last();
-        if word >> 120 < 128 && largest.is_none_or(|(v, _)| v < PACKED) {
+        if word >> 120 < 128 && short::last(word).is_none_or(|v| v < PACKED) {
             let degree = word & 0xff << 120;
             let packed = Factors::Short(word << 8)
                 .fold(degree, |packed, (v, e)| packed | u128::from(e) << shift(v));
@@ -288,10 +287,7 @@ impl Ord for Monomial {
 
 fn across_forms(one: &Monomial, other: &Monomial) -> Ordering {
     let degrees = one.degree().cmp(&other.degree());
-    degrees.then_with(|| match (one.word(), other.word()) {
-        (Some(a), Some(b)) => a.cmp(&b),
-        _ => lexicographic(one.factors(), other.factors()),
-    })
+    degrees.then_with(|| lexicographic(one.factors(), other.factors()))
 }
 
 /// The higher power of the first variable that differs is the greater.

@@ -96,19 +96,23 @@ impl Polynomial {
     /// The variables that occur, ascending.
     pub fn variables(&self) -> Vec<Variable> {
         // Most documents have few variables: one bit each sorts them.
-        let (mut low, mut high) = (0u128, vec![]);
-        for (variable, _) in self.terms().iter().flat_map(|(m, _)| m.factors()) {
-            match variable {
-                0..128 => low |= 1 << variable,
+        let (mut low, mut high) = ([0u64; 2], vec![]);
+        for (monomial, _) in self.terms() {
+            monomial.factors().for_each(|(variable, _)| match variable {
+                0..64 => low[0] |= 1 << variable,
+                64..128 => low[1] |= 1 << (variable - 64),
                 _ => high.push(variable),
-            }
+            });
         }
         high.sort_unstable();
         high.dedup();
-        let mut found = Vec::with_capacity(low.count_ones() as usize + high.len());
-        while low != 0 {
-            found.push(low.trailing_zeros());
-            low &= low - 1;
+        let ones = low[0].count_ones() + low[1].count_ones();
+        let mut found = Vec::with_capacity(ones as usize + high.len());
+        for (mut bits, from) in low.into_iter().zip([0, 64]) {
+            while bits != 0 {
+                found.push(from + bits.trailing_zeros());
+                bits &= bits - 1;
+            }
         }
         found.extend(high);
         found

@@ -46,6 +46,14 @@ pub(super) fn entry(shifted: u128) -> Option<(Variable, u32)> {
     (entry != 0).then(|| (TOP - (entry >> EXPONENT), entry & MASK))
 }
 
+/// The last variable of a word.
+#[inline]
+pub(super) fn last(word: u128) -> Option<Variable> {
+    let entries = word << 8;
+    let lowest = entries.checked_shr(entries.trailing_zeros() / ENTRY * ENTRY)?;
+    Some(TOP - (u32::from(lowest as u16) >> EXPONENT))
+}
+
 /// The exponent of a variable.
 #[inline]
 pub(super) fn exponent(word: u128, variable: Variable) -> u32 {

@@ -127,10 +127,10 @@ fn inserted(mut terms: Vec<Term>, term: Term) -> Vec<Term> {
 }
 
 fn merged(mut a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
-    let Some(first) = b.first() else {
-        return a;
+    let (Some(last), Some(first)) = (a.last(), b.first()) else {
+        return if a.is_empty() { b } else { a };
     };
-    if a.last().is_none_or(|last| last.0 > first.0) {
+    if last.0 > first.0 {
         a.extend(b);
         return a;
     }
