@@ -176,14 +176,15 @@ impl Theory {
         work: impl FnOnce(&mut Self) -> R,
     ) -> R {
         let left_out = std::mem::replace(&mut self.left_out, names);
-        let before = self.put(Solution::default());
+        let mut before = Solution::default();
+        self.exchange(&mut before);
         let premises = self.premises.len();
         self.solve_again();
         let result = work(self);
         self.set_aside();
         self.left_out = left_out;
         match self.premises.len() == premises {
-            true => drop(self.put(before)),
+            true => self.exchange(&mut before),
             false => drop(self.rebuild()),
         }
         result

@@ -5,61 +5,75 @@ use crate::notation::ast::{Bracket, Factor, Kind, Node, Operator, Style, Symbol}
 use crate::notation::token::Lexeme;
 use crate::source::Span;
 
-/// Commands that are relations, arrows or separators: no factor begins with them.
-pub(crate) const RELATIONS: &[&str] = &[
-    "equiv",
-    "approx",
-    "simeq",
-    "cong",
-    "ne",
-    "neq",
-    "le",
-    "leq",
-    "leqslant",
-    "ge",
-    "geq",
-    "geqslant",
-    "lt",
-    "gt",
-    "ll",
-    "gg",
-    "propto",
-    "sim",
-    "to",
-    "rightarrow",
-    "mapsto",
-    "in",
-    "perp",
-    "parallel",
-    "triangleq",
-    "doteq",
-    "coloneqq",
-    "longrightarrow",
-    "leftarrow",
-    "lesssim",
-    "gtrsim",
-    "gets",
-    "stackrel",
-    "overset",
-    "underset",
-    "eqdef",
-    "coloneq",
-    "notin",
-    "xrightarrow",
-    "leftrightarrow",
-];
+/// Whether a command is a relation, an arrow or a separator: no factor begins with it.
+pub(super) fn is_relation(name: &str) -> bool {
+    matches!(
+        name,
+        "equiv"
+            | "approx"
+            | "simeq"
+            | "cong"
+            | "ne"
+            | "neq"
+            | "le"
+            | "leq"
+            | "leqslant"
+            | "ge"
+            | "geq"
+            | "geqslant"
+            | "lt"
+            | "gt"
+            | "ll"
+            | "gg"
+            | "propto"
+            | "sim"
+            | "to"
+            | "rightarrow"
+            | "mapsto"
+            | "in"
+            | "perp"
+            | "parallel"
+            | "triangleq"
+            | "doteq"
+            | "coloneqq"
+            | "longrightarrow"
+            | "leftarrow"
+            | "lesssim"
+            | "gtrsim"
+            | "gets"
+            | "stackrel"
+            | "overset"
+            | "underset"
+            | "eqdef"
+            | "coloneq"
+            | "notin"
+            | "xrightarrow"
+            | "leftrightarrow"
+    )
+}
 
 pub(super) fn is_operator(name: &str) -> bool {
-    OPERATORS.contains(&name) || RELATIONS.contains(&name)
+    is_relation(name)
+        || matches!(
+            name,
+            "times"
+                | "wedge"
+                | "cross"
+                | "land"
+                | "cdot"
+                | "vdot"
+                | "bullet"
+                | "otimes"
+                | "circ"
+                | "odot"
+                | "ast"
+                | "pm"
+                | "mp"
+        )
 }
 
 /// Commands that put one thing over another: a word over a relation, or a dot over a letter.
 const STACKS: &[&str] = &["stackrel", "overset", "underset"];
-
-const OPERATORS: &[&str] = &[
-    "times", "wedge", "cross", "land", "cdot", "vdot", "bullet", "otimes", "circ", "odot", "ast",
-    "pm", "mp",
-];
 
 impl<'a> Parser<'_, 'a> {
     pub(super) fn command_starts_factor(&self, name: &str) -> bool {

@@ -3,7 +3,7 @@
 //! `{}` makes room, `b {\color{red} + c}` colours a part of a sum, `\boxed{a = b}` frames a line, and
 //! `\boldsymbol{\times}` is a bold cross. All that is settled on the tokens, in one pass each way.
 
-use super::factor::{RELATIONS, is_operator};
+use super::factor::{is_operator, is_relation};
 use super::letter;
 use crate::notation::token::{Lexeme, Token};
 
@@ -164,7 +164,7 @@ impl<'t, 'a> Scan<'t, 'a> {
     fn relation(&mut self, kind: Lexeme<'_>) {
         let relates = match kind {
             Lexeme::Char('=' | '<' | '>') => true,
-            Lexeme::Command(name) => RELATIONS.contains(&name),
+            Lexeme::Command(name) => is_relation(name),
             _ => false,
         };
         if relates

@@ -1,6 +1,6 @@
 //! One relation: sides, signs of relation, labels and remarks.
 
-use super::factor::RELATIONS;
+use super::factor::is_relation;
 use super::text::{Words, is_constant, is_unit, words};
 use super::{Parser, nesting};
 use crate::notation::ast::{Kind, Line, Node, Relation};
@@ -185,7 +185,7 @@ pub(super) fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
             "le" | "leq" | "leqslant" => (Relation::LessOrEqual, 1),
             "ge" | "geq" | "geqslant" => (Relation::GreaterOrEqual, 1),
             "stackrel" | "overset" | "underset" => return stacked(tokens),
-            name if RELATIONS.contains(&name) => (Relation::Other, 1),
+            name if is_relation(name) => (Relation::Other, 1),
             _ => return None,
         },
         _ => return None,

@@ -25,14 +25,15 @@ pub(crate) fn measures_from_centre(text: &Text) -> bool {
         "origin in",
     ];
     let centre = ["mass cent", "centre of mass", "center of mass"];
-    let sentences = text.lower().split(['.', ';']);
-    sentences.into_iter().any(|sentence| {
-        let mut places = from.iter().filter_map(|words| sentence.split_once(words));
-        places.any(|(_, behind)| {
-            let near: String = behind.chars().take(24).collect();
-            centre.iter().any(|words| near.contains(words))
+    let mut sentences = text.lower().split(['.', ';']);
+    text.says(&from)
+        && sentences.any(|sentence| {
+            let mut places = from.iter().filter_map(|words| sentence.split_once(words));
+            places.any(|(_, behind)| {
+                let near: String = behind.chars().take(24).collect();
+                centre.iter().any(|words| near.contains(words))
+            })
         })
-    })
 }
 
 /// The vector with the index of a sum over masses that is the place of a particle.
@@ -47,7 +48,7 @@ fn place_of_particle(document: &Document) -> Option<&Symbol> {
             }
             _ => None,
         };
-        here.or_else(|| node.children().into_iter().find_map(within))
+        here.or_else(|| node.children().find_map(within))
     }
     lines(document)
         .flat_map(|line| &line.sides)

@@ -36,15 +36,15 @@ impl Checker<'_> {
     /// The velocity or acceleration of the one point whose position is spoken of, in a frame that the document's
     /// derivatives are taken in.
     pub(crate) fn in_named_frame(&mut self, symbol: &Symbol) -> Option<Law> {
+        if !symbol.style.vector {
+            return None;
+        }
         let quantity = self.reading.quantities.get(&Letter::of(symbol));
         let order = match (quantity, symbol.name.as_str()) {
             (Some(Quantity::Velocity), _) | (None, "v") => 1,
             (Some(Quantity::Acceleration), _) | (None, "a") => 2,
             _ => return None,
         };
-        if !symbol.style.vector {
-            return None;
-        }
         let frame = match (symbol.superscripts.as_slice(), symbol.subscripts.as_slice()) {
             ([label], []) => self.reading.frames.of_derivatives(label),
             ([], [label]) => self.frame_of_motion(label),

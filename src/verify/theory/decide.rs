@@ -17,6 +17,7 @@ use crate::verify::values::atoms::Atom;
 use crate::verify::values::figures::is_pi;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::Counterexample;
+use foldhash::HashSet;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -324,7 +325,7 @@ pub(crate) fn needed(theory: &mut Theory, equations: &[Equation], proof: &Proof)
 /// they are the first that are tried to be left out.
 pub(crate) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> {
     let mut open: Vec<u32> = fractions.iter().flat_map(Fraction::variables).collect();
-    let (mut seen, mut names) = (BTreeSet::new(), BTreeSet::new());
+    let (mut seen, mut names) = (HashSet::default(), BTreeSet::new());
     let mut kept = theory.relations.kept.clone();
     loop {
         let Some(variable) = open.pop() else {
@@ -350,7 +351,10 @@ pub(crate) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> 
             }
         }
     }
-    let document: BTreeSet<Name> = theory.premises().iter().map(|p| p.name.clone()).collect();
-    let (first, second): (Vec<_>, Vec<_>) = names.into_iter().partition(|n| document.contains(n));
+    let premises = theory.premises().iter();
+    let document: BTreeSet<&str> = premises.map(|p| p.name.as_str()).collect();
+    let (first, second): (Vec<_>, Vec<_>) = names
+        .into_iter()
+        .partition(|name| document.contains(name.as_str()));
     first.into_iter().chain(second).collect()
 }

@@ -100,22 +100,21 @@ impl Theory {
         ]
     }
 
-    /// Puts a solution in force, and gives back the one that was.
-    pub(crate) fn put(&mut self, other: Solution) -> Solution {
-        use std::mem::replace;
-        Solution {
-            rules: replace(&mut self.rules, other.rules),
-            normals: replace(&mut self.normals, other.normals),
-            sources: replace(&mut self.sources, other.sources),
-            relations: replace(&mut self.relations, other.relations),
-            ledger: replace(&mut self.ledger, other.ledger),
-            case: replace(&mut self.case, other.case),
-        }
+    /// Puts a solution in force, in exchange for the one that was.
+    pub(crate) fn exchange(&mut self, other: &mut Solution) {
+        use std::mem::swap;
+        swap(&mut self.rules, &mut other.rules);
+        swap(&mut self.normals, &mut other.normals);
+        swap(&mut self.sources, &mut other.sources);
+        swap(&mut self.relations, &mut other.relations);
+        swap(&mut self.ledger, &mut other.ledger);
+        swap(&mut self.case, &mut other.case);
     }
 
     /// Sets the solution in force aside, if it is still that of the premises; none is in force then.
     pub(crate) fn set_aside(&mut self) {
-        let solution = self.put(Solution::default());
+        let mut solution = Solution::default();
+        self.exchange(&mut solution);
         if solution.case.is_some() {
             self.solutions.keep(solution);
         }
@@ -127,17 +126,17 @@ impl Theory {
         premise: &Premise,
         work: impl FnOnce(&mut Self) -> R,
     ) -> Option<R> {
-        let copy = Solution {
+        let mut other = Solution {
             rules: self.rules.clone(),
             normals: self.normals.clone(),
             sources: self.sources.clone(),
             relations: self.relations.clone(),
             ..Solution::default()
         };
-        let before = self.put(copy);
+        self.exchange(&mut other);
         let solved = self.solve(premise) == Taken::Solved;
         let result = solved.then(|| work(self));
-        self.put(before);
+        self.exchange(&mut other);
         result
     }
 
@@ -149,9 +148,7 @@ impl Theory {
             false => None,
         };
         match known {
-            Some(known) => {
-                self.put(known);
-            }
+            Some(mut known) => self.exchange(&mut known),
             None => {
                 self.rebuild();
             }
