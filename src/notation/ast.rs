@@ -8,6 +8,7 @@ mod walk;
 
 use crate::source::Span;
 use num_rational::BigRational;
+use std::hash::{Hash, Hasher};
 
 /// A piece of a formula and its place in the source.
 #[derive(Clone, Debug, PartialEq)]
@@ -188,7 +189,7 @@ pub struct FrameLabel {
 }
 
 /// A letter or a word with everything that hangs on it.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Symbol {
     /// The letter as plain text: `omega`, `Omega`, `L`, `ell`, `I`, `wdot` never (that is a time derivative).
     pub name: String,
@@ -205,6 +206,17 @@ pub struct Symbol {
     pub resultant: bool,
     /// `\delta x`, `\Delta x`: a variation or increment written before the letter.
     pub variation: bool,
+}
+
+/// Of what tells most symbols apart.
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write(self.name.as_bytes());
+        for index in self.subscripts.iter().chain(&self.superscripts) {
+            state.write(index.as_bytes());
+        }
+        state.write_u8(self.primes << 1 | u8::from(self.style.vector));
+    }
 }
 
 /// What is drawn on or around a letter.

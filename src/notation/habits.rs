@@ -59,7 +59,7 @@ fn sides_mut(items: &mut [Item]) -> impl Iterator<Item = &mut Node> {
 /// Visits a node and all below it.
 fn each<'n>(node: &'n Node, visit: &mut dyn FnMut(&'n Node)) {
     visit(node);
-    node.each_child(&mut |child| each(child, visit));
+    node.children().for_each(|child| each(child, visit));
 }
 
 /// The symbol of a letter that nothing hangs on.

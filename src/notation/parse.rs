@@ -264,7 +264,7 @@ fn is_tall(root: &Node) -> bool {
         if level > TALLEST {
             return true;
         }
-        open.extend(node.children().into_iter().map(|child| (child, level + 1)));
+        open.extend(node.children().map(|child| (child, level + 1)));
     }
     false
 }

@@ -243,10 +243,7 @@ pub(super) fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> boo
     fn find(node: &Node, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
         match &node.kind {
             Kind::Symbol(symbol) if wanted(symbol) => Some(node.span),
-            _ => node
-                .children()
-                .into_iter()
-                .find_map(|child| find(child, wanted)),
+            _ => node.children().find_map(|child| find(child, wanted)),
         }
     }
     lines(document)

@@ -1,19 +1,56 @@
 //! The way through a tree, from each node to those right below it.
 
-use super::{Kind, Node, Symbol};
+use super::{Factor, Kind, Node, Symbol, Term};
+use std::iter::Flatten;
+use std::mem::replace;
+use std::slice;
+
+/// The lower and the upper limit, where they are written.
+fn ends(limits: &Option<(Box<Node>, Box<Node>)>) -> [Option<&Node>; 2] {
+    match limits {
+        Some((lower, upper)) => [Some(lower), Some(upper)],
+        None => [None; 2],
+    }
+}
+
+/// The nodes right below a node that are still to come: one ahead of the others.
+struct Children<'n> {
+    first: Option<&'n Node>,
+    rest: Rest<'n>,
+}
+
+enum Rest<'n> {
+    Few([Option<&'n Node>; 3]),
+    Nodes(slice::Iter<'n, Node>),
+    Terms(slice::Iter<'n, Term>),
+    Factors(slice::Iter<'n, Factor>),
+    Rows(Flatten<slice::Iter<'n, Vec<Node>>>),
+}
+
+impl<'n> Iterator for Children<'n> {
+    type Item = &'n Node;
+
+    #[inline]
+    fn next(&mut self) -> Option<&'n Node> {
+        if self.first.is_some() {
+            return self.first.take();
+        }
+        match &mut self.rest {
+            Rest::Few([next, then, last]) => replace(next, replace(then, last.take())),
+            Rest::Nodes(nodes) => nodes.next(),
+            Rest::Terms(terms) => terms.next().map(|term| &term.node),
+            Rest::Factors(factors) => factors.next().map(|factor| &factor.node),
+            Rest::Rows(nodes) => nodes.next(),
+        }
+    }
+}
 
 impl Node {
-    /// The nodes right below a node.
-    pub fn children(&self) -> Vec<&Self> {
-        let mut children = vec![];
-        self.each_child(&mut |child| children.push(child));
-        children
-    }
-
-    /// Visits the nodes right below a node in their order.
-    pub fn each_child<'n>(&'n self, visit: &mut dyn FnMut(&'n Self)) {
-        match &self.kind {
+    /// The nodes right below a node, in their order.
+    pub fn children(&self) -> impl Iterator<Item = &Self> {
+        let (first, rest): (Option<&Self>, _) = match &self.kind {
             Kind::Number(_) | Kind::Symbol(_) | Kind::Bold(_) | Kind::Ellipsis | Kind::Error(_) => {
+                (None, Rest::Few([None; 3]))
             }
             Kind::Negate(a)
             | Kind::Transpose(a)
@@ -24,37 +61,34 @@ impl Node {
             | Kind::InFrame(a, _)
             | Kind::PlusMinus(a)
             | Kind::WithUnit(a, _)
-            | Kind::TimeDerivative { operand: a, .. } => visit(a),
-            Kind::Quotient(a, b) | Kind::Power(a, b) => [a, b].into_iter().for_each(|n| visit(n)),
-            Kind::Sum(terms) => terms.iter().for_each(|t| visit(&t.node)),
-            Kind::Product(factors) => factors.iter().for_each(|f| visit(&f.node)),
-            Kind::Tuple(entries) => entries.iter().for_each(visit),
-            Kind::Matrix(rows) | Kind::Determinant(rows) => rows.iter().flatten().for_each(visit),
+            | Kind::TimeDerivative { operand: a, .. } => (Some(a), Rest::Few([None; 3])),
+            Kind::Quotient(a, b) | Kind::Power(a, b) => (Some(a), Rest::Few([Some(b), None, None])),
+            Kind::Sum(terms) => (None, Rest::Terms(terms.iter())),
+            Kind::Product(factors) => (None, Rest::Factors(factors.iter())),
+            Kind::Tuple(entries) => (None, Rest::Nodes(entries.iter())),
+            Kind::Matrix(rows) | Kind::Determinant(rows) => {
+                (None, Rest::Rows(rows.iter().flatten()))
+            }
             Kind::Derivative {
                 operand: head,
                 variables: rest,
                 ..
             }
-            | Kind::Call(head, rest) => {
-                visit(head);
-                rest.iter().for_each(visit);
-            }
+            | Kind::Call(head, rest) => (Some(head), Rest::Nodes(rest.iter())),
             Kind::Integral {
                 integrand,
                 variable,
                 limits,
             } => {
-                visit(integrand);
-                visit(variable);
-                let limits = limits.iter().flat_map(|(a, b)| [a, b]);
-                limits.for_each(|n| visit(n));
+                let [lower, upper] = ends(limits);
+                (Some(integrand), Rest::Few([Some(variable), lower, upper]))
             }
             Kind::IndexedSum { limits, body, .. } => {
-                visit(body);
-                let limits = limits.iter().flat_map(|(a, b)| [a, b]);
-                limits.for_each(|n| visit(n));
+                let [lower, upper] = ends(limits);
+                (Some(body), Rest::Few([lower, upper, None]))
             }
-        }
+        };
+        Children { first, rest }
     }
 
     /// The nodes right below a node, to be changed.

@@ -174,7 +174,8 @@ pub(super) fn error_in(node: &crate::notation::ast::Node) -> Option<(String, Spa
         Kind::Error(message) => Some((message.clone(), node.span)),
         _ => {
             let mut found = None;
-            node.each_child(&mut |child| found = found.take().or_else(|| error_in(child)));
+            node.children()
+                .for_each(|child| found = found.take().or_else(|| error_in(child)));
             found
         }
     }

@@ -167,6 +167,6 @@ fn in_numbers(node: &Node) -> bool {
         Kind::Symbol(symbol) => symbol.name == "pi" && symbol.subscripts.is_empty(),
         Kind::Number(_) => true,
         Kind::WithUnit(..) | Kind::Ellipsis | Kind::Error(_) | Kind::Bold(_) => false,
-        _ => node.children().into_iter().all(in_numbers),
+        _ => node.children().all(in_numbers),
     }
 }

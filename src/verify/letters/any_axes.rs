@@ -59,5 +59,5 @@ fn holds_grid(node: &Node) -> bool {
     matches!(
         node.kind,
         Kind::Matrix(_) | Kind::Determinant(_) | Kind::Tuple(_)
-    ) || node.children().into_iter().any(holds_grid)
+    ) || node.children().any(holds_grid)
 }

@@ -110,9 +110,7 @@ fn turns(node: &Node, found: &mut Vec<Letter>) {
             }
         }
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| turns(child, found));
+    node.children().for_each(|child| turns(child, found));
 }
 
 /// Whether a symbol wears the labels of two frames: `R_{WB}`.
@@ -124,5 +122,5 @@ fn leads(symbol: &Symbol) -> bool {
 }
 
 fn holds_function(node: &Node) -> bool {
-    matches!(node.kind, Kind::Function(..)) || node.children().into_iter().any(holds_function)
+    matches!(node.kind, Kind::Function(..)) || node.children().any(holds_function)
 }

@@ -43,11 +43,7 @@ impl AttitudeReading {
             }
             _ => false,
         };
-        circled
-            || node
-                .children()
-                .into_iter()
-                .any(|child| self.has_circled_product(child))
+        circled || node.children().any(|child| self.has_circled_product(child))
     }
 
     /// The scalar and the vector part, told apart by the mark of a vector.

@@ -251,10 +251,7 @@ impl AttitudeReading {
             }
             Kind::Tuple(entries) => entries.iter().collect(),
             _ => {
-                return side
-                    .children()
-                    .into_iter()
-                    .for_each(|child| self.layout(child));
+                return side.children().for_each(|child| self.layout(child));
             }
         };
         let part = |node: &Node| match &undotted(node).kind {

@@ -140,7 +140,6 @@ fn matrix_convention(node: &Node, reading: &Reading) -> Option<bool> {
         }
     }
     node.children()
-        .into_iter()
         .find_map(|child| matrix_convention(child, reading))
 }
 

@@ -316,6 +316,9 @@ fn adds_a_potential(side: &Node) -> bool {
     let Kind::Sum(terms) = &inner(side).kind else {
         return false;
     };
+    if !terms.iter().any(|term| has_turn(&term.node)) {
+        return false;
+    }
     let rate = |name: &str| matches!(name, "omega" | "Omega" | "w" | "p" | "q" | "r");
     let moves =
         |term: &Node| rates(term).next().is_some() || symbols(term).iter().any(|s| rate(&s.name));
@@ -334,7 +337,7 @@ fn rates(node: &Node) -> impl Iterator<Item = Symbol> {
             Kind::TimeDerivative { operand, .. } => {
                 found.extend(symbols(operand).into_iter().cloned())
             }
-            _ => node.each_child(&mut |child| collect(child, found)),
+            _ => node.children().for_each(|child| collect(child, found)),
         }
     }
     let mut found = vec![];
@@ -344,5 +347,5 @@ fn rates(node: &Node) -> impl Iterator<Item = Symbol> {
 
 fn has_turn(node: &Node) -> bool {
     matches!(node.kind, Kind::Function(Function::Sin | Function::Cos, _))
-        || node.children().into_iter().any(has_turn)
+        || node.children().any(has_turn)
 }

@@ -289,9 +289,7 @@ pub(crate) fn labels(node: &Node, look: &mut impl FnMut(&FrameLabel)) {
         | Kind::InFrame(_, label) => look(label),
         _ => {}
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| labels(child, look));
+    node.children().for_each(|child| labels(child, look));
 }
 
 /// Where something that is fixed may be so that it does not turn.

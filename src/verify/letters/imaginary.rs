@@ -25,7 +25,7 @@ fn joins(node: &Node) -> bool {
         return true;
     }
     let Kind::Sum(terms) = &inner(node).kind else {
-        return node.children().into_iter().any(joins);
+        return node.children().any(joins);
     };
     let component = |symbols: &[&Symbol]| match symbols {
         [one] if one.subscripts.iter().any(|s| axis(s).is_some()) => Some(Letter::of(one)),

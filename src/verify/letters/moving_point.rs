@@ -169,8 +169,5 @@ fn holds_rate_of(node: &Node, symbol: &Symbol) -> bool {
         }
         _ => false,
     };
-    here || node
-        .children()
-        .into_iter()
-        .any(|child| holds_rate_of(child, symbol))
+    here || node.children().any(|child| holds_rate_of(child, symbol))
 }

@@ -133,7 +133,8 @@ impl Reading {
                 met.extend(labels.filter_map(|label| axis(label)));
             }
         }
-        node.each_child(&mut |child| self.moments_beside(child, rate, met));
+        node.children()
+            .for_each(|child| self.moments_beside(child, rate, met));
     }
 
     /// "A wheel along the second body axis with the momentum ⟨h⟩": a number is the component along that axis.

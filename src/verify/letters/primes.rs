@@ -38,7 +38,7 @@ fn shown(document: &Document) -> bool {
 }
 
 fn has_rate(node: &Node) -> bool {
-    matches!(node.kind, Kind::TimeDerivative { .. }) || node.children().into_iter().any(has_rate)
+    matches!(node.kind, Kind::TimeDerivative { .. }) || node.children().any(has_rate)
 }
 
 /// A component with a prime beside the other two without.

@@ -34,9 +34,7 @@ fn note(node: &Node, labels: &mut BTreeSet<String>) {
     {
         labels.insert(label);
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| note(child, labels));
+    node.children().for_each(|child| note(child, labels));
 }
 
 fn lower(node: &mut Node, labels: &BTreeSet<String>) {

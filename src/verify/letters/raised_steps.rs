@@ -40,7 +40,7 @@ fn note(node: &Node, counters: &mut BTreeSet<String>) {
     {
         counters.insert(step[..1].to_owned());
     }
-    node.each_child(&mut |child| note(child, counters));
+    node.children().for_each(|child| note(child, counters));
 }
 
 fn lower(node: &mut Node, counters: &BTreeSet<String>) {

@@ -71,16 +71,22 @@ pub(crate) fn has_differences(document: &Document) -> bool {
 
 /// The letters of the terms of each sum in a tree, where a term is a symbol by itself.
 fn sums(node: &Node) -> Vec<BTreeSet<Letter>> {
-    let mut found: Vec<BTreeSet<Letter>> = node.children().into_iter().flat_map(sums).collect();
-    if let Kind::Sum(terms) = &node.kind {
-        let lone = |node: &Node| match &inner(node).kind {
+    fn collect(node: &Node, found: &mut Vec<BTreeSet<Letter>>) {
+        node.children().for_each(|child| collect(child, found));
+        if let Kind::Sum(terms) = &node.kind {
+            found.push(terms.iter().filter_map(|term| lone(&term.node)).collect());
+        }
+    }
+    fn lone(node: &Node) -> Option<Letter> {
+        match &inner(node).kind {
             Kind::Symbol(symbol) if symbol.subscripts.iter().all(|s| is_label(s)) => {
                 Some(Letter::of(symbol))
             }
             _ => None,
-        };
-        found.push(terms.iter().filter_map(|term| lone(&term.node)).collect());
+        }
     }
+    let mut found = vec![];
+    collect(node, &mut found);
     found
 }
 

@@ -91,7 +91,6 @@ impl Reading {
             found[usize::from(place)].get_or_insert((letter, indexed));
         }
         node.children()
-            .into_iter()
             .for_each(|child| self.coefficients(child, found));
     }
 

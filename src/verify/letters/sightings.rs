@@ -67,8 +67,8 @@ impl Usage {
     /// What is added to a cross product, or is equal to one, is a vector: the N of `dH/dt + w x H = N`.
     fn beside_a_cross(&mut self, line: &Line) {
         let of_numbers = |node: &Node| {
-            let factors = node.children();
-            factors.iter().any(|factor| symbols(factor).is_empty())
+            let mut factors = node.children();
+            factors.any(|factor| symbols(factor).is_empty())
         };
         let mut all = line.sides.iter().flat_map(terms);
         if all.any(|term| is_cross(term) && !of_numbers(term) || applies_skew(term)) {
@@ -186,7 +186,7 @@ impl Usage {
                 operand, variables, ..
             } => {
                 self.derived(operand, variables);
-                let children = node.children().into_iter();
+                let children = node.children();
                 children.for_each(|child| self.node(child));
             }
             Kind::Power(base, exponent) => {
@@ -198,10 +198,7 @@ impl Usage {
                 self.crossed(factors);
                 factors.iter().for_each(|factor| self.node(&factor.node));
             }
-            _ => node
-                .children()
-                .into_iter()
-                .for_each(|child| self.node(child)),
+            _ => node.children().for_each(|child| self.node(child)),
         }
     }
 

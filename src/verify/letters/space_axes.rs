@@ -149,10 +149,7 @@ impl SpaceAxes {
             Kind::Power(_, exponent) => matches!(exponent.kind, Kind::Number(_)),
             _ => false,
         };
-        kind && side
-            .children()
-            .into_iter()
-            .all(|child| self.is_invariant(child))
+        kind && side.children().all(|child| self.is_invariant(child))
     }
 
     /// Whether a symbol of a formula is labelled so.

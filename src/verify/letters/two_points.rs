@@ -267,7 +267,7 @@ fn shifts(side: &Node) -> bool {
         side.kind,
         Kind::Transpose(_) | Kind::Skew(_) | Kind::Norm(_)
     );
-    own || side.children().into_iter().any(shifts)
+    own || side.children().any(shifts)
 }
 
 /// Whether all tensors of a line stand alone or as terms, under one letter with two labels: a balance of many bodies is
@@ -289,9 +289,7 @@ fn heads<'n>(node: &'n Node, found: &mut Vec<&'n Symbol>) {
     if let Kind::Call(head, _) = &node.kind {
         found.extend(lone(head));
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| heads(child, found));
+    node.children().for_each(|child| heads(child, found));
 }
 
 fn mass(line: &[&Symbol]) -> Option<Symbol> {
@@ -357,7 +355,7 @@ fn is_matrix(node: &Node) -> bool {
         Kind::Symbol(symbol) => symbol.style.vector || symbol.style.tensor,
         _ => false,
     };
-    own || node.children().into_iter().any(is_matrix)
+    own || node.children().any(is_matrix)
 }
 
 impl Reading {

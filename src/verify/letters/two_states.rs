@@ -111,6 +111,7 @@ fn momentum(side: &Node) -> Option<Momentum> {
 fn has_rate(node: &Node, name: &str) -> bool {
     let mut met = matches!(&node.kind, Kind::TimeDerivative { operand, .. }
         if matches!(&inner(operand).kind, Kind::Symbol(s) if s.name == name));
-    node.each_child(&mut |child| met |= has_rate(child, name));
+    node.children()
+        .for_each(|child| met |= has_rate(child, name));
     met
 }

@@ -284,10 +284,10 @@ pub(crate) fn symbols(node: &Node) -> Vec<&Symbol> {
     fn collect<'n>(node: &'n Node, found: &mut Vec<&'n Symbol>) {
         match &node.kind {
             Kind::Symbol(symbol) => found.push(symbol),
-            _ => node.each_child(&mut |child| collect(child, found)),
+            _ => node.children().for_each(|child| collect(child, found)),
         }
     }
-    let mut found = vec![];
+    let mut found = Vec::with_capacity(8);
     collect(node, &mut found);
     found
 }

@@ -293,9 +293,7 @@ fn crossed<'a>(node: &'a Node, found: &mut Vec<&'a Symbol>) {
         Kind::Skew(operand) => found.extend(terms(operand).into_iter().filter_map(lone)),
         _ => {}
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| crossed(child, found));
+    node.children().for_each(|child| crossed(child, found));
 }
 
 /// The symbols with a number that stand in a sum with their own letter bare.
@@ -312,9 +310,7 @@ fn beside_bare<'a>(node: &'a Node, found: &mut Vec<(Letter, &'a Symbol)>) {
             found.extend(same.map(|s| (letter.clone(), *s)));
         }
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| beside_bare(child, found));
+    node.children().for_each(|child| beside_bare(child, found));
 }
 
 /// The symbols of one letter that stand in a sum with a 0 under one of them, and are multiplied together: `J(\omega_1 - \omega_0)`.
@@ -336,9 +332,7 @@ fn multiplied<'a>(node: &'a Node, found: &mut Vec<(Letter, &'a Symbol)>) {
             found.extend(all.into_iter().map(|s| (Letter::of(s), s)));
         }
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| multiplied(child, found));
+    node.children().for_each(|child| multiplied(child, found));
 }
 
 /// The terms of a sum, or the node itself.

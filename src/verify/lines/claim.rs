@@ -322,16 +322,12 @@ impl Checker<'_> {
 
 /// Whether a list stands in a node: what brackets around several things mean is the author's own.
 fn has_list(node: &Node) -> bool {
-    matches!(node.kind, Kind::Tuple(_)) || node.children().into_iter().any(has_list)
+    matches!(node.kind, Kind::Tuple(_)) || node.children().any(has_list)
 }
 
 /// The variables of the integrals in a formula: the V of dV needs no words.
 fn integrated_over(node: &Node) -> Vec<&Symbol> {
-    let mut found: Vec<&Symbol> = node
-        .children()
-        .into_iter()
-        .flat_map(integrated_over)
-        .collect();
+    let mut found: Vec<&Symbol> = node.children().flat_map(integrated_over).collect();
     if let Kind::Integral { variable, .. } = &node.kind
         && let Kind::Symbol(symbol) = &variable.kind
     {

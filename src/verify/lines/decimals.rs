@@ -127,13 +127,13 @@ fn nothing(span: crate::source::Span) -> Node {
 pub(crate) fn holds_decimals(node: &Node) -> bool {
     match &node.kind {
         Kind::Number(number) => is_decimal(number),
-        _ => node.children().into_iter().any(holds_decimals),
+        _ => node.children().any(holds_decimals),
     }
 }
 
 /// Whether a unit stands somewhere in a node.
 pub(crate) fn holds_unit(node: &Node) -> bool {
-    matches!(node.kind, Kind::WithUnit(..)) || node.children().into_iter().any(holds_unit)
+    matches!(node.kind, Kind::WithUnit(..)) || node.children().any(holds_unit)
 }
 
 /// The texts of all units in a node.
@@ -141,9 +141,7 @@ pub(crate) fn units<'a>(node: &'a Node, out: &mut Vec<&'a str>) {
     if let Kind::WithUnit(_, unit) = &node.kind {
         out.push(unit);
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| units(child, out));
+    node.children().for_each(|child| units(child, out));
 }
 
 /// A number rounded to as many decimals as a numeral shows, as a text in place of the numeral's.

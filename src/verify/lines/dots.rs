@@ -79,7 +79,7 @@ impl Checker<'_> {
             return self.reading.particle.as_ref() == Some(symbol)
                 || matches!(self.meaning_of(symbol), Meaning::UnitVector(_));
         }
-        let mut children = node.children().into_iter();
+        let mut children = node.children();
         children.any(|child| self.has_rate_of_axis(child))
     }
 
@@ -87,7 +87,7 @@ impl Checker<'_> {
     /// body that carries them.
     fn adds_rate_of_wheels(&mut self, node: &Node) -> bool {
         let Kind::Sum(terms) = &node.kind else {
-            let mut children = node.children().into_iter();
+            let mut children = node.children();
             return children.any(|child| self.adds_rate_of_wheels(child));
         };
         let wheels = Owner::Quantity(Quantity::RelativeMomentum, String::new());
@@ -139,7 +139,8 @@ impl Checker<'_> {
                 .and_then(|label| self.reading.frames.of_label(label));
             found(symbol, own.or(within));
         }
-        node.each_child(&mut |child| self.rates_of_symbols(child, within, found));
+        node.children()
+            .for_each(|child| self.rates_of_symbols(child, within, found));
     }
 
     /// Whether ω × stands beside the dot of a momentum, `ḣ + ω × Jω`: who writes what the turning of the axes adds writes
@@ -160,10 +161,7 @@ impl Checker<'_> {
             self.signs(node, false, &mut terms);
             terms.agree()
         };
-        here || node
-            .children()
-            .into_iter()
-            .any(|child| self.transports_within(child))
+        here || node.children().any(|child| self.transports_within(child))
     }
 
     fn signs(&self, node: &Node, negative: bool, terms: &mut Signs) {

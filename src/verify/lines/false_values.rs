@@ -42,6 +42,6 @@ impl Checker<'_> {
 fn numbers(node: &Node) -> Vec<&BigRational> {
     match &node.kind {
         Kind::Number(number) => vec![&number.value],
-        _ => node.children().into_iter().flat_map(numbers).collect(),
+        _ => node.children().flat_map(numbers).collect(),
     }
 }

@@ -224,7 +224,7 @@ fn swings(node: &Node, symbol: &Symbol) -> bool {
         } => lone(operand) == Some(symbol),
         _ => false,
     };
-    own || node.children().into_iter().any(|c| swings(c, symbol))
+    own || node.children().any(|c| swings(c, symbol))
 }
 
 fn lines_of(formula: &Formula) -> impl Iterator<Item = &Line> {
@@ -236,7 +236,7 @@ fn lines_of(formula: &Formula) -> impl Iterator<Item = &Line> {
 
 /// Functions of several arguments that are called, and of how many.
 fn calls(node: &Node) -> Vec<(&str, usize)> {
-    let inside = node.children().into_iter().flat_map(calls);
+    let inside = node.children().flat_map(calls);
     call(node).into_iter().chain(inside).collect()
 }
 

@@ -47,11 +47,11 @@ fn over_time(node: &Node) -> bool {
         } => matches!(&variable.kind, Kind::Symbol(s) if s.name == "t"),
         _ => false,
     };
-    own || node.children().into_iter().any(over_time)
+    own || node.children().any(over_time)
 }
 
 fn has_call(node: &Node) -> bool {
-    matches!(node.kind, Kind::Call(..)) || node.children().into_iter().any(has_call)
+    matches!(node.kind, Kind::Call(..)) || node.children().any(has_call)
 }
 
 /// Whether one side is `x(b) - x(a)` and the other the integral of ẋ from a to b.

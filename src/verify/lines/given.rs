@@ -363,6 +363,8 @@ pub(crate) fn is_zero(side: &Node) -> bool {
 fn operands_of_rates<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
     match &node.kind {
         Kind::TimeDerivative { operand, .. } => found.push(operand),
-        _ => node.each_child(&mut |child| operands_of_rates(child, found)),
+        _ => node
+            .children()
+            .for_each(|child| operands_of_rates(child, found)),
     }
 }

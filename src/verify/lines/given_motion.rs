@@ -239,7 +239,7 @@ impl Checker<'_> {
 /// Whether a sum over particles or an integral stands in a side.
 fn sums_up(side: &Node) -> bool {
     let own = matches!(side.kind, Kind::IndexedSum { .. } | Kind::Integral { .. });
-    own || side.children().into_iter().any(sums_up)
+    own || side.children().any(sums_up)
 }
 
 /// Whether a side is a symbol, or so many times one.

@@ -56,7 +56,8 @@ fn has_index(node: &Node) -> bool {
         Kind::Symbol(symbol) => symbol.subscripts.iter().any(|s| s == "i"),
         _ => false,
     };
-    node.each_child(&mut |child| found = found || has_index(child));
+    node.children()
+        .for_each(|child| found = found || has_index(child));
     found
 }
 

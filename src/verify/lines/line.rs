@@ -371,6 +371,6 @@ fn keeps_its_value(sides: &mut [Node]) {
 fn error_in(node: &Node) -> Option<(String, Span)> {
     match &node.kind {
         Kind::Error(message) => Some((message.clone(), node.span)),
-        _ => node.children().into_iter().find_map(error_in),
+        _ => node.children().find_map(error_in),
     }
 }

@@ -186,7 +186,8 @@ impl Checker<'_> {
 fn is_rate_of_rate(node: &Node) -> bool {
     fn most(node: &Node) -> u8 {
         let mut inside = 0;
-        node.each_child(&mut |child| inside = inside.max(most(child)));
+        node.children()
+            .for_each(|child| inside = inside.max(most(child)));
         match &node.kind {
             Kind::TimeDerivative { order, .. } => inside.saturating_add(*order),
             _ => inside,

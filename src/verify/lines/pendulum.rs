@@ -122,7 +122,7 @@ pub(crate) fn squared(node: &Node) -> Option<Symbol> {
     {
         return Some(symbol.clone());
     }
-    node.children().into_iter().find_map(squared)
+    node.children().find_map(squared)
 }
 
 /// The angle whose second rate stands in a node.
@@ -134,5 +134,5 @@ pub(crate) fn swung(node: &Node) -> Option<Symbol> {
     {
         return Some(symbol.clone());
     }
-    node.children().into_iter().find_map(swung)
+    node.children().find_map(swung)
 }

@@ -176,13 +176,13 @@ fn bases<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
     if let Kind::Power(base, _) = &node.kind {
         found.push(base);
     }
-    node.each_child(&mut |child| bases(child, found));
+    node.children().for_each(|child| bases(child, found));
 }
 
 /// How many signs ± stand in a node.
 fn count(node: &Node) -> usize {
     let own = usize::from(matches!(node.kind, Kind::PlusMinus(_)));
-    own + node.children().into_iter().map(count).sum::<usize>()
+    own + node.children().map(count).sum::<usize>()
 }
 
 /// Puts one sign in the place of ±.

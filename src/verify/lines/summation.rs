@@ -179,18 +179,12 @@ impl Indices {
                 met.iter().chain(&met).copied().collect()
             }
             Kind::Product(_) | Kind::Quotient(..) | Kind::Call(..) | Kind::Derivative { .. } => {
-                let children = node.children();
-                let each = children
-                    .into_iter()
-                    .flat_map(|child| once(&self.met(child)));
+                let each = node.children().flat_map(|child| once(&self.met(child)));
                 each.collect()
             }
             _ => {
                 let children = node.children();
-                children
-                    .into_iter()
-                    .flat_map(|child| self.met(child))
-                    .collect()
+                children.flat_map(|child| self.met(child)).collect()
             }
         }
     }

@@ -129,7 +129,6 @@ fn flip(node: &Node, sign: Sign, reading: &Reading, out: &mut Vec<Edit>) {
         }
         _ => node
             .children()
-            .into_iter()
             .for_each(|child| flip(child, sign, reading, out)),
     }
 }

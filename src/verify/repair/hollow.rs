@@ -18,7 +18,7 @@ impl Checker<'_> {
             // A side itself may be what is said to vanish, though not as a − a.
             let value = self.lowering(Frame::Moving).value(side);
             let cancels = matches!(side.kind, Kind::Sum(_)) && value.is_ok_and(|v| v.is_zero());
-            let parts = side.children().into_iter();
+            let parts = side.children();
             count +=
                 usize::from(cancels) + parts.map(|part| self.hollow_parts(part)).sum::<usize>();
         }
@@ -39,7 +39,7 @@ impl Checker<'_> {
         if rate_of_symbol {
             return 0;
         }
-        let children = node.children().into_iter();
+        let children = node.children();
         children.map(|child| self.hollow_parts(child)).sum()
     }
 }

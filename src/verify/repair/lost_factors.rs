@@ -81,7 +81,6 @@ fn tails_of_sums(node: &Node, tails: &mut Vec<Span>) {
         tails.extend(first.map(|term| term.node.span.to(last.node.span)));
     }
     node.children()
-        .into_iter()
         .for_each(|child| tails_of_sums(child, tails));
 }
 

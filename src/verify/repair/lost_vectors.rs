@@ -100,9 +100,7 @@ fn visit(node: &Node, keep: &mut impl FnMut(&Node)) {
         Kind::Product(_) | Kind::InFrame(..) | Kind::Symbol(_) => keep(node),
         _ => {}
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| visit(child, keep));
+    node.children().for_each(|child| visit(child, keep));
 }
 
 /// The edit that adds a term behind a side.

@@ -77,7 +77,5 @@ fn symbols<'n>(node: &'n Node, met: &mut Vec<&'n Node>) {
     if matches!(&node.kind, Kind::Symbol(symbol) if !symbol.resultant) {
         met.push(node);
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| symbols(child, met));
+    node.children().for_each(|child| symbols(child, met));
 }

@@ -148,9 +148,7 @@ fn atoms<'a>(node: &'a Node, look: &mut impl FnMut(&'a Node)) {
         look(node);
         return;
     }
-    node.children()
-        .into_iter()
-        .for_each(|child| atoms(child, look));
+    node.children().for_each(|child| atoms(child, look));
 }
 
 /// The symbol of a node and how often it is differentiated.

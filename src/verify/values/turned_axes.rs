@@ -145,5 +145,5 @@ fn coordinates(index: &str) -> Option<[Symbol; 2]> {
 }
 
 fn has_integral(node: &Node) -> bool {
-    matches!(node.kind, Kind::Integral { .. }) || node.children().into_iter().any(has_integral)
+    matches!(node.kind, Kind::Integral { .. }) || node.children().any(has_integral)
 }

@@ -178,7 +178,7 @@ fn diagonal(node: &Node) -> Option<Vec<NamedMoment>> {
     };
     let run: Vec<(&Symbol, Span)> = found.into_iter().map(|s| (s, node.span)).collect();
     let own = row_of_three(&run);
-    own.or_else(|| node.children().into_iter().find_map(diagonal))
+    own.or_else(|| node.children().find_map(diagonal))
 }
 
 /// Each of three symbols with its places, where two of them are one and the last or the first stands apart.
