@@ -186,3 +186,37 @@ fn the_title_of_a_paragraph_ends_no_assumption() {
         ["accepted", "proved", "accepted", "proved", "refuted"]
     );
 }
+
+#[test]
+fn a_case_without_turning_about_an_axis_keeps_the_momentum_and_the_shape_of_the_body() {
+    let text = |last: &str| {
+        format!(
+            r"The body axes 1, 2 and 3 are principal; $A$, $B$, $C$ are the moments of inertia with the wheel locked. The wheel axis is the pitch axis 2, and $h_w$ is the momentum of the wheel relative to the body.
+
+The total angular momentum is
+
+$$ \mathbf H = A\omega_1\,\mathbf e_1 + (B\omega_2 + h_w)\,\mathbf e_2 + C\omega_3\,\mathbf e_3 $$
+
+**Free motion.** From here on we assume $\mathbf G = \mathbf 0$, where $\mathbf G$ is the torque.
+
+**Nutation.** Keep the wheel speed constant, $\dot h_w = 0$, and let the satellite not turn about its pitch axis, $\omega_2 = 0$. Then
+
+$$ A\dot\omega_1 = h_w\,\omega_3 $$
+
+{last}
+"
+        )
+    };
+    let last = |line: &str| verdicts(&text(line)).pop();
+    assert_eq!(last(r"$$ C\dot\omega_3 = -h_w\,\omega_1 $$"), Some('p'));
+    assert_eq!(last(r"$$ C\dot\omega_3 = h_w\,\omega_1 $$"), Some('r'));
+    assert_ne!(last(r"Therefore $$ A = C $$"), Some('p'));
+    assert_eq!(verdicts(&text("")), "aaaap");
+}
+
+#[test]
+fn equations_that_are_coupled_have_no_couple() {
+    let text = "## One\n\nThe axes are principal. No torque acts on the body.\n\n## Two\n\nThe two others are coupled. With \
+                $I_x = I_y$,\n\n$$ \\dot\\omega_z = 0 $$\n";
+    assert_eq!(verdicts(text), "ap");
+}

@@ -7,6 +7,7 @@ pub(super) mod attitude_law;
 pub(super) mod certify;
 pub(super) mod cones;
 pub(super) mod decide;
+mod dropped;
 pub(super) mod kept;
 pub(super) mod kernel_facts;
 pub(super) mod law;

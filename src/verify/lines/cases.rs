@@ -309,10 +309,18 @@ impl Checker<'_> {
         if self.theory.atoms.entity_of(own) != Some(omega) || !self.contradicts(sides) {
             return;
         }
+        // What the momentum is made of holds in each case.
+        let momentum = |v: Variable| {
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(Quantity::Momentum, _)))
+        };
+        let sets = |r: &Fraction| {
+            let met = r.variables();
+            met.contains(&own) && !met.into_iter().any(momentum)
+        };
         let earlier = |p: &&Premise| {
             let case = self.cases.set.get(&p.name);
-            case.is_some_and(|&case| case < now)
-                && p.residuals.iter().any(|r| r.variables().contains(&own))
+            case.is_some_and(|&case| case < now) && p.residuals.iter().any(sets)
         };
         let ended: Vec<Premise> = self
             .theory

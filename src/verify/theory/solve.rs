@@ -85,18 +85,6 @@ impl Theory {
         }
     }
 
-    /// Whether a condition is that no moment acts about the axis of which the equation of motion is dropped.
-    fn is_dropped(&self, residual: &Fraction) -> bool {
-        let Some(axis) = self.setting.dropped_axis else {
-            return false;
-        };
-        residual.as_variable().is_some_and(|variable| {
-            matches!(*self.atoms.atom(variable), Atom::Part { entity, component, order: 0 }
-                if component == axis
-                    && self.atoms.info(entity).owner == Owner::Quantity(Quantity::Moment, String::new()))
-        })
-    }
-
     /// Solves the residuals of a premise one after the other, simplest first.
     pub(crate) fn solve(&mut self, premise: &Premise) -> Taken {
         let in_force = premise.residuals.iter().filter(|r| !self.is_dropped(r));
@@ -108,6 +96,7 @@ impl Theory {
                 .map(|(r, written)| (self.normal(r), *written))
                 .filter(|(r, _)| !r.is_zero())
                 .collect();
+            left.retain(|(r, written)| !self.is_left_out_of_account(r, written));
             if left
                 .iter()
                 .any(|(r, _)| r.numerator().is_constant().is_some())

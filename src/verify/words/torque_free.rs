@@ -160,7 +160,9 @@ pub(crate) fn speaks_of_a_torque(text: &str) -> bool {
     }
     let words = words(&text);
     let denied = |at: usize| at >= 2 && denies(&words[at - 2..=at]);
-    let named = |word: &str| has_any(word, &["torque", "couple", "motor", "damp"]);
+    // Equations that are coupled have no couple.
+    let couple = |word: &str| matches!(word, "couple" | "couples");
+    let named = |word: &str| couple(word) || has_any(word, &["torque", "motor", "damp"]);
     let mut all = words.iter().enumerate();
     all.any(|(at, word)| named(word) && !denied(at))
 }
