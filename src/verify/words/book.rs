@@ -4,20 +4,12 @@ use aho_corasick::{AhoCorasick, AhoCorasickKind};
 
 /// A text in lower case: the same as `str::to_lowercase`, and faster on a text that is Latin but for some signs.
 pub(crate) fn lowered(text: &str) -> String {
-    // A capital sigma is another letter at the end of a word.
-    if text.contains('Σ') {
-        return text.to_lowercase();
+    // Brackets, arrows and signs; no letter is among them.
+    let sign = |c: char| matches!(c, '\u{2500}'..='\u{2bff}');
+    match text.is_ascii() || text.chars().all(|c| c.is_ascii() || sign(c)) {
+        true => text.to_ascii_lowercase(),
+        false => text.to_lowercase(),
     }
-    let mut lower = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '\0'..='\x7f' => lower.push(c.to_ascii_lowercase()),
-            // Brackets, arrows and signs; no letter is among them.
-            '\u{2500}'..='\u{2bff}' => lower.push(c),
-            _ => lower.extend(c.to_lowercase()),
-        }
-    }
-    lower
 }
 
 /// Phrases, with the automaton that finds all of them in one pass (Aho and Corasick, Efficient string matching, 1975).
