@@ -3,122 +3,132 @@
 use super::Lexer;
 use crate::notation::token::{Lexeme, beginning};
 
-/// Commands that only change the look.
-const SILENT: &[&str] = &[
-    "displaystyle",
-    "textstyle",
-    "scriptstyle",
-    "limits",
-    "nolimits",
-    "nonumber",
-    "notag",
-    "big",
-    "Big",
-    "bigg",
-    "Bigg",
-    "bigl",
-    "bigr",
-    "Bigl",
-    "Bigr",
-    "biggl",
-    "biggr",
-    "Biggl",
-    "Biggr",
-    "bigm",
-    "Bigm",
-    "middle",
-    "!",
-    "mathstrut",
-    "strut",
-    "noindent",
-    "centering",
-    "allowbreak",
-    "nobreak",
-    "null",
-    "mathord",
-    "mathbin",
-    "mathrel",
-    "mathop",
-    "mathopen",
-    "mathclose",
-    "mathpunct",
-    "mathinner",
-    "ensuremath",
-    "boxed",
-    "fbox",
-    "small",
-    "large",
-    "Large",
-    "normalsize",
-    "relax",
-    "protect",
-    "unboldmath",
-    "cancel",
-    "left@",
-    "hline",
-    "par",
-    "bcancel",
-    "xcancel",
-    "sout",
-    "displaylimits",
-    "framebox",
-    "underbracket",
-    "vcenter",
-    "mathllap",
-    "mathrlap",
-    "mathclap",
-    "llap",
-    "rlap",
-    "clap",
-    "eval",
-    "IEEEyesnumber",
-    "IEEEnonumber",
-    "IEEEyessubnumber",
-    "IEEEeqnarraynumspace",
-];
+/// Whether a command only changes the look.
+fn is_silent(name: &str) -> bool {
+    matches!(
+        name,
+        "displaystyle"
+            | "textstyle"
+            | "scriptstyle"
+            | "limits"
+            | "nolimits"
+            | "nonumber"
+            | "notag"
+            | "big"
+            | "Big"
+            | "bigg"
+            | "Bigg"
+            | "bigl"
+            | "bigr"
+            | "Bigl"
+            | "Bigr"
+            | "biggl"
+            | "biggr"
+            | "Biggl"
+            | "Biggr"
+            | "bigm"
+            | "Bigm"
+            | "middle"
+            | "!"
+            | "mathstrut"
+            | "strut"
+            | "noindent"
+            | "centering"
+            | "allowbreak"
+            | "nobreak"
+            | "null"
+            | "mathord"
+            | "mathbin"
+            | "mathrel"
+            | "mathop"
+            | "mathopen"
+            | "mathclose"
+            | "mathpunct"
+            | "mathinner"
+            | "ensuremath"
+            | "boxed"
+            | "fbox"
+            | "small"
+            | "large"
+            | "Large"
+            | "normalsize"
+            | "relax"
+            | "protect"
+            | "unboldmath"
+            | "cancel"
+            | "left@"
+            | "hline"
+            | "par"
+            | "bcancel"
+            | "xcancel"
+            | "sout"
+            | "displaylimits"
+            | "framebox"
+            | "underbracket"
+            | "vcenter"
+            | "mathllap"
+            | "mathrlap"
+            | "mathclap"
+            | "llap"
+            | "rlap"
+            | "clap"
+            | "eval"
+            | "IEEEyesnumber"
+            | "IEEEnonumber"
+            | "IEEEyessubnumber"
+            | "IEEEeqnarraynumspace"
+    )
+}
 
-/// Commands with one argument that says nothing.
-const SWALLOW: &[&str] = &[
-    "phantom",
-    "hphantom",
-    "vphantom",
-    "vspace",
-    "color",
-    "cite",
-    "footnote",
-    "footnotemark",
-    "textcircled",
-    "intertext@",
-    "eqref",
-    "ref",
-    "autoref",
-    "cref",
-    "Cref",
-    "require",
-    "htmlClass",
-    "htmlId",
-    "htmlStyle",
-    "htmlData",
-    "cssId",
-    "class",
-    "href",
-    "enclose",
-    "mspace",
-];
+/// Whether the one argument of a command says nothing.
+fn says_nothing(name: &str) -> bool {
+    matches!(
+        name,
+        "phantom"
+            | "hphantom"
+            | "vphantom"
+            | "vspace"
+            | "color"
+            | "cite"
+            | "footnote"
+            | "footnotemark"
+            | "textcircled"
+            | "intertext@"
+            | "eqref"
+            | "ref"
+            | "autoref"
+            | "cref"
+            | "Cref"
+            | "require"
+            | "htmlClass"
+            | "htmlId"
+            | "htmlStyle"
+            | "htmlData"
+            | "cssId"
+            | "class"
+            | "href"
+            | "enclose"
+            | "mspace"
+    )
+}
 
-const TEXT: &[&str] = &[
-    "text",
-    "mbox",
-    "textrm",
-    "textit",
-    "textbf",
-    "hbox",
-    "intertext",
-    "shortintertext",
-    "textnormal",
-    "textsf",
-    "textup",
-];
+/// Whether the argument of a command is a text.
+fn is_text(name: &str) -> bool {
+    matches!(
+        name,
+        "text"
+            | "mbox"
+            | "textrm"
+            | "textit"
+            | "textbf"
+            | "hbox"
+            | "intertext"
+            | "shortintertext"
+            | "textnormal"
+            | "textsf"
+            | "textup"
+    )
+}
 
 impl<'a> Lexer<'a> {
     pub(super) fn command(&mut self, start: usize) {
@@ -185,12 +195,12 @@ impl<'a> Lexer<'a> {
             "textcolor" | "colorbox" | "cancelto" => {
                 let _ = self.braced();
             }
-            _ if TEXT.contains(&name) => {
+            _ if is_text(name) => {
                 let text = self.braced();
                 self.push(Lexeme::Text(text), start);
             }
-            _ if SILENT.contains(&name) => {}
-            _ if SWALLOW.contains(&name) => {
+            _ if is_silent(name) => {}
+            _ if says_nothing(name) => {
                 self.starred();
                 let _ = self.braced();
             }

@@ -270,7 +270,7 @@ fn without_spaces<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
 
 /// `{\frac {d}{dt}}`: the rate of what follows.
 fn is_rate(inside: &[Token<'_>]) -> bool {
-    if inside.len() > 24 {
+    if !(8..=24).contains(&inside.len()) {
         return false;
     }
     let kinds: Vec<_> = inside

@@ -62,7 +62,7 @@ pub(super) struct Piece<'a> {
 pub(super) fn pieces<'a>(tokens: &[Token<'a>]) -> Vec<Piece<'a>> {
     let mut splitter = Splitter {
         pieces: vec![],
-        current: vec![],
+        current: Vec::with_capacity(tokens.len()),
         related: false,
         before: Break::Row,
     };

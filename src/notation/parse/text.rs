@@ -6,7 +6,7 @@ use crate::notation::token::{Lexeme, Token};
 
 /// The tokens as plain text: commands and braces taken off, spaces left out.
 pub(super) fn plain(tokens: &[Token<'_>]) -> String {
-    let mut out = String::new();
+    let mut out = String::with_capacity(tokens.len());
     let mut over = None;
     for token in tokens {
         match token.kind {
@@ -32,7 +32,11 @@ pub(super) fn plain(tokens: &[Token<'_>]) -> String {
             _ => {}
         }
     }
-    out.trim().to_owned()
+    let trimmed = out.trim();
+    match trimmed.len() == out.len() {
+        true => out,
+        false => trimmed.to_owned(),
+    }
 }
 
 /// What a piece of text in a formula is.
