@@ -79,3 +79,35 @@ $$ \dot\theta^2 = {rate} $$
     assert_eq!(text(half), "appr");
     assert_eq!(text(other_way), "appr");
 }
+
+#[test]
+fn the_period_says_no_more_of_the_moment_than_the_frequency_did() {
+    let document = |moment: &str| {
+        format!(
+            r"The model hangs from a pivot $O$, with the centre of gravity $G$ at the distance $d$ below it. For the swing angle $\theta$ the moment of the weight gives
+
+$$ I_O\,\ddot\theta = -m g d\sin\theta $$
+
+For small angles define the circular frequency by
+
+$$ \omega_0^2 = \frac{{m g d}}{{I_O}} $$
+
+With the period $T_0 = 2\pi/\omega_0$ the moment of inertia about the pivot is
+
+$$ I_O = \frac{{{moment}}}{{4\pi^2}} $$
+
+and the parallel axis theorem takes us to the centre of gravity,
+
+$$ I_y = I_O - m d^2 $$
+
+## Energy
+
+The energy $E = \tfrac12 I_O\,\dot\theta^2 + m g d\,(1 - \cos\theta)$ stays constant,
+
+$$ \dot E = 0 $$
+"
+        )
+    };
+    assert_eq!(verdicts(&document("m g d\\,T_0^2")), "paapaap");
+    assert_eq!(verdicts(&document("m g d\\,T_0")), "paaraap");
+}

@@ -77,7 +77,8 @@ impl Checker<'_> {
             // What "yields" it and is not understood may have made it false.
             let number = symbols(right).is_empty();
             let derived = self.asserted && !number && self.known.contains(&entity)
-                || self.obtained && is_zero(right);
+                || self.obtained && is_zero(right)
+                || self.runs_in_a_circle(left, &sides[1..]);
             if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
                 *finding = tried;
                 return true;

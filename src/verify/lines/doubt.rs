@@ -337,37 +337,6 @@ impl Checker<'_> {
             && !self.rate_is_tied(entity)
     }
 
-    /// Entities that accepted lines connect with a quantity of the theory, however long the way.
-    fn tied(&self) -> BTreeSet<Entity> {
-        let groups: Vec<BTreeSet<Entity>> = self
-            .theory
-            .premises()
-            .iter()
-            .map(|p| p.residuals.iter().flat_map(Fraction::variables))
-            .map(|variables| variables.flat_map(|v| self.entities_in(v)).collect())
-            .collect();
-        let mechanical = |&e: &Entity| matches!(&self.theory.atoms.info(e).owner, Owner::Quantity(q, v) if v.is_empty() && *q != Quantity::Mass);
-        let mut tied: BTreeSet<Entity> = groups
-            .iter()
-            .flatten()
-            .copied()
-            .filter(mechanical)
-            .collect();
-        let pairs = self.theory.setting.parallel_axes.iter().flatten();
-        tied.extend(pairs.flat_map(|pair| pair.entities(&self.theory.atoms)));
-        loop {
-            let before = tied.len();
-            for group in &groups {
-                if group.iter().any(|e| tied.contains(e)) {
-                    tied.extend(group);
-                }
-            }
-            if tied.len() == before {
-                return tied;
-            }
-        }
-    }
-
     /// Whether a symbol has the letter of the moment or the momentum: the M_P beside an M.
     pub(crate) fn is_about_another_point(&self, entity: Entity) -> bool {
         let laws = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Momentum);
@@ -398,7 +367,7 @@ impl Checker<'_> {
     }
 
     /// The entity of a variable, or those in the argument of a kernel.
-    fn entities_in(&self, variable: u32) -> Vec<Entity> {
+    pub(super) fn entities_in(&self, variable: u32) -> Vec<Entity> {
         let atoms = &self.theory.atoms;
         let inside = atoms.with_arguments(variable).into_iter();
         inside.filter_map(|v| atoms.entity_of(v)).collect()

@@ -14,9 +14,19 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::has_any;
 
 /// The name of the law.
-const LAW: &str = "the weight about the axis";
+pub(crate) const LAW: &str = "the weight about the axis";
 /// Words of a body that hangs.
 const HANGS: &[&str] = &["pendulum", "swing", "pivot"];
+/// Words of the angle of a body that hangs.
+const FROM_REST: &[&str] = &[
+    "vertical",
+    "swing angle",
+    "angle of swing",
+    "angle of the swing",
+    "swung through",
+    "swings through",
+    "deflection",
+];
 /// Words for the mass centre.
 const CENTRE: &[&str] = &[
     "mass cent",
@@ -31,7 +41,7 @@ impl Checker<'_> {
     pub(crate) fn take_pendulum(&mut self, sides: &[Node]) -> Option<()> {
         let swung = sides.iter().find_map(swung)?;
         let taken = self.theory.premises().iter().any(|p| p.name == LAW);
-        if taken || !self.text.says(HANGS) || !self.says_of(&swung, &["vertical"]) {
+        if taken || !self.text.says(HANGS) || !self.says_of(&swung, FROM_REST) {
             return None;
         }
         let mut met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
@@ -69,7 +79,7 @@ impl Checker<'_> {
             let value = checker.lowering(Frame::Moving).value(&node).ok()?;
             value.as_scalar().cloned()
         };
-        let named = [distance, gravity].map(|s| self.entity_named(s));
+        let named = [inertia, mass, distance, gravity].map(|s| self.entity_named(s));
         let [inertia, mass, gravity, arm, angle] =
             [inertia, mass, gravity, distance, &swung].map(|s| scalar(self, s));
         let (mass, arm, angle) = (mass?, arm?, angle?);
@@ -87,7 +97,7 @@ impl Checker<'_> {
             definition: false,
         };
         if self.theory.assume(premise) == Taken::Solved {
-            self.keep(LAW, false);
+            self.keep(LAW, true);
             self.known.insert(entity);
             self.known.extend(named.into_iter().flatten());
         }

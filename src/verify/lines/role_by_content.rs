@@ -62,6 +62,9 @@ impl Checker<'_> {
         {
             return Role::Claim;
         }
+        if role == Role::Define && self.runs_in_a_circle(left, rest) {
+            return Role::Claim;
+        }
         // A sum that vanishes says of nothing new what it is.
         let sum = matches!(inner(left).kind, Kind::Sum(_)) && rest.last().is_some_and(is_zero);
         if role == Role::Define && sum && !self.brings_something_new(sides) {

@@ -119,11 +119,18 @@ static NO_FORCE: LazyLock<Supposition> = LazyLock::new(|| {
 const ABOUT: &[&str] = &["about", "along", "around", "on"];
 const AXES: &[&str] = &["axis", "shaft", "axle", "hinge", "line", "vertical"];
 
+/// What a weight does to have a moment, and words of a body that nothing else touches.
+const HAS: &[&str] = &["has", "exerts", "gives", "makes", "produces", "have", "exert"];
+const ALOFT: &[&str] = &[
+    "air", "flight", "flies", "flying", "airborne", "aloft", "falls", "falling", "thrown", "fall",
+];
+
 const THERE: &[&str] = &["is no ", "are no ", "with no "];
 
 /// What no text is without that says that no torque acts.
-static CUES: LazyLock<Book> =
-    LazyLock::new(|| Book::of([FREE, KINDS, NOTHING, FREE_MOTION, FORCE_FREE, THERE].concat()));
+static CUES: LazyLock<Book> = LazyLock::new(|| {
+    Book::of([FREE, KINDS, NOTHING, FREE_MOTION, FORCE_FREE, THERE, ALOFT].concat())
+});
 
 /// Whether a text in small letters says that no torque acts.
 pub(crate) fn torque_free(text: &str) -> bool {
@@ -137,6 +144,7 @@ pub(crate) fn torque_free(text: &str) -> bool {
         set.any(|(_, at, end)| !is_denied(text, at, end) && whole(at, end))
             || denies_a_kind(text)
             || there_is_none(text)
+            || weight_has_no_moment(text)
             || supposed.any(|supposed| supposed.is_in(text))
     };
     CUES.is_in(text) && says()
@@ -182,6 +190,20 @@ fn there_is_none(text: &str) -> bool {
         let none = matches!(three, ["is" | "are" | "with", "no", thing] if THINGS.contains(thing));
         let behind = words.get(at + 3);
         none && behind.is_none_or(|word| !PARTS.contains(word))
+    })
+}
+
+/// "The weight has no moment about the centre of mass", of a body on which nothing else acts: so it flies.
+fn weight_has_no_moment(text: &str) -> bool {
+    let mut clauses = text.split(['.', ';', '!', '?']);
+    clauses.any(|clause| {
+        let said = words(clause);
+        let has = |any: &[&str]| said.iter().any(|word| any.contains(word));
+        let mut threes = said.windows(3);
+        let none = threes.any(|three| {
+            matches!(three, [verb, "no", thing] if HAS.contains(verb) && THINGS.contains(thing))
+        });
+        none && has(&["weight", "gravity"]) && has(ALOFT) && !has(AXES) && !has(&["axes"])
     })
 }
 
