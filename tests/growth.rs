@@ -53,7 +53,7 @@ fn another_law_takes_the_place_of_the_first() {
 fn a_complex_rate_turns_from_its_value_at_the_beginning() {
     let turned = |sign: &str| {
         let text = format!(
-            "The body rates are $p$, $q$, $r$. No torque acts on a body with $A = B$ on principal axes. With $\\zeta = p + \\mathrm{{i}} q$ and\n\n\
+            "The body rates are $p$, $q$, $r$. No torque acts on a body with the principal moments of inertia $A$, $B$ and $C$, where $A = B$. With $\\zeta = p + \\mathrm{{i}} q$ and\n\n\
              $$ A\\dot p = (A - C)\\,q r, \\quad A\\dot q = (C - A)\\,r p, \\quad C\\dot r = 0 $$\n\n\
              $$ \\lambda = \\frac{{C - A}}{{A}}\\,r $$\n\nthe solution is\n\n\
              $$ \\zeta(t) = \\zeta(0)\\,e^{{{sign}\\mathrm{{i}}\\lambda t}} $$\n"

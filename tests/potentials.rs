@@ -128,3 +128,25 @@ $$ A\cos\theta\,\dot\phi^2 - C(\dot\psi + \dot\phi\cos\theta)\,\dot\phi {steady}
         assert_eq!(text(letter, "-", "-"), "apar", "{letter}");
     }
 }
+
+#[test]
+fn what_changes_in_the_motion_is_not_the_total_energy() {
+    let text = |potential: &str| {
+        verdicts(&format!(
+            r"The top spins with its tip $O$ in a cup. Its mass is $m$ and the mass centre lies at the distance $l$ from $O$ on the axis. The moments of inertia at $O$ are $C$ about the axis and $A$ about any line across it. We use axes that follow the tilt $\theta$ and the precession $\phi$ of the top but not the spin $\psi$. The top turns with
+
+$$ \boldsymbol\omega = \dot\theta\,\mathbf e_1 + \dot\phi\sin\theta\,\mathbf e_2 + s\,\mathbf e_3, \qquad s = \dot\psi + \dot\phi\cos\theta $$
+
+The weight has the moment
+
+$$ \mathbf N = m g l\sin\theta\,\mathbf e_1 $$
+
+When the axis is horizontal, $\theta = \pi/2$, this is greatest. The total energy is
+
+$$ E = \tfrac12 A\left(\dot\theta^2 + \dot\phi^2\sin^2\theta\right) + \tfrac12 C s^2 {potential} m g l\cos\theta. $$
+"
+        ))
+    };
+    assert!(text("+").ends_with('a'));
+    assert!(text("-").ends_with('u'));
+}

@@ -43,6 +43,7 @@ impl Checker<'_> {
         self.settle(line, role, &mut finding);
         self.measure(&line.sides, &mut finding);
         self.withhold_inhomogeneous(&line.sides, &mut finding);
+        self.withhold_changing_energy(&line.sides, &mut finding);
         self.leave_hypothesis(&line.sides, &mut finding);
         self.withhold_value(line, &mut finding);
         self.withhold_false_value(line, &mut finding);

@@ -259,7 +259,8 @@ impl Checker<'_> {
         match info.owner {
             Owner::Quantity(quantity, _) => quantity == Quantity::Time,
             Owner::Symbol(_) => {
-                !info.constant && info.shape == Shape::Scalar && self.is_free(entity)
+                let moves = !info.constant && info.shape == Shape::Scalar;
+                moves && self.is_free(entity) && !self.is_in_doubt(entity)
             }
         }
     }

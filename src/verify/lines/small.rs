@@ -100,6 +100,7 @@ impl Checker<'_> {
     pub(crate) fn note_linear(&mut self, text: &str) {
         self.linear |= takes_first_order(text);
         self.note_small_rates(text);
+        self.others_are_small(text);
     }
 
     fn call_small(&mut self, node: &Node) {

@@ -5,7 +5,7 @@ use crate::verify::theory::kept::{Kept, Relations};
 use crate::verify::theory::law::Dynamics;
 use crate::verify::theory::ledger::{Ledger, Source};
 use crate::verify::theory::{MOMENTARY, Name, Premise, Rule, Taken, Theory};
-use crate::verify::values::atoms::{Atom, Entity, Owner};
+use crate::verify::values::atoms::{Atom, Atoms, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -250,6 +250,10 @@ impl Theory {
             return None;
         }
         let inertial = matches!(info.owner, Owner::Quantity(Quantity::Inertia, _));
+        // Of (I₁ − I₂) ω₁ω₂ = 0 nothing says which factor vanishes, least of all that the body is another one.
+        if inertial && vanishing_with_a_rate(&self.atoms, polynomial) {
+            return None;
+        }
         // What moves follows from what is given of the body, and not the other way round.
         let turns = matches!(info.owner, Owner::Quantity(Quantity::AngularVelocity, _));
         let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Scalar;
@@ -356,4 +360,18 @@ impl Theory {
         };
         polynomial.len() == 1 && polynomial.variables().into_iter().all(positive)
     }
+}
+
+/// Whether a rate of turning is a factor of a polynomial.
+fn vanishing_with_a_rate(atoms: &Atoms, polynomial: &Polynomial) -> bool {
+    let turns = |v: Variable| {
+        matches!(
+            atoms.owner(v),
+            Some(Owner::Quantity(Quantity::AngularVelocity, _))
+        )
+    };
+    polynomial
+        .common_monomial()
+        .factors()
+        .any(|(v, _)| turns(v))
 }

@@ -24,6 +24,31 @@ const NEAR: &[&str] = &[
     "around the rotation",
 ];
 
+/// Words that call the components of ω small that no line has given.
+const OTHERS: &[&str] = &[
+    "other components",
+    "other two components",
+    "other two",
+    "other rates",
+];
+const VERBS: &[&str] = &[
+    "",
+    "are ",
+    "being ",
+    "be ",
+    "remain ",
+    "stay ",
+    "remaining ",
+    "staying ",
+];
+const SMALL: &[&str] = &[
+    "small",
+    "very small",
+    "tiny",
+    "infinitesimal",
+    "much smaller",
+];
+
 impl Checker<'_> {
     /// Takes in that the only component of such a list that is not zero is that of the body.
     pub(crate) fn turns_near(&mut self, node: &Node) {
@@ -54,6 +79,31 @@ impl Checker<'_> {
             self.tell(node.span, name);
             self.now_known([node]);
             self.small_turns.extend((0..3).filter(|&c| c != axis));
+            self.drop_second_order();
+        }
+    }
+
+    /// "Let ⟨ω_3 = n⟩ be constant and the other components small."
+    pub(crate) fn others_are_small(&mut self, text: &str) {
+        let behind = OTHERS.iter().filter_map(|others| text.split_once(others));
+        let mut rests = behind.map(|(_, rest)| rest.trim_start());
+        let small = |rest: &str| {
+            let called = |rest: &str| SMALL.iter().any(|word| rest.starts_with(word));
+            let mut verbs = VERBS.iter();
+            verbs.any(|verb| rest.strip_prefix(verb).is_some_and(called))
+        };
+        if !rests.any(small) {
+            return;
+        }
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let given: Vec<u8> = (0..3)
+            .filter(|&c| {
+                let variable = self.theory.atoms.part(omega, c, 0);
+                self.theory.rule(variable).is_some()
+            })
+            .collect();
+        if let [axis] = given.as_slice() {
+            self.small_turns.extend((0..3).filter(|c| c != axis));
             self.drop_second_order();
         }
     }

@@ -17,6 +17,8 @@ pub(crate) const BEHIND: &[&str] = &[
     "stays small",
     "is a small",
     "are both small",
+    "be small",
+    "be both small",
     "are all small",
     "is negligible",
     "is very nearly zero",
