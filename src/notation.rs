@@ -20,6 +20,7 @@ mod parse;
 mod plain;
 mod plain_words;
 pub mod print;
+mod seen_from;
 mod token;
 mod triads;
 mod unicode;
@@ -74,6 +75,7 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
     }
     habits::labels_above(&mut document);
     habits::rates_in_deltas(&mut document);
+    seen_from::labels_under_dots(&mut document);
     troubles.extend(deceptive(&document.source.text));
     for item in &document.items {
         if let Item::Formula(formula) = item {

@@ -43,3 +43,60 @@ fn the_weight_makes_a_moment_about_the_line_of_nodes() {
     let other = "The weight $mg$ acts at the distance $d$ from $O$, and so does the friction.";
     assert!(!ends(top(other, r"mgd\sin\theta", "", "")).contains('r'));
 }
+
+#[test]
+fn the_vertical_of_numbered_axes_is_no_third_axis() {
+    let text = |end: &str| {
+        verdicts(&format!(
+            r"A top spins with its tip $O$ held. The moments of inertia at $O$ are $C$ about the axis and $A$ about any line across it.
+The axes $\mathbf e_1,\mathbf e_2,\mathbf e_3$ follow the tilt $\theta$ and the precession $\phi$ of the top but not the spin $\psi$:
+
+$$ \boldsymbol\Omega = \dot\theta\,\mathbf e_1 + \dot\phi\sin\theta\,\mathbf e_2 + \dot\phi\cos\theta\,\mathbf e_3 $$
+
+$$ \boldsymbol\omega = \dot\theta\,\mathbf e_1 + \dot\phi\sin\theta\,\mathbf e_2 + n\,\mathbf e_3, \qquad n = \dot\psi + \dot\phi\cos\theta $$
+
+$$ \mathbf L = A\dot\theta\,\mathbf e_1 + A\dot\phi\sin\theta\,\mathbf e_2 + C n\,\mathbf e_3 $$
+
+The weight has the moment $\mathbf N = m g l\sin\theta\,\mathbf e_1$, and
+
+$$ \mathbf N = \dot{{\mathbf L}}_{{\rm rot}} + \boldsymbol\Omega\times\mathbf L $$
+
+{end}
+"
+        ))
+    };
+    for (words, bend, verdict) in [
+        (
+            "In a steady precession we have",
+            r"C n\dot\phi - A\dot\phi^2\cos\theta = m g l",
+            "paap",
+        ),
+        (
+            "For a regular precession",
+            r"C n\dot\phi - A\dot\phi^2\cos\theta = m g l",
+            "paap",
+        ),
+        (
+            "During a steady motion one has",
+            r"C n\dot\phi + A\dot\phi^2\cos\theta = m g l",
+            "paar",
+        ),
+    ] {
+        let end = format!(
+            r"{words} $\dot\theta = \ddot\theta = 0$, and for $\sin\theta\neq 0$ the equation becomes
+
+$$ {bend} $$"
+        );
+        let found = text(&end);
+        assert!(found.ends_with(verdict), "{words}: {found}");
+    }
+    for (sign, verdict) in [("+", "pp"), ("-", "pr")] {
+        let end = format!(
+            r"The component of $\mathbf L$ along the vertical is
+
+$$ L_z = A\dot\phi\sin^2\theta {sign} C n\cos\theta $$"
+        );
+        let found = text(&end);
+        assert!(found.ends_with(verdict), "{sign}: {found}");
+    }
+}

@@ -79,3 +79,31 @@ fn lines_behind_a_false_rate_go_by_the_true_one() {
         "rap"
     );
 }
+
+#[test]
+fn words_give_the_rates_of_precession_and_spin_their_letters() {
+    let text = |rates: &str, spin: &str| {
+        verdicts(&format!(
+            r"The moment about the mass centre is zero. The body has the axis of symmetry $\hat e_3$; the moment of inertia about it is $I_a$ and about any diameter $I_t$. We write $\omega_3 = s$.
+
+The angular momentum $\mathbf L$ is fixed in space. Let $\theta$ be the angle between it and $\hat e_3$. {rates} Then
+
+$$ s = \dot\psi + \dot\phi\cos\theta $$
+
+$$ \dot\phi = \frac{{I_a s}}{{I_t\cos\theta}} $$
+
+$$ \dot\psi = \frac{{{spin}}}{{I_t}}\,s $$
+"
+        ))
+    };
+    for rates in [
+        r"The body precesses about $\mathbf L$ at the rate $\dot\phi$ and spins about its own axis at $\dot\psi$.",
+        r"It precesses about the angular momentum at $\dot\phi$ and rotates about its symmetry axis at the rate $\dot\psi$.",
+    ] {
+        assert_eq!(text(rates, "I_t - I_a"), "appp", "{rates}");
+        assert_eq!(text(rates, "I_a - I_t"), "appr", "{rates}");
+    }
+    // The rate of what is not said stays open.
+    let about_vertical = r"The body precesses about the vertical at the rate $\dot\phi$ and spins about its own axis at $\dot\psi$.";
+    assert!(!text(about_vertical, "I_t - I_a").contains('r'));
+}

@@ -81,3 +81,34 @@ $$ T = \tfrac12 I_1\left(\dot\theta^2 + \dot\phi^2\cos^2\theta\right) + \tfrac12
 ";
     assert_eq!(verdicts(text), "ppr");
 }
+
+#[test]
+fn the_spin_beside_that_of_the_axes_is_about_the_axis_of_symmetry() {
+    let text = |rate: &str, last: &str| {
+        format!(
+            r"The axes are fixed to the mount. The mount turns at
+
+$$ \vec\Omega = q\,\vec j + r\,\vec k $$
+
+while the propeller spins about its shaft at the rate $n$ besides:
+
+$$ \vec\omega = {rate} $$
+
+Let $J$ be the moment of inertia about the shaft and $K$ the moment about any diameter. So
+
+$$ \vec L = J n\,\vec i + K q\,\vec j + K r\,\vec k $$
+
+$$ \vec M = \dot{{\vec L}}_{{rel}} + \vec\Omega\times\vec L $$
+
+$$ M_z = K\dot r {last} $$
+"
+        )
+    };
+    let rate = r"n\,\vec i + q\,\vec j + r\,\vec k";
+    assert_eq!(verdicts(&text(rate, "- J n q")), "aappp");
+    assert_eq!(verdicts(&text(rate, "+ J n q")), "aappr");
+    assert_eq!(
+        verdicts(&text(r"\vec\Omega + n\,\vec i", "- J n q")),
+        "aappp"
+    );
+}

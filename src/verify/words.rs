@@ -7,6 +7,7 @@ pub(super) mod component_names;
 pub(super) mod cones_in_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;
+pub(super) mod free_motion_rates;
 pub(super) mod legend;
 pub(super) mod moments_by_adjective;
 pub(super) mod moments_in_words;

@@ -226,12 +226,13 @@ impl Usage {
     }
 
     /// Whether the z under a letter is the vertical: beside a vector k and numbered unit vectors, or where the angular
-    /// velocity has the components 1, 2, 3 and the letter no other than this one.
+    /// velocity has the components 1, 2, 3, or the unit vectors these numbers, and the letter no other than this one.
     pub(crate) fn z_is_vertical(&self, letter: &Letter) -> bool {
-        let omega = Letter::plain("omega");
-        let all = |axes: [&str; 3]| axes.iter().all(|axis| self.has_index(&omega, axis));
+        let (omega, unit) = (Letter::plain("omega"), Letter::plain("e"));
+        let all = |letter: &Letter| ["1", "2", "3"].iter().all(|a| self.has_index(letter, a));
         let any = |letter: &Letter, axes: &[&str]| axes.iter().any(|a| self.has_index(letter, a));
-        let numbered = all(["1", "2", "3"]) && !any(&omega, &["x", "y", "z"]);
+        let units = all(&unit) && !any(&unit, &["0", "x", "y", "z"]);
+        let numbered = (all(&omega) || units) && !any(&omega, &["x", "y", "z"]);
         self.k_alone || numbered && !any(letter, &["1", "2", "3", "x", "y"])
     }
 

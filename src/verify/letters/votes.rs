@@ -171,7 +171,9 @@ impl Reading {
     /// Letters that the words name.
     pub(crate) fn by_words(&mut self) {
         let mut best: BTreeMap<&Letter, (usize, Quantity)> = BTreeMap::new();
-        for ((letter, quantity), votes) in &self.votes {
+        let called = self.votes.iter();
+        let called = called.filter(|((letter, _), _)| !self.numbers_unit_vectors(letter));
+        for ((letter, quantity), votes) in called {
             if best.get(letter).is_none_or(|(most, _)| votes > most) && self.fits(letter, *quantity)
             {
                 best.insert(letter, (*votes, *quantity));

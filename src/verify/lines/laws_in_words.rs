@@ -81,7 +81,7 @@ impl Checker<'_> {
             return true;
         }
         let Some((_, behind)) = sentence.rsplit_once("vertical component of ") else {
-            return false;
+            return self.speaks_of_part_along_vertical(&sentence);
         };
         let mut articles = ["the ", "its "].iter();
         let bare = articles.find_map(|article| behind.strip_prefix(article));
@@ -90,6 +90,28 @@ impl Checker<'_> {
         let formulas = named.matches('⟩').count();
         formulas == 0 && named.starts_with("angular momentum")
             || formulas == 1 && self.starts_with_momentum(named)
+    }
+
+    /// "The component of ⟨L⟩ along the vertical", with no formula behind it.
+    fn speaks_of_part_along_vertical(&self, sentence: &str) -> bool {
+        let directions = [
+            " along the vertical",
+            " in the vertical direction",
+            " along the upward vertical",
+        ];
+        let split = |words: &&str| sentence.rsplit_once(*words);
+        let Some((before, behind)) = directions.iter().find_map(split) else {
+            return false;
+        };
+        let parts = ["component of ", "projection of ", "part of "];
+        let of = parts
+            .iter()
+            .find_map(|part| Some(before.rsplit_once(part)?.1));
+        !behind.contains('⟩')
+            && of.is_some_and(|of| {
+                let lone = of.matches('⟩').count() == 1 && of.ends_with('⟩');
+                of.ends_with("angular momentum") || lone && self.starts_with_momentum(of)
+            })
     }
 
     /// "The vertical component of ⟨L⟩": L·K, with the vertical that words give, or that the first of the body's angles
@@ -133,6 +155,13 @@ impl Checker<'_> {
             .collect();
         let rate = met.first().copied().filter(|_| met.len() == 1)?;
         let axis = omega.map(|part| part.partial(rate));
+        // About an axis of the body, with other rates beside it, it is a spin.
+        let numeral = |part: &Fraction| part.to_rational().is_some();
+        let others = omega.entries.iter().zip(&axis.entries);
+        let mut others = others.filter(|(part, along)| along.is_zero() && !part.is_zero());
+        if axis.entries.iter().all(numeral) && others.next().is_some() {
+            return None;
+        }
         let square = axis.dot(&axis).ok()?.as_scalar()?.clone();
         (self.theory.normal(&square) == constant(Rational::from(1))).then_some(axis)
     }

@@ -101,8 +101,18 @@ impl Checker<'_> {
 
     /// "The axis goes round ⟨L⟩": the letter is that of the momentum, which stands in the sentence before its mark.
     fn goes_round_momentum(&self) -> bool {
+        self.goes_round_letter(&self.sentence)
+    }
+
+    /// The same of a clause in small letters, or its words for the momentum.
+    pub(crate) fn goes_round_momentum_in(&self, clause: &str) -> bool {
+        has_any(clause, FROM_SPACE) && !has_any(clause, FROM_BODY)
+            || self.goes_round_letter(&self.sentence)
+    }
+
+    fn goes_round_letter(&self, sentence: &str) -> bool {
         GOES_ROUND.iter().any(|words| {
-            let behind = self.sentence.split_once(words).map(|(_, behind)| behind);
+            let behind = sentence.split_once(words).map(|(_, behind)| behind);
             let formula = behind.and_then(|behind| behind.split_once('⟨'));
             let mut names = formula
                 .into_iter()
@@ -169,7 +179,7 @@ impl Checker<'_> {
     }
 
     /// Takes a rate for what it is, where the document has it wrong.
-    fn take_rate_round_momentum(&mut self, rate: &Node) {
+    pub(crate) fn take_rate_round_momentum(&mut self, rate: &Node) {
         let (Some(rate), Some((length, moment))) = (
             self.lowering(Frame::Moving).scalar(rate),
             self.momentum_and_moment(),
@@ -189,7 +199,7 @@ impl Checker<'_> {
     }
 
     /// |L| and the transverse moment, of a body that is symmetric and free.
-    fn momentum_and_moment(&mut self) -> Option<(Fraction, Fraction)> {
+    pub(crate) fn momentum_and_moment(&mut self) -> Option<(Fraction, Fraction)> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         let moment = self.theory.atoms.vector(moment, 0);
         if !moment.iter().all(|part| self.theory.normal(part).is_zero()) {

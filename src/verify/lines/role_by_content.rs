@@ -38,8 +38,11 @@ impl Checker<'_> {
         let rates = sides.split_last().filter(|(last, _)| is_zero(last));
         let still = rates
             .is_some_and(|(_, rates)| rates.iter().all(|rate| self.is_said_to_be_constant(rate)));
+        let still = still || rates.is_some_and(|(_, rates)| self.names_steady_motion(rates));
         let on_principal_axes = rates.is_some_and(|(_, all)| self.says_of_principal_axes(all));
-        let steady = still && self.displayed && self.names_a_steady_case();
+        let named = self.names_a_steady_case()
+            || rates.is_some_and(|(_, rates)| self.names_steady_motion(rates));
+        let steady = still && self.displayed && named;
         if steady
             || !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides))
         {
@@ -160,6 +163,32 @@ impl Checker<'_> {
             .iter()
             .find_map(|lead| clause.strip_prefix(lead));
         clause.is_some_and(|clause| STEADY.contains(&clause))
+    }
+
+    /// "In a steady precession we have ⟨\dot\theta = \ddot\theta = 0⟩": rates that vanish in a motion that is named, and are
+    /// not derived.
+    fn names_steady_motion(&self, rates: &[Node]) -> bool {
+        let words = lowered(self.sentence.rsplit('⟩').next().unwrap_or_default());
+        let clause = words.trim().trim_end_matches([',', ':']).trim_end();
+        let clause = clause.rsplit(['.', ';', ',']).next().unwrap_or_default();
+        let said = ["we have", "one has", "there is", "we put", "we set"];
+        let clause = clause.trim();
+        let clause = said
+            .iter()
+            .find_map(|end| clause.strip_suffix(end))
+            .unwrap_or(clause);
+        let named = ["in a ", "in the ", "for a ", "for the ", "during a ", "in "]
+            .iter()
+            .find_map(|lead| clause.strip_prefix(lead));
+        let motions = ["precession", "motion", "state", "turn", "spin", "rotation"];
+        let steady = named.is_some_and(|named| {
+            let words: Vec<&str> = named.split_whitespace().collect();
+            let kind = ["steady", "regular", "uniform", "stationary"];
+            let is = |list: &[&str], word: Option<&&str>| word.is_some_and(|w| list.contains(w));
+            is(&kind, words.first()) && is(&motions, words.last()) && words.len() <= 3
+        });
+        let rate = |node: &Node| matches!(inner(node).kind, Kind::TimeDerivative { .. });
+        steady && rates.iter().all(rate)
     }
 
     /// "On the principal axes, ⟨D = E = F = 0⟩": products of inertia that vanish there.

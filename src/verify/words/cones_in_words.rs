@@ -71,10 +71,12 @@ impl Checker<'_> {
     /// Notes what the words call such an angle, and ties the parts of the angular velocity.
     pub(crate) fn note_cones(&mut self) {
         let mut spoken_of = false;
+        let mut before = None;
         for sentence in self.text.sentences() {
             let text = sentence.numbered();
             spoken_of |= has_any(&text, AXES);
             let symbols: Vec<&Symbol> = sentence.symbols().map(|(symbol, _)| symbol).collect();
+            let last = std::mem::replace(&mut before, self.vector_of(&text, &symbols));
             if symbols.is_empty() {
                 continue;
             }
@@ -83,7 +85,7 @@ impl Checker<'_> {
                 let named = self.names_axis(clause, &symbols);
                 let axis = axis || named.is_some();
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
-                    self.note_cone(clause, &symbols, named);
+                    self.note_cone(clause, &symbols, named, last);
                 }
                 for part in PARTS.iter().filter(|part| has_any(clause, part.said)) {
                     self.note_part(clause, &symbols, part);
@@ -115,7 +117,14 @@ impl Checker<'_> {
         })
     }
 
-    fn note_cone(&mut self, clause: &str, symbols: &[&Symbol], axis: Option<u8>) {
+    /// `last` is the vector that the sentence before speaks of, which "the angle between it and the axis" is of.
+    fn note_cone(
+        &mut self,
+        clause: &str,
+        symbols: &[&Symbol],
+        axis: Option<u8>,
+        last: Option<Quantity>,
+    ) {
         let met = in_clause(clause, symbols);
         let names_angle = |(at, symbol): &&(usize, &Symbol)| {
             let mark = format!("⟨{at}⟩");
@@ -140,27 +149,37 @@ impl Checker<'_> {
         let (Some((_, angle)), None) = (angles.next(), angles.next()) else {
             return;
         };
+        let it = ["between it and", "and it ", "that it makes"];
+        let it = last.filter(|_| has_any(clause, &it));
+        let Some(quantity) = self.vector_of(clause, symbols).or(it) else {
+            return;
+        };
+        if let Meaning::Whole(entity) = self.meaning_of(angle) {
+            let variable = self.theory.atoms.part(entity, 0, 0);
+            self.theory.cones.insert(variable, (quantity, axis));
+        }
+    }
+
+    /// The one of momentum and angular velocity that a text speaks of.
+    fn vector_of(&self, text: &str, symbols: &[&Symbol]) -> Option<Quantity> {
+        let met = in_clause(text, symbols);
         let speaks = |quantity: Quantity, words: &str| {
             let letter =
                 |s: &Symbol| self.reading.quantities.get(&Letter::of(s)) == Some(&quantity);
             // Plain text has the letter of a vector as a word: "the angle θ between the axis and H".
             let mut quantities = self.reading.quantities.iter();
             let spelled = quantities.any(|(letter, of)| {
-                let mut words = clause.split([' ', '.']);
+                let mut words = text.split([' ', '.']);
                 *of == quantity && words.any(|word| word.eq_ignore_ascii_case(&letter.name))
             });
-            clause.contains(words) || spelled || met.iter().any(|(_, s)| letter(s))
+            text.contains(words) || spelled || met.iter().any(|(_, s)| letter(s))
         };
         let momentum = speaks(Quantity::Momentum, "angular momentum");
         let rate = speaks(Quantity::AngularVelocity, "angular velocity");
-        let quantity = match (momentum, rate) {
-            (true, false) => Quantity::Momentum,
-            (false, true) => Quantity::AngularVelocity,
-            _ => return,
-        };
-        if let Meaning::Whole(entity) = self.meaning_of(angle) {
-            let variable = self.theory.atoms.part(entity, 0, 0);
-            self.theory.cones.insert(variable, (quantity, axis));
+        match (momentum, rate) {
+            (true, false) => Some(Quantity::Momentum),
+            (false, true) => Some(Quantity::AngularVelocity),
+            _ => None,
         }
     }
 

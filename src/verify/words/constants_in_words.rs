@@ -137,6 +137,7 @@ impl Checker<'_> {
             self.constant_in_words(node, supposed);
         }
         self.turns_near(node);
+        self.rate_of_free_motion(node);
         self.small_before(node);
         self.turning_axes(node);
         if before.ends_with("vertical is") {

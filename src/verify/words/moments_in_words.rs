@@ -6,6 +6,7 @@ use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::reading::Reading;
+use crate::verify::letters::spin_axis::spin_axis;
 use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
@@ -110,9 +111,8 @@ pub(crate) fn named_moments(document: &Document) -> Vec<NamedMoment> {
         }
     });
     let sentences: Vec<Numbered> = numbered.collect();
-    let Some(along) = sentences.iter().find_map(axis_of_symmetry).or(Some(2)) else {
-        return vec![];
-    };
+    let told = sentences.iter().find_map(axis_of_symmetry);
+    let along = told.or_else(|| spin_axis(document)).unwrap_or(2);
     let across: Vec<u8> = (0..3).filter(|&c| c != along).collect();
     let mut found: Vec<NamedMoment> = vec![];
     for sentence in &sentences {
@@ -161,11 +161,14 @@ impl Numbered<'_> {
             let words = words.unwrap_or_default();
             let end = words.find(" and ").unwrap_or(words.len());
             let axes = self.axes(words).map(|axes| (axes, ""));
-            let Some((named, rest)) = axes.or_else(|| self.axis(&words[..end])) else {
+            let Some((named, rest)) = axes.or_else(|| self.axis(&words[..end], &self.text[..at]))
+            else {
                 continue;
             };
             let own = self.symbol_before(at);
-            let behind = || self.symbol_behind(rest);
+            // "About it is ⟨A⟩ and about any diameter ⟨C⟩": the verb is not said again.
+            let again = self.text[..at].ends_with("⟩ and ");
+            let behind = || self.symbol_behind(rest, again);
             if let Some(symbol) = own.or_else(behind) {
                 found.push((symbol, named));
             }
@@ -179,14 +182,15 @@ impl Numbered<'_> {
         let open = text.rfind('⟨')?;
         let (number, words) = text[open + '⟨'.len_utf8()..].split_once('⟩')?;
         let words = words
-            .replace("moments of inertia", "")
-            .replace("moment of inertia", "");
+            .replace(" of inertia", "")
+            .replace("moments", "")
+            .replace("moment", "");
         let naming = words.split_whitespace().all(|word| BETWEEN.contains(&word));
         naming.then(|| number.parse().ok())?
     }
 
     /// The symbol after words for an axis: "about the shaft is ⟨I⟩", "about any other axis through ⟨G⟩ it is ⟨A⟩".
-    fn symbol_behind(&self, words: &str) -> Option<usize> {
+    fn symbol_behind(&self, words: &str, again: bool) -> Option<usize> {
         let text = words.trim_start();
         let text = text.strip_prefix("axis ").unwrap_or(text);
         let through = ["through ", "at "].iter().any(|w| text.starts_with(w));
@@ -195,12 +199,13 @@ impl Numbered<'_> {
         let text = text.strip_prefix("it ").unwrap_or(text);
         let text = ["is ", "be ", "by ", "called "]
             .iter()
-            .find_map(|w| text.strip_prefix(w))?;
+            .find_map(|w| text.strip_prefix(w))
+            .or(Some(text).filter(|_| again))?;
         text.strip_prefix('⟨')?.split_once('⟩')?.0.parse().ok()
     }
 
-    /// The axis that words name, and what stands behind its name.
-    fn axis<'t>(&self, words: &'t str) -> Option<(Named, &'t str)> {
+    /// The axis that words name behind others, and what stands behind its name.
+    fn axis<'t>(&self, words: &'t str, before: &str) -> Option<(Named, &'t str)> {
         let place = |list: &[&str]| {
             list.iter()
                 .filter_map(|w| words.find(w).map(|at| at + w.len()))
@@ -213,7 +218,7 @@ impl Numbered<'_> {
             (None, None) => {
                 let this = ["this axis", "that axis", "it "];
                 let this = this.iter().find_map(|axis| words.strip_prefix(axis));
-                if let Some(rest) = this.filter(|_| self.behind_axis) {
+                if let Some(rest) = this.filter(|_| self.behind_axis || has_any(before, AXIAL)) {
                     return Some((Named::Axial, rest));
                 }
                 let (at, _) = words.match_indices("axis").next()?;
