@@ -74,3 +74,28 @@ fn what_is_said_to_be_equal_is_supposed() {
                 $$ n_1 + n_2 + n_3 = 2n_4 $$\n";
     assert_eq!(verdicts(text), "apr");
 }
+
+#[test]
+fn what_is_set_against_mass_times_acceleration_is_a_force() {
+    let text = |point: &str, sign: &str| {
+        verdicts(&format!(
+            r"The mass centre $C$ of the link is at the position $\mathbf r$ from the joint, which has the acceleration $\mathbf a_J$:
+
+$$ \mathbf a_C = \mathbf a_J + \dot{{\boldsymbol\omega}}\times\mathbf r + \boldsymbol\omega\times(\boldsymbol\omega\times\mathbf r) $$
+
+Force and moment on the link are then
+
+$$ \mathbf f = m\,\mathbf a_{point} $$
+
+$$ \mathbf n_C = \mathcal I_C\,\dot{{\boldsymbol\omega}} {sign} \boldsymbol\omega\times\mathcal I_C\boldsymbol\omega $$
+"
+        ))
+    };
+    let found = text("C", "+");
+    assert!(found.ends_with("ap"), "{found}");
+    // Of the joint it is not known, and no definition.
+    let found = text("J", "+");
+    assert!(found.ends_with("up"), "{found}");
+    let found = text("C", "-");
+    assert!(!found.ends_with(['p', 'a']), "{found}");
+}

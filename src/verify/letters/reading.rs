@@ -151,6 +151,7 @@ impl Reading {
         reading.note_beginnings(document);
         reading.note_labelled_wheel(document);
         reading.by_words();
+        reading.by_force_law(document);
         reading.part_rivals(document);
         reading.part_stored(document);
         reading.by_attitude(document);

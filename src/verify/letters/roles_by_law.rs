@@ -42,6 +42,30 @@ impl Reading {
         }
     }
 
+    /// The vector that a line sets against m**a** is a force, where words stand nearer to "moment" than to "force".
+    pub(crate) fn by_force_law(&mut self, document: &Document) {
+        let plain = |node: &Node, name: &str, vector: bool| matches!(&inner(node).kind, Kind::Symbol(s) if s.name == name && s.style.vector == vector);
+        for line in lines(document) {
+            let [left, right] = line.sides.as_slice() else {
+                continue;
+            };
+            let (Kind::Symbol(symbol), Kind::Product(factors)) =
+                (&inner(left).kind, &inner(right).kind)
+            else {
+                continue;
+            };
+            let [mass, acceleration] = factors.as_slice() else {
+                continue;
+            };
+            let law = plain(&mass.node, "m", false) && plain(&acceleration.node, "a", true);
+            let letter = Letter::of(symbol);
+            if law && symbol.style.vector && self.quantities.get(&letter) == Some(&Quantity::Moment)
+            {
+                self.quantities.insert(letter, Quantity::Force);
+            }
+        }
+    }
+
     /// In a document without a letter for the moment, the one that a line sets against dL/dt.
     pub(crate) fn by_moment_law(&mut self, document: &Document) {
         if self.quantities.values().any(|q| *q == Quantity::Moment) {

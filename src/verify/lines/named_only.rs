@@ -47,6 +47,8 @@ impl Checker<'_> {
             "which way the vertical points on the axes used is not known"
         } else if self.turns_the_arm_round(symbol, right) {
             "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
+        } else if self.accelerates_another_point(symbol, right) {
+            "the force is the mass times the acceleration of the mass centre, not of any point"
         } else if claimed && self.equates_two_points(symbol, right) {
             "what it is about one point does not follow so from what it is about the other"
         } else if let Some(reason) = self.worked_out(symbol).filter(|_| claimed) {
@@ -56,6 +58,30 @@ impl Checker<'_> {
         };
         finding.reason = Some(reason.to_owned());
         true
+    }
+
+    /// Whether a force is the mass times the acceleration of a point that is not the mass centre by its label, where those
+    /// of several points are written.
+    fn accelerates_another_point(&self, symbol: &Symbol, right: &Node) -> bool {
+        let Kind::Product(factors) = &inner(right).kind else {
+            return false;
+        };
+        let force = self.reading.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Force);
+        let centres = [
+            "G", "C", "S", "g", "c", "cm", "CM", "cg", "CG", "com", "\\ast", "*",
+        ];
+        force
+            && factors
+                .iter()
+                .any(|factor| match &inner(&factor.node).kind {
+                    Kind::Symbol(point) if point.name == "a" && point.style.vector => {
+                        let labels = self.reading.usage.subscripts.get(&Letter::of(point));
+                        let several = labels.is_some_and(|all| all.len() > 1);
+                        let centre = |label: &String| centres.contains(&label.trim());
+                        several && !point.subscripts.iter().any(centre)
+                    }
+                    _ => false,
+                })
     }
 
     /// Whether an inertia or a momentum about a point is that about the mass centre and nothing more, or several times that
