@@ -60,7 +60,7 @@ fn components(document: &Document, side: &Node) -> Option<Components> {
         let text = document.source.slice(node.span).trim();
         let text = text.strip_suffix("\\,").unwrap_or(text);
         let dense: String = text.split_whitespace().collect();
-        (dense != "0").then_some(dense).unwrap_or_default()
+        if dense == "0" { String::new() } else { dense }
     };
     let entries: Vec<&Node> = match &inner(side).kind {
         Kind::Transpose(inside) => return components(document, inside),
