@@ -144,3 +144,24 @@ fn a_supposed_value_keeps_what_was_supposed_of_its_rate() {
                 $\\boldsymbol\\omega = \\mathbf 0$. Then\n\n$$ c\\,\\dot{\\mathbf g} = \\mathbf 0 $$\n";
     assert_eq!(verdicts(text), "apaap");
 }
+
+#[test]
+fn what_is_put_is_supposed() {
+    let text = |put: &str| {
+        format!(
+            r"Principal axes, no torque. {put}
+
+$$ \omega_1 = \varepsilon_1, \qquad \omega_2 = \Omega, \qquad \omega_3 = \varepsilon_3 $$
+
+with small $\varepsilon_1$, $\varepsilon_3$, of which we keep the first order only; then $\Omega$ is constant. The remaining equations are
+
+$$ I_1\dot\varepsilon_1 = (I_2 - I_3)\,\Omega\,\varepsilon_3 $$
+
+$$ I_3\dot\varepsilon_3 = (I_2 - I_1)\,\Omega\,\varepsilon_1 $$
+"
+        )
+    };
+    for put in ["Put", "We put", "Set"] {
+        assert_eq!(verdicts(&text(put)), "aaapr", "{put}");
+    }
+}

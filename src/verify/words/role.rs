@@ -236,6 +236,13 @@ fn in_words(sentence: &str) -> String {
     let mut text = String::with_capacity(lower.len() + 2);
     text.push(' ');
     words.for_each(|word| text.extend([word, " "]));
+    // By itself it says what "set" does; behind more, what is put into a formula.
+    if matches!(
+        text.as_str(),
+        " put " | " we put " | " now put " | " we now put "
+    ) {
+        return text.replace("put", "set");
+    }
     if !text.contains(" give") && !text.contains(" gave ") {
         return text;
     }

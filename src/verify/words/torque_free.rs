@@ -120,7 +120,9 @@ const ABOUT: &[&str] = &["about", "along", "around", "on"];
 const AXES: &[&str] = &["axis", "shaft", "axle", "hinge", "line", "vertical"];
 
 /// What a weight does to have a moment, and words of a body that nothing else touches.
-const HAS: &[&str] = &["has", "exerts", "gives", "makes", "produces", "have", "exert"];
+const HAS: &[&str] = &[
+    "has", "exerts", "gives", "makes", "produces", "have", "exert",
+];
 const ALOFT: &[&str] = &[
     "air", "flight", "flies", "flying", "airborne", "aloft", "falls", "falling", "thrown", "fall",
 ];
