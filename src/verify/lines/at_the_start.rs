@@ -68,12 +68,7 @@ impl Checker<'_> {
                 finding.remarks.push(how.to_owned());
             }
             decision @ Decision::False(_) => {
-                let read = Read {
-                    equations,
-                    unlabelled: Frame::Moving,
-                    ambiguous: false,
-                    to_order: false,
-                };
+                let read = Read::of(equations);
                 self.failed(sides, &read, decision, finding);
             }
             _ => return false,

@@ -3,11 +3,9 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
-use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::theory::Name;
 use crate::verify::values::atoms::{Atom, Owner};
-use crate::verify::values::lower::Lowering;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Verdict};
 use crate::verify::words::book::{has_any, lowered};
@@ -59,20 +57,10 @@ impl Checker<'_> {
         let supposed = supposed.filter(|p| p.residuals.iter().all(sets));
         let supposed = supposed.map(|p| p.name.clone());
         let names: BTreeSet<Name> = supposed.chain([own.clone()]).collect();
-        let (reading, functions, figures) = (&self.reading, &self.functions, &self.figures);
-        let rate = self.theory.without(names, |theory| {
-            let mut lowering = Lowering {
-                theory: &mut *theory,
-                reading,
-                unlabelled: Frame::Moving,
-                met_unlabelled: false,
-                in_space: false,
-                functions,
-                figures,
-            };
+        let rate = self.lowering_without(names, |lowering| {
             let value = lowering.scalar(right)?;
-            let rate = theory.atoms.derivative(&value);
-            (value.numerator().len() <= LONGEST).then(|| theory.normal(&rate))
+            let rate = lowering.theory.atoms.derivative(&value);
+            (value.numerator().len() <= LONGEST).then(|| lowering.theory.normal(&rate))
         });
         let Some(rate) = rate else { return };
         let open = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { order, .. } if *order > 1);

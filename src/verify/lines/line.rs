@@ -8,6 +8,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
+use crate::verify::theory::Name;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
@@ -30,6 +31,16 @@ pub(crate) struct Read {
 }
 
 impl Read {
+    /// Exact equations on the axes used.
+    pub(crate) fn of(equations: Vec<Equation>) -> Self {
+        Self {
+            equations,
+            unlabelled: Frame::Moving,
+            ambiguous: false,
+            to_order: false,
+        }
+    }
+
     /// What must vanish, entry by entry.
     pub(crate) fn residuals(&self) -> impl Iterator<Item = &Fraction> {
         self.equations.iter().flat_map(|e| &e.residual.entries)
@@ -260,6 +271,26 @@ impl Checker<'_> {
         if !self.theory.setting.origin_moves && entities.iter().any(of_origin) {
             self.theory.set(|setting| setting.origin_moves = true);
         }
+    }
+
+    /// Works with some premises left out.
+    pub(crate) fn lowering_without<R>(
+        &mut self,
+        names: BTreeSet<Name>,
+        work: impl FnOnce(&mut Lowering<'_>) -> R,
+    ) -> R {
+        let (reading, functions, figures) = (&self.reading, &self.functions, &self.figures);
+        self.theory.without(names, |theory| {
+            work(&mut Lowering {
+                theory,
+                reading,
+                unlabelled: Frame::Moving,
+                met_unlabelled: false,
+                in_space: false,
+                functions,
+                figures,
+            })
+        })
     }
 
     pub(crate) fn lowering(&mut self, unlabelled: Frame) -> Lowering<'_> {

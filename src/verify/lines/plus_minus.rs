@@ -12,7 +12,7 @@ use crate::verify::lines::given::is_zero;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::{Atom, variable_fraction};
-use crate::verify::values::lower::{Lowering, substituted};
+use crate::verify::values::lower::substituted;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
@@ -50,20 +50,10 @@ impl Checker<'_> {
         // What the document supposes may be the very equation, or that products vanish which words only lead away from.
         let names = self.theory.premises().iter().map(|p| p.name.clone());
         let names: BTreeSet<String> = names.collect();
-        let (reading, functions, figures) = (&self.reading, &self.functions, &self.figures);
-        let values = self.theory.without(names.clone(), |theory| {
+        let values = self.lowering_without(names.clone(), |lowering| {
             [false, true].map(|negative| {
                 let mut side = right.clone();
                 choose(&mut side, negative);
-                let mut lowering = Lowering {
-                    theory: &mut *theory,
-                    reading,
-                    unlabelled: Frame::Moving,
-                    met_unlabelled: false,
-                    in_space: false,
-                    functions,
-                    figures,
-                };
                 lowering.value(&side).ok()
             })
         });

@@ -161,12 +161,7 @@ impl Checker<'_> {
             }
             (decision @ Decision::False(_), Decision::False(_) | Decision::FalseWithoutWitness) => {
                 self.now_known(&sides[..1]);
-                let read = Read {
-                    equations: vec![equation],
-                    unlabelled: Frame::Moving,
-                    ambiguous: false,
-                    to_order: false,
-                };
+                let read = Read::of(vec![equation]);
                 self.failed(sides, &read, decision, finding);
                 finding.follows_from = None;
                 let over = "the values are over the length of the angular momentum";

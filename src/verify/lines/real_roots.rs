@@ -6,7 +6,6 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::names;
-use crate::verify::theory::Theory;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::lower::{Lowering, constant, substituted};
@@ -129,17 +128,7 @@ impl Checker<'_> {
         // What the document supposes of the motion may be the very equation.
         let names = self.theory.premises().iter().map(|p| p.name.clone());
         let names: BTreeSet<String> = names.collect();
-        let (reading, functions, figures) = (&self.reading, &self.functions, &self.figures);
-        let put_in = |theory: &mut Theory| {
-            let mut lowering = Lowering {
-                theory: &mut *theory,
-                reading,
-                unlabelled: Frame::Moving,
-                met_unlabelled: false,
-                in_space: false,
-                functions,
-                figures,
-            };
+        let put_in = |lowering: &mut Lowering<'_>| {
             let value = lowering.scalar(right)?;
             let square = |n: i64| {
                 let value = value.clone() * constant(Rational::from(n));
@@ -156,12 +145,12 @@ impl Checker<'_> {
                 right: zero,
                 residual: at.clone(),
             };
-            let decision = decide(theory, &[equation]);
-            let [at, nowhere] = [at, nowhere].map(|v| theory.normal(&v.entries[0]));
+            let decision = decide(lowering.theory, &[equation]);
+            let [at, nowhere] = [at, nowhere].map(|v| lowering.theory.normal(&v.entries[0]));
             let lost = (nowhere.clone() / (nowhere - at)).to_rational();
             Some((decision, lost.and_then(|square| square.exact_sqrt())))
         };
-        let Some((decision, lost)) = self.theory.without(names, put_in) else {
+        let Some((decision, lost)) = self.lowering_without(names, put_in) else {
             return false;
         };
         match decision {

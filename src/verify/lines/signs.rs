@@ -125,12 +125,7 @@ impl Checker<'_> {
                 residual: scalar(entry.clone() - form),
             });
         }
-        let read = Read {
-            equations,
-            unlabelled: Frame::Moving,
-            ambiguous: false,
-            to_order: false,
-        };
+        let read = Read::of(equations);
         if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
             finding.reason = None;
             self.proved(&read, proof, finding);

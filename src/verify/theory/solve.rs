@@ -189,17 +189,9 @@ impl Theory {
 
     /// Whether a premise gave a rate of a variable.
     fn has_rule_of_rate(&self, variable: Variable) -> bool {
-        match *self.atoms.atom(variable) {
-            Atom::Part {
-                entity,
-                component,
-                order,
-            } => {
-                let rule = self.rules.get(&(entity, component));
-                rule.is_some_and(|(ruled, _)| *ruled > order)
-            }
-            _ => false,
-        }
+        let atom = self.atoms.atom(variable);
+        matches!(*atom, Atom::Part { entity, component, order }
+            if self.rules.get(&(entity, component)).is_some_and(|(ruled, _)| *ruled > order))
     }
 
     /// How well a polynomial can be solved for a variable; `None` where it cannot.
