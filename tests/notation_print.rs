@@ -123,13 +123,15 @@ fn symbol() -> impl Strategy<Value = Symbol> {
                 "" => vec![],
                 text => vec![text.to_owned()],
             };
+            // A sum sign before masses goes over the particles of a body.
+            let mass = name == "m" && !style.vector;
             Symbol {
                 name: name.to_owned(),
                 style,
                 subscripts: list(subscript),
                 superscripts: list(superscript),
                 primes,
-                resultant: flags.0,
+                resultant: flags.0 && !mass,
                 variation: flags.1,
             }
         })
