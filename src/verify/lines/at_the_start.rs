@@ -1,17 +1,16 @@
 //! What does not change, by its value at the start: `2T = A p_0^2 + B q_0^2 + C r_0^2` for a body that no torque acts on.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::symbols;
-use crate::verify::lines::goes_on::put_in;
 use crate::verify::lines::growth::lasts;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::atoms::variable_fraction;
-use crate::verify::values::value::Value;
+use crate::verify::values::lower::put_in;
 use crate::verify::verdict::{Finding, Role};
 use std::collections::{BTreeSet, HashMap};
 
@@ -55,11 +54,7 @@ impl Checker<'_> {
             finding.reason = Some("nothing before ties the start to what comes later".to_owned());
             return true;
         };
-        let equation = |pair: &[Fraction]| Equation {
-            left: Value::scalar(pair[0].clone()),
-            right: Value::scalar(pair[1].clone()),
-            residual: Value::scalar(pair[0].clone() - pair[1].clone()),
-        };
+        let equation = |pair: &[Fraction]| Equation::of_scalars(pair[0].clone(), pair[1].clone());
         let equations: Vec<Equation> = starts.windows(2).map(equation).collect();
         match decide(&mut self.theory, &equations) {
             Decision::True(_) => {
@@ -91,14 +86,9 @@ impl Checker<'_> {
             moving
                 .subscripts
                 .extend((!index.is_empty()).then(|| index.to_owned()));
-            let mut variable = |symbol: &Symbol| {
-                let node = Node {
-                    kind: Kind::Symbol(symbol.clone()),
-                    span: sides[0].span,
-                };
-                self.lowering(Frame::Moving).scalar(&node)?.as_variable()
-            };
-            let (Some(moving), Some(start)) = (variable(&moving), variable(symbol)) else {
+            let [moving, start] =
+                [&moving, symbol].map(|symbol| self.value_of(symbol, sides[0].span)?.as_variable());
+            let (Some(moving), Some(start)) = (moving, start) else {
                 continue;
             };
             let [from, to] = [moving, start].map(|v| self.theory.atoms.entity_of(v));

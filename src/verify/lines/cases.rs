@@ -138,8 +138,8 @@ impl Checker<'_> {
 
     /// Keeps a premise of the document to the end of its section; definitions stay, and what holds "from here on".
     pub(crate) fn keep(&mut self, name: &str, definition: bool) {
-        let onwards = has_any(&lowered(&self.sentence), ONWARDS);
-        let level = if definition || onwards { 0 } else { self.level };
+        let lasts = definition || has_any(&lowered(&self.sentence), ONWARDS);
+        let level = if lasts { 0 } else { self.level };
         self.scopes.push((name.to_owned(), level));
     }
 

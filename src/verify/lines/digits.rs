@@ -58,11 +58,7 @@ pub(crate) fn compare(
             entries => entries.get(place).cloned().unwrap_or_else(Fraction::zero),
         };
         let (l, r) = (side(left), side(right));
-        equations.push(Equation {
-            left: Value::scalar(l.clone()),
-            right: Value::scalar(r.clone() + gap.clone()),
-            residual: Value::scalar(entry.clone() - gap.clone()),
-        });
+        equations.push(Equation::of_scalars(l.clone(), r.clone() + gap.clone()));
         if gap.is_zero() {
             continue;
         }

@@ -1,7 +1,10 @@
 //! What the symbols of a document's lines stand for, and what is known of that.
 
-use crate::notation::ast::{Node, Symbol};
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::symbols;
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::symbol::{Meaning, meaning};
@@ -15,6 +18,12 @@ impl Checker<'_> {
     /// The entity that a symbol, or the vector or tensor that it is a component of, stands for.
     pub(crate) fn entity_named(&mut self, symbol: &Symbol) -> Option<Entity> {
         self.meaning_of(symbol).entity()
+    }
+
+    /// The number that a symbol stands for, which is written in a place.
+    pub(crate) fn value_of(&mut self, symbol: &Symbol, span: Span) -> Option<Fraction> {
+        let kind = Kind::Symbol(symbol.clone());
+        self.lowering(Frame::Moving).scalar(&Node { kind, span })
     }
 
     /// The entities that the symbols of expressions stand for, from left to right.

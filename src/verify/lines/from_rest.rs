@@ -10,7 +10,7 @@ use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
-use crate::verify::values::lower::substituted;
+use crate::verify::values::lower::put_in;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
@@ -43,12 +43,7 @@ impl Checker<'_> {
         let start = self.at_rest(&since);
         let change = self.change(&since);
         for rest in [start, change] {
-            let rest = Value::scalar(rest);
-            let equation = Equation {
-                left: rest.clone(),
-                right: Value::scalar(Fraction::zero()),
-                residual: rest,
-            };
+            let equation = Equation::vanishing(Value::scalar(rest));
             match decide(&mut self.theory, &[equation]) {
                 Decision::True(_) => {}
                 Decision::False(witness) => {
@@ -71,30 +66,26 @@ impl Checker<'_> {
         let entity = self.theory.atoms.entity_of(since.start);
         let still = entity.map(|entity| self.theory.atoms.part(entity, 0, 1));
         let change = self.theory.atoms.derivative(&since.difference);
-        substituted(&change, &|v| match Some(v) == still {
-            true => Fraction::zero(),
-            false => variable_fraction(v),
-        })
+        let still = still.map(|still| (still, Fraction::zero()));
+        put_in(&change, &still.into_iter().collect())
     }
 
     /// The difference at the beginning.
     fn at_rest(&mut self, since: &SinceStart) -> Fraction {
-        let begin = |v: Variable| match v {
-            v if v == since.rate => Fraction::zero(),
-            v if v == since.value => variable_fraction(since.start),
-            v => variable_fraction(v),
-        };
-        let mut kernels: HashMap<Variable, Fraction> = HashMap::new();
+        let mut begin = HashMap::from([
+            (since.rate, Fraction::zero()),
+            (since.value, variable_fraction(since.start)),
+        ]);
+        let mut kernels = vec![];
         for variable in since.difference.variables() {
             if let Atom::Kernel { function, argument } = self.theory.atoms.atom(variable).clone() {
-                let argument = substituted(&argument, &begin);
+                let argument = put_in(&argument, &begin);
                 let kernel = self.lowering(Frame::Moving).kernel(function, argument);
                 kernels.extend(kernel.map(|kernel| (variable, kernel)));
             }
         }
-        substituted(&since.difference, &|v| {
-            kernels.get(&v).cloned().unwrap_or_else(|| begin(v))
-        })
+        begin.extend(kernels);
+        put_in(&since.difference, &begin)
     }
 
     /// What a line says of how far a motion has come: the rate of θ, θ and θ₀ stand in it.

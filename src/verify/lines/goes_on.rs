@@ -9,8 +9,8 @@ use crate::verify::letters::usage::{inner, undotted};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::Theory;
-use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
-use crate::verify::values::lower::substituted;
+use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::lower::put_in;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -167,9 +167,4 @@ impl Checker<'_> {
         }
         moved.then(|| put_in(&value, &images))
     }
-}
-
-pub(crate) fn put_in(value: &Fraction, images: &HashMap<Variable, Fraction>) -> Fraction {
-    let image = |v| images.get(&v).cloned();
-    substituted(value, &|v| image(v).unwrap_or_else(|| variable_fraction(v)))
 }

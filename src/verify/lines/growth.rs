@@ -13,7 +13,6 @@ use crate::verify::theory::Theory;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
-use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::{One, Zero};
 
@@ -52,16 +51,8 @@ impl Checker<'_> {
         if !self.theory.kernels_reduced(first - second).is_zero() {
             return false;
         }
-        let [rate, multiple] =
-            [self.theory.atoms.derivative(&left), factor * left].map(Value::scalar);
-        let Ok(residual) = rate.plus(&multiple, true) else {
-            return false;
-        };
-        let mut equations = vec![Equation {
-            left: rate,
-            right: multiple,
-            residual,
-        }];
+        let (rate, multiple) = (self.theory.atoms.derivative(&left), factor * left);
+        let mut equations = vec![Equation::of_scalars(rate, multiple)];
         let to_order = self.keep_order(&mut equations);
         match decide(&mut self.theory, &equations) {
             Decision::True(_) => {

@@ -32,12 +32,11 @@ impl Checker<'_> {
     pub(crate) fn withhold_changing_energy(&mut self, sides: &[Node], finding: &mut Finding) {
         let [left, right] = sides else { return };
         let lone = matches!(inner(left).kind, Kind::Symbol(_));
+        if finding.verdict != Verdict::Accepted || !lone {
+            return;
+        }
         let words = lowered(self.sentence.rsplit('⟩').next().unwrap_or_default());
-        if finding.verdict != Verdict::Accepted
-            || !lone
-            || !has_any(&words, WHOLE)
-            || self.text.says(EXCHANGES)
-        {
+        if !has_any(&words, WHOLE) || self.text.says(EXCHANGES) {
             return;
         }
         // Under an assumption, such as a steady motion, it might not change whatever it is.

@@ -326,16 +326,12 @@ impl Checker<'_> {
         let values = units_in_size(lowering.sides_aligned(values));
         let mut equations = vec![];
         for (i, pair) in values.windows(2).enumerate() {
-            let residual = pair[0].plus(&pair[1], true).map_err(|mismatch| Trouble {
+            let equation = Equation::between(pair[0].clone(), pair[1].clone());
+            equations.push(equation.map_err(|mismatch| Trouble {
                 kind: TroubleKind::IllTyped,
                 message: format!("the sides differ in kind: {}", mismatch.0),
                 span: sides[i].span.to(sides[i + 1].span),
-            })?;
-            equations.push(Equation {
-                left: pair[0].clone(),
-                right: pair[1].clone(),
-                residual,
-            });
+            })?);
         }
         Ok(Read {
             equations,

@@ -8,7 +8,6 @@ use crate::verify::letters::usage::inner;
 use crate::verify::lines::laws_in_words::is_of_swings;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner};
-use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
 use num_traits::Zero;
@@ -151,18 +150,7 @@ impl Checker<'_> {
             true => value,
             false => value.clone() * value,
         };
-        let [left, right] = [square, value].map(Value::scalar);
-        let Ok(residual) = left.plus(&right, true) else {
-            return false;
-        };
-        match decide(
-            &mut self.theory,
-            &[Equation {
-                left,
-                right,
-                residual,
-            }],
-        ) {
+        match decide(&mut self.theory, &[Equation::of_scalars(square, value)]) {
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =

@@ -9,7 +9,6 @@ use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Entity, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::{ANY_POINT, Meaning};
-use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding, Verdict};
 use crate::verify::words::book::lowered;
 
@@ -91,15 +90,7 @@ impl Checker<'_> {
         if !within(&made, &law) {
             return false;
         }
-        let [left, right] = [law, made].map(Value::scalar);
-        let Ok(residual) = left.plus(&right, true) else {
-            return false;
-        };
-        let equation = Equation {
-            left,
-            right,
-            residual,
-        };
+        let equation = Equation::of_scalars(law, made);
         let Decision::False(witness) = decide(&mut self.theory, &[equation]) else {
             return false;
         };

@@ -1,7 +1,6 @@
 //! The compound pendulum: `I_O\ddot\theta = -mgd\sin\theta` for a body that swings about a fixed horizontal axis, with θ
 //! from the vertical and d from the axis to the mass centre.
 
-use crate::algebra::Fraction;
 use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -71,17 +70,9 @@ impl Checker<'_> {
             .subscripts
             .iter()
             .any(|s| CENTRES.contains(&s.as_str()));
-        let scalar = |checker: &mut Self, symbol: &Symbol| -> Option<Fraction> {
-            let node = Node {
-                kind: Kind::Symbol(symbol.clone()),
-                span: sides[0].span,
-            };
-            let value = checker.lowering(Frame::Moving).value(&node).ok()?;
-            value.as_scalar().cloned()
-        };
         let named = [inertia, mass, distance, gravity].map(|s| self.entity_named(s));
         let [inertia, mass, gravity, arm, angle] =
-            [inertia, mass, gravity, distance, &swung].map(|s| scalar(self, s));
+            [inertia, mass, gravity, distance, &swung].map(|s| self.value_of(s, sides[0].span));
         let (mass, arm, angle) = (mass?, arm?, angle?);
         let about_axis = match central {
             true => inertia? + mass.clone() * arm.clone() * arm.clone(),

@@ -12,12 +12,11 @@ use crate::verify::lines::given::is_zero;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::{Atom, variable_fraction};
-use crate::verify::values::lower::substituted;
+use crate::verify::values::lower::put_in;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
-use num_traits::Zero;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// Equations that roots may be of, the last ones.
 const MOST_EQUATIONS: usize = 6;
@@ -67,16 +66,8 @@ impl Checker<'_> {
             return false;
         };
         let equations = [plus, minus].map(|value| {
-            let put_in = |v: u32| match v == unknown {
-                true => value.clone(),
-                false => variable_fraction(v),
-            };
-            let rest = Value::scalar(substituted(&residual, &put_in));
-            Equation {
-                left: rest.clone(),
-                right: Value::scalar(Fraction::zero()),
-                residual: rest,
-            }
+            let images = HashMap::from([(unknown, value.clone())]);
+            Equation::vanishing(Value::scalar(put_in(&residual, &images)))
         });
         let decision = self
             .theory

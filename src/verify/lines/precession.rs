@@ -139,12 +139,7 @@ impl Checker<'_> {
         let (law, value) = (Value::scalar(law), Value::scalar(value / length));
         // Its sense is the author's own.
         let decided = [value.clone(), value.negated()].map(|value| {
-            let residual = law.plus(&value, true).ok()?;
-            let equation = Equation {
-                left: law.clone(),
-                right: value,
-                residual,
-            };
+            let equation = Equation::between(law.clone(), value).ok()?;
             Some((
                 decide(&mut self.theory, std::slice::from_ref(&equation)),
                 equation,

@@ -8,12 +8,13 @@ use crate::verify::letters::usage::inner;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::lower::put_in;
 use crate::verify::values::lower::{Lowering, constant, substituted};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Diagnosis, Finding, Verdict};
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::{One, Zero};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 /// Words of an angle that goes to zero.
 const UPRIGHT: &[&str] = &["small", "vertical", "upright", "sleep"];
@@ -128,29 +129,20 @@ impl Checker<'_> {
         // What the document supposes of the motion may be the very equation.
         let names = self.theory.premises().iter().map(|p| p.name.clone());
         let names: BTreeSet<String> = names.collect();
-        let put_in = |lowering: &mut Lowering<'_>| {
+        let decided = |lowering: &mut Lowering<'_>| {
             let value = lowering.scalar(right)?;
             let square = |n: i64| {
                 let value = value.clone() * constant(Rational::from(n));
-                let whole = substituted(&border, &|v| match v == variable {
-                    true => value.clone(),
-                    false => variable_fraction(v),
-                });
-                Value::scalar(whole)
+                put_in(&border, &HashMap::from([(variable, value)]))
             };
             let (at, nowhere) = (square(1), square(0));
-            let zero = Value::scalar(Fraction::zero());
-            let equation = Equation {
-                left: at.clone(),
-                right: zero,
-                residual: at.clone(),
-            };
+            let equation = Equation::vanishing(Value::scalar(at.clone()));
             let decision = decide(lowering.theory, &[equation]);
-            let [at, nowhere] = [at, nowhere].map(|v| lowering.theory.normal(&v.entries[0]));
+            let [at, nowhere] = [at, nowhere].map(|v| lowering.theory.normal(&v));
             let lost = (nowhere.clone() / (nowhere - at)).to_rational();
             Some((decision, lost.and_then(|square| square.exact_sqrt())))
         };
-        let Some((decision, lost)) = self.lowering_without(names, put_in) else {
+        let Some((decision, lost)) = self.lowering_without(names, decided) else {
             return false;
         };
         match decision {

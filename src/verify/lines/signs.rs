@@ -14,7 +14,6 @@ use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
 
 /// Orders that a document may keep.
@@ -118,12 +117,7 @@ impl Checker<'_> {
             if !sign.strict && !or_equal {
                 return;
             }
-            let scalar = |entry: Fraction| Value::scalar(entry);
-            equations.push(Equation {
-                left: scalar(entry.clone()),
-                right: scalar(form.clone()),
-                residual: scalar(entry.clone() - form),
-            });
+            equations.push(Equation::of_scalars(entry.clone(), form));
         }
         let read = Read::of(equations);
         if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {

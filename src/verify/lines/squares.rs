@@ -43,12 +43,8 @@ impl Substance for f64 {
 
 /// The equation of the squares of two sides.
 fn squared(left: &Fraction, right: &Fraction) -> Equation {
-    let [left, right] = [left, right].map(|side| side.clone() * side.clone());
-    Equation {
-        residual: Value::scalar(left.clone() - right.clone()),
-        left: Value::scalar(left),
-        right: Value::scalar(right),
-    }
+    let square = |side: &Fraction| side.clone() * side.clone();
+    Equation::of_scalars(square(left), square(right))
 }
 
 impl Checker<'_> {

@@ -8,12 +8,12 @@ use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::Premise;
 use crate::verify::theory::decide::{Decision, Equation, decide, passes_filter};
 use crate::verify::values::atoms::{Atom, variable_fraction};
-use crate::verify::values::lower::substituted;
+use crate::verify::values::lower::{put_in, substituted};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 const VANISHES: &[&str] = &[
     "vanishes",
@@ -64,13 +64,7 @@ impl Checker<'_> {
             preferred: vec![],
             definition: false,
         });
-        let zero = subject.map(|entry| entry.clone() - entry.clone());
-        let equation = Equation {
-            left: subject.clone(),
-            right: zero,
-            residual: subject,
-        };
-        match decide(&mut self.theory, &[equation]) {
+        match decide(&mut self.theory, &[Equation::vanishing(subject)]) {
             Decision::True(_) => {
                 self.keep(&name, false);
                 finding.role = Role::Assume;
@@ -119,19 +113,14 @@ impl Checker<'_> {
         if own == *other {
             return Some(subject.clone());
         }
-        let turned: Vec<(Variable, Fraction)> = kernels
+        let turned: HashMap<Variable, Fraction> = kernels
             .into_iter()
             .map(|(v, function, argument)| {
                 let argument = substituted(&argument, &|_| variable_fraction(*other));
                 (v, self.theory.kernel(function, argument))
             })
             .collect();
-        Some(normal.map(|entry| {
-            substituted(entry, &|v| {
-                let found = turned.iter().find(|(own, _)| *own == v);
-                found.map_or_else(|| variable_fraction(v), |(_, image)| image.clone())
-            })
-        }))
+        Some(normal.map(|entry| put_in(entry, &turned)))
     }
 
     /// Lets go of a condition right before that says what the line at hand says anew: "principal when ⟨I_{x'y'} = 0⟩, which

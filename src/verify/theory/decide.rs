@@ -15,7 +15,7 @@ use crate::verify::theory::world::{Substance, World};
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::atoms::Atom;
 use crate::verify::values::figures::is_pi;
-use crate::verify::values::value::Value;
+use crate::verify::values::value::{ShapeMismatch, Value};
 use crate::verify::verdict::Counterexample;
 use foldhash::HashSet;
 use num_traits::Zero;
@@ -35,6 +35,36 @@ pub(crate) struct Equation {
     pub right: Value,
     /// Left less right.
     pub residual: Value,
+}
+
+impl Equation {
+    pub(crate) fn between(left: Value, right: Value) -> Result<Self, ShapeMismatch> {
+        let residual = left.plus(&right, true)?;
+        Ok(Self {
+            left,
+            right,
+            residual,
+        })
+    }
+
+    pub(crate) fn of_scalars(left: Fraction, right: Fraction) -> Self {
+        let residual = left.clone() - right.clone();
+        let [left, right, residual] = [left, right, residual].map(Value::scalar);
+        Self {
+            left,
+            right,
+            residual,
+        }
+    }
+
+    /// A value and zero.
+    pub(crate) fn vanishing(value: Value) -> Self {
+        Self {
+            right: value.map(|_| Fraction::zero()),
+            residual: value.clone(),
+            left: value,
+        }
+    }
 }
 
 /// What came out.

@@ -1,6 +1,6 @@
 //! From a tree to its value: a grid of fractions in the document's variables.
 
-use crate::algebra::{Fraction, Polynomial, Rational};
+use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::{FrameLabel, Function, Kind, Node};
 use crate::source::Span;
 use crate::verify::letters::frame::Frame;
@@ -302,6 +302,12 @@ pub(crate) fn constant(value: Rational) -> Fraction {
 pub(crate) fn substituted(fraction: &Fraction, image: &impl Fn(u32) -> Fraction) -> Fraction {
     let lift = |c: &Rational| constant(c.clone());
     fraction.numerator().evaluate(image, lift) / fraction.denominator().evaluate(image, lift)
+}
+
+/// A fraction with values for some of its variables.
+pub(crate) fn put_in(value: &Fraction, images: &HashMap<Variable, Fraction>) -> Fraction {
+    let image = |v| images.get(&v).cloned();
+    substituted(value, &|v| image(v).unwrap_or_else(|| variable_fraction(v)))
 }
 
 /// The rows of a unit matrix, where they are written under it: `4×4`, `3`.

@@ -1,5 +1,6 @@
 //! What words say does not change: "θ, φ̇ and ψ̇ are constant", "turns at the constant rate Ω".
 
+use crate::algebra::Variable;
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::source::Span;
 use crate::verify::check::Checker;
@@ -7,7 +8,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
 use crate::verify::theory::{Premise, Taken};
-use crate::verify::values::atoms::Owner;
+use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
@@ -190,21 +191,30 @@ impl Checker<'_> {
             Some(axis) => vec![axis],
             None => vec![0, 1, 2],
         };
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let name = "constant speed".to_owned();
-        let rates = axes.iter().map(|&c| self.theory.atoms.value(omega, c, 1));
+        self.stay_in_words("constant speed", Quantity::AngularVelocity, &axes, span);
+    }
+
+    /// Takes in that components of a quantity do not change, as the words in a place say.
+    pub(crate) fn stay_in_words(
+        &mut self,
+        name: &str,
+        quantity: Quantity,
+        axes: &[u8],
+        span: Span,
+    ) {
+        let entity = self.theory.atoms.quantity(quantity);
+        let rates = axes.iter();
+        let rates = rates.map(|&axis| self.theory.atoms.part(entity, axis, 1));
+        let rates: Vec<Variable> = rates.collect();
         let premise = Premise {
-            name: name.clone(),
-            residuals: rates.collect(),
-            preferred: axes
-                .iter()
-                .map(|&c| self.theory.atoms.part(omega, c, 1))
-                .collect(),
+            name: name.to_owned(),
+            residuals: rates.iter().map(|&rate| variable_fraction(rate)).collect(),
+            preferred: rates,
             definition: false,
         };
         if self.theory.assume(premise) == Taken::Solved {
-            self.keep(&name, false);
-            self.tell(span, name);
+            self.keep(name, false);
+            self.tell(span, name.to_owned());
         }
     }
 

@@ -3,8 +3,7 @@
 use crate::algebra::Variable;
 use crate::source::Span;
 use crate::verify::check::Checker;
-use crate::verify::theory::{Premise, Taken};
-use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::has_any;
 use crate::verify::words::phrases::speaks_of_wheels;
@@ -74,20 +73,7 @@ impl Checker<'_> {
         if !self.theory.setting.gyrostat || !speaks_of_wheels(text) || !has_any(text, STEADY) {
             return;
         }
-        let wheels = self.theory.atoms.quantity(Quantity::RelativeMomentum);
-        let rates: Vec<Variable> = (0..3)
-            .map(|component| self.theory.atoms.part(wheels, component, 1))
-            .collect();
-        let name = "constant wheel speed".to_owned();
-        let taken = self.theory.assume(Premise {
-            name: name.clone(),
-            residuals: rates.iter().map(|&rate| variable_fraction(rate)).collect(),
-            preferred: rates,
-            definition: false,
-        });
-        if taken == Taken::Solved {
-            self.keep(&name, false);
-            self.tell(span, name);
-        }
+        let wheels = Quantity::RelativeMomentum;
+        self.stay_in_words("constant wheel speed", wheels, &[0, 1, 2], span);
     }
 }
