@@ -205,3 +205,31 @@ fn letters_of_two_frames_are_initials() {
     assert_eq!(line("F", "R"), "p");
     assert_eq!(line("R", "F"), "r");
 }
+
+#[test]
+fn axes_that_the_body_turns_ahead_of_are_not_attached_to_it() {
+    let rates = |words: &str| {
+        verdicts(&format!(
+            r"{words} The axes turn at $\vec\Omega$ and the body at $\vec\omega$, faster by the spin $s$:
+
+$$ \vec\omega = \vec\Omega + s\,\vec e_3 $$
+
+With the angular momentum $\vec L$ and the torque $\vec M$,
+
+$$ \vec M = \left(\frac{{d\vec L}}{{dt}}\right)_{{rel}} + \vec\omega\times\vec L $$
+
+$$ \vec M = \left(\frac{{d\vec L}}{{dt}}\right)_{{rel}} + \vec\Omega\times\vec L $$
+"
+        ))
+    };
+    assert_eq!(
+        rates("Euler's equations hold in axes carried by the body."),
+        "arp"
+    );
+    assert_eq!(rates("So far the axes were fixed in the body."), "arp");
+    let attached = r"The axes, fixed in the body, turn at $\vec\Omega$ and the body at $\vec\omega$.
+
+$$ \vec\Omega = \vec\omega $$
+";
+    assert_eq!(verdicts(attached), "p");
+}

@@ -220,3 +220,21 @@ fn equations_that_are_coupled_have_no_couple() {
                 $I_x = I_y$,\n\n$$ \\dot\\omega_z = 0 $$\n";
     assert_eq!(verdicts(text), "ap");
 }
+
+#[test]
+fn the_semi_axes_are_those_of_the_surface_above() {
+    let axes = |line: &str| {
+        verdicts(&format!(
+            "A free body has the principal moments $I_1$, $I_2$, $I_3$.\n\n\
+             $$ 2T = I_1\\omega_1^2 + I_2\\omega_2^2 + I_3\\omega_3^2 $$\n\n\
+             For a given $T$ the vector $\\vec\\omega$ ends on an ellipsoid whose semi-axes are\n\n$$ {line} $$\n"
+        ))
+    };
+    assert_eq!(
+        axes(r"a_1 = \sqrt{2T/I_1}, \qquad a_2 = \sqrt{2T/I_2}"),
+        "paa"
+    );
+    assert_eq!(axes(r"a = \sqrt{\frac{2T}{I_1}}"), "pa");
+    assert_eq!(axes(r"a_1 = \sqrt{2T/I_2}"), "pu");
+    assert_eq!(axes(r"a_1 = \sqrt{2T I_1}"), "pu");
+}

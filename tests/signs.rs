@@ -143,3 +143,26 @@ $$ J_1 + J_2 \le J_3 $$
     let verdicts = verdicts(text);
     assert!(verdicts.ends_with("prpur"), "{verdicts}");
 }
+
+#[test]
+fn a_given_quantity_hands_no_bounds_over() {
+    let bounds = |words: &str, relations: [&str; 2]| {
+        let [first, second] = relations;
+        verdicts(&format!(
+            "The principal moments of a free body obey $I_1 < I_2 < I_3$; $L$ is the length of its angular momentum $\\vec L$.\n\n\
+             {words}\n\n$$ \\frac{{L^2}}{{2I_1}} {first} T {second} \\frac{{L^2}}{{2I_3}} $$\n\n\
+             $$ T = \\frac{{L_1^2}}{{2I_1}} + \\frac{{L_2^2}}{{2I_2}} + \\frac{{L_3^2}}{{2I_3}} $$\n"
+        ))
+    };
+    for words in [
+        "For a given $L$ the energy satisfies",
+        "At given $L$ the energy obeys",
+        "Let us suppose that",
+    ] {
+        assert_eq!(bounds(words, [r"\le", r"\le"]), "arp", "{words}");
+    }
+    assert_eq!(
+        bounds("For given $L$ the energy is", [r"\ge", r"\ge"]),
+        "app"
+    );
+}

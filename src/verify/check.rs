@@ -17,6 +17,7 @@ use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
 use crate::verify::lines::line::Read;
 use crate::verify::lines::named_roots::Sought;
+use crate::verify::lines::semi_axes::Quadric;
 use crate::verify::lines::signs::Order;
 use crate::verify::names;
 use crate::verify::repair::carried::Slip;
@@ -128,6 +129,8 @@ pub(super) struct Checker<'a> {
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
     pub(super) oscillation: Option<(usize, Fraction)>,
+    /// The surface that a line is the equation of.
+    pub(super) quadric: Option<Quadric>,
     /// The product of inertia that a line said last what it is.
     pub(super) last_product: Option<Node>,
     /// The equation above, for one of its symbols.
@@ -225,6 +228,7 @@ impl<'a> Checker<'a> {
             potential: None,
             oscillation: None,
             sought: None,
+            quadric: None,
             last_product: None,
             equations: vec![],
             border: None,

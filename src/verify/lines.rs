@@ -2,6 +2,7 @@
 
 pub(super) mod accept;
 pub(super) mod at_the_start;
+pub(super) mod axes_left_behind;
 pub(super) mod bare_letters;
 pub(super) mod between_frames;
 pub(super) mod between_states;
@@ -62,6 +63,7 @@ pub(super) mod put_in;
 pub(super) mod real_roots;
 pub(super) mod rigid_points;
 pub(super) mod role_by_content;
+pub(super) mod semi_axes;
 pub(super) mod signs;
 pub(super) mod small;
 pub(super) mod space_line;

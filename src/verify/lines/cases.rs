@@ -223,9 +223,14 @@ impl Checker<'_> {
             owners.any(of_axes)
         };
         if earlier && met(self) && self.contradicts(sides) {
-            self.cases.attached = None;
-            self.theory.set(|setting| setting.axes = Axes::Turning);
+            self.axes_turn_apart();
         }
+    }
+
+    /// Gives the axes a rate of their own again.
+    pub(crate) fn axes_turn_apart(&mut self) {
+        self.cases.attached = None;
+        self.theory.set(|setting| setting.axes = Axes::Turning);
     }
 
     /// Ends the assumptions of earlier cases, where a line assumes something else of the same symbols.

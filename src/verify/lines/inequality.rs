@@ -35,6 +35,8 @@ impl Checker<'_> {
             _ if ordered && self.has_real_roots(line, finding) => {}
             // A criterion is not shown by what is said to follow from it.
             _ if ordered && self.displayed && Words::of(&self.sentence).condition() => {}
+            // What is handed over may be false for every body all the same.
+            _ if ordered && role != Role::Claim && self.has_wrong_sign(line, finding) => {}
             _ if ordered && role != Role::Claim => {
                 self.note_orders(line);
                 finding.verdict = Verdict::Accepted;
@@ -52,6 +54,20 @@ impl Checker<'_> {
             _ => {}
         }
         true
+    }
+
+    /// Refutes an order of what is determined, where its differences have the other sign.
+    fn has_wrong_sign(&mut self, line: &Line, finding: &mut Finding) -> bool {
+        if self.orders_inputs(line) {
+            return false;
+        }
+        let mut tried = finding.clone();
+        self.decide_signs(line, &mut tried);
+        let wrong = tried.verdict == Verdict::Refuted;
+        if wrong {
+            *finding = tried;
+        }
+        wrong
     }
 
     /// `I_1 < I_2 < I_3`, `m > 0`: an order among what nothing determines, and numbers.

@@ -63,6 +63,7 @@ impl Checker<'_> {
         self.note_oscillation(&line.sides, &finding);
         self.note_sought(&line.sides, &finding);
         self.note_equation(&line.sides, &finding);
+        self.note_quadric(&line.sides, &finding);
         self.note_product(&line.sides);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {
@@ -172,6 +173,7 @@ impl Checker<'_> {
         }
         self.note_triad(&sides);
         self.note_origin(&sides);
+        self.leave_axes_behind(&sides);
         self.note_turned_moments(&sides);
         self.note_written_products(&sides);
         self.note_translation(&sides);

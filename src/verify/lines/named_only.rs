@@ -34,6 +34,9 @@ impl Checker<'_> {
         }
         let words = lowered(&self.sentence);
         let of_a_surface = has_any(&words, &["semi-ax", "semiax"]);
+        if claimed && of_a_surface && self.is_semi_axis(&[left.clone(), right.clone()], finding) {
+            return true;
+        }
         let reason = if claimed && of_a_surface {
             "whether the surface has these axes is not decided"
         } else if claimed && self.displayed && is_multiple_of_unprimed(symbol, right) {

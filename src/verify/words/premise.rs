@@ -124,7 +124,7 @@ impl Checker<'_> {
     }
 
     /// Whether the document gives the axes an angular velocity of their own.
-    fn has_frame_rate(&self) -> bool {
+    pub(crate) fn has_frame_rate(&self) -> bool {
         let mut quantities = self.reading.quantities.values();
         quantities.any(|&q| q == Quantity::FrameRate)
     }

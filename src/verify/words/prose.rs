@@ -2,7 +2,7 @@
 
 use crate::notation::document::{Document, Item};
 use crate::verify::words::book::{Book, has_any};
-use crate::verify::words::suppositions::{is_denied, principal};
+use crate::verify::words::suppositions::{is_denied, is_of_a_law, principal};
 use crate::verify::words::symmetric_body::AXIS_OF_SYMMETRY;
 use crate::verify::words::torque_free::torque_free;
 use std::sync::LazyLock;
@@ -148,7 +148,10 @@ pub(crate) fn said(text: &str) -> Vec<Said> {
             }
         }
     }
-    if stands(Topic::Attached) {
+    let attached = |&&(_, at, end): &&(usize, usize, usize)| {
+        !is_denied(text, at, end) && !is_of_a_law(text, at)
+    };
+    if of(Topic::Attached).any(|place| attached(&place)) {
         found.push(Said::BodyAxes);
     } else if stands(Topic::BodyAxes) {
         found.push(Said::SpeaksOfBodyAxes);

@@ -46,9 +46,19 @@ fn phrases() -> impl Iterator<Item = (Kind, &'static str)> {
 static LISTED: LazyLock<Vec<(Kind, &str)>> = LazyLock::new(|| phrases().collect());
 static BOOK: LazyLock<Book> = LazyLock::new(|| Book::of_words(phrases().map(|(_, phrase)| phrase)));
 
+/// What a main clause ends with before the formula that it claims.
+const PREDICATES: [&str; 6] = [
+    " is ",
+    " are ",
+    " satisfies ",
+    " satisfy ",
+    " obeys ",
+    " obey ",
+];
+
 /// "With ⟨ω = Ω⟩ the spin is": the condition has ended, for what stands there and for further formulas behind it.
 fn has_left_its_condition(text: &str) -> bool {
-    let ends = [" is ", " are "].map(|verb| text.rfind(verb).map(|at| at + verb.len()));
+    let ends = PREDICATES.map(|verb| text.rfind(verb).map(|at| at + verb.len()));
     let Some(end) = ends.into_iter().flatten().max() else {
         return false;
     };
@@ -66,12 +76,12 @@ fn leaves_its_condition(text: &str) -> bool {
     let Some((_, trailing)) = text.rsplit_once('⟩') else {
         return false;
     };
-    let predicate = [" is ", " are "];
     let weak = [" with ", " for ", " if ", " when "];
     let says_again = [" that is ", " which is "];
-    predicate.iter().any(|verb| trailing.ends_with(verb))
+    PREDICATES.iter().any(|verb| trailing.ends_with(verb))
         && !says_again.iter().any(|words| trailing.ends_with(words))
         && has_any(text, &weak)
+        && !Words::new(trailing.to_owned()).has(Kind::Suppose)
 }
 
 /// Whether a text before a comma ends with a condition: "with ⟨B = 2A⟩", "with ⟨B = 2A⟩ and all else the same".
@@ -128,7 +138,7 @@ impl Words {
     }
 
     fn role_of_clauses(self) -> Role {
-        let mut words = self;
+        let mut words = self.without_attributes();
         if words.has(Kind::Longer) {
             let mut text = words.text;
             for (phrase, word) in SHORTER {
@@ -168,6 +178,26 @@ impl Words {
         } else {
             role
         }
+    }
+
+    /// "For a given ⟨L⟩ the energy is": there it is an attribute, and hands nothing over.
+    fn without_attributes(self) -> Self {
+        let words: Vec<&str> = self.text.split_whitespace().collect();
+        let attribute = |pair: &[&str]| {
+            pair[1] == "given" && ["a", "any", "each", "for", "at", "of"].contains(&pair[0])
+        };
+        // The last word hands over what stands behind it.
+        let inner = &words[..words.len().saturating_sub(1)];
+        if !inner.windows(2).any(attribute) {
+            return self;
+        }
+        let mut kept = words.clone();
+        for (at, pair) in inner.windows(2).enumerate() {
+            if attribute(pair) {
+                kept[at + 1] = "_";
+            }
+        }
+        Self::new(format!(" {} ", kept.join(" ")))
     }
 
     /// Whether a role hangs on one of them; else what follows is claimed, and neither derived nor assumed.
@@ -366,6 +396,12 @@ mod tests {
             ("With ⟨s = 0⟩ the rate of the spin is", Role::Claim),
             ("The rule for ⟨s⟩ is s ⟨⟩ t ⟨⟩. u ⟨⟩", Role::Claim),
             ("For ⟨s⟩ the rate is ⟨⟩. Now assume", Role::Assume),
+            ("For a given ⟨L⟩ the energy satisfies", Role::Claim),
+            ("At given ⟨L⟩ the energy obeys", Role::Claim),
+            ("For ⟨L⟩ the energy obeys", Role::Claim),
+            ("With ⟨s⟩ suppose the rate satisfies", Role::Assume),
+            ("The rates are given:", Role::Given),
+            ("For given", Role::Given),
         ];
         for (sentence, expected) in cases {
             assert_eq!(Words::of(sentence).role(sentence), expected, "{sentence}");

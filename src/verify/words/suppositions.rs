@@ -182,3 +182,43 @@ pub(crate) fn is_denied(text: &str, at: usize, end: usize) -> bool {
     let clause = &text[before..behind];
     NOT_SO.is_in(&clause.replace(&text[at..end], ""))
 }
+
+/// What comes before axes that a law holds on, or that the author does not take.
+static ELSEWHERE: LazyLock<Book> = LazyLock::new(|| {
+    let law = ["equations ", "equation ", "law ", "they ", "it ", "which "];
+    let holds = [
+        "assume",
+        "assumes",
+        "require",
+        "requires",
+        "need",
+        "needs",
+        "presuppose",
+        "presupposes",
+        "hold only",
+        "holds only",
+        "hold for",
+        "hold in",
+        "holds for",
+        "holds in",
+        "apply to",
+        "apply in",
+        "are valid",
+        "is valid",
+        "are written for",
+        "are written in",
+    ];
+    let said = law
+        .iter()
+        .flat_map(|law| holds.map(|holds| format!("{law}{holds}")));
+    let others = ["instead of", "rather than", "unlike", "in contrast"].map(str::to_owned);
+    Book::of(said.chain(others))
+});
+
+/// Whether a phrase in a text in small letters tells on which axes a law holds: the author need not take those.
+pub(crate) fn is_of_a_law(text: &str, at: usize) -> bool {
+    let clause = text[..at]
+        .rfind(['.', ';', '!', '?', ':'])
+        .map_or(0, |i| i + 1);
+    ELSEWHERE.is_in(&text[clause..at])
+}
