@@ -63,3 +63,25 @@ fn a_complex_rate_turns_from_its_value_at_the_beginning() {
     assert_ne!(turned("-"), Some('a'));
     assert_eq!(turned(""), Some('a'));
 }
+
+#[test]
+fn what_a_deviation_grows_by_is_what_the_motion_says() {
+    let document = |square: &str| {
+        format!(
+            r"The principal moments are $I_1$, $I_2$ and $I_3$. No moment acts about the centre of mass. Put
+
+$$ \omega_1 = \varepsilon_1, \qquad \omega_2 = \Omega, \qquad \omega_3 = \varepsilon_3 $$
+
+with small $\varepsilon_1$, $\varepsilon_3$, of which we keep the first order only; then $\Omega$ is constant. Elimination leads to
+
+$$ \ddot\varepsilon_1 = \kappa^2\,\varepsilon_1, $$
+
+where
+
+$$ \kappa^2 = \frac{{(I_3 - I_2)({square})}}{{I_1 I_3}}\,\Omega^2 $$
+"
+        )
+    };
+    assert_eq!(verdicts(&document("I_2 - I_1")), "aaapp");
+    assert!(!verdicts(&document("I_1 - I_2")).ends_with(['p', 'a']));
+}

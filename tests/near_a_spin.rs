@@ -55,3 +55,68 @@ $$ \ddot\omega_1 = -\frac{{[(J_3 - J_2)\,n + h][(J_3 - J_1)\,n + h]}}{{ {last} }
     // Exactly, one of the two rates vanishes, or the body is symmetric: nothing says which.
     assert_eq!(text("known", "J_1^2"), "aaaapu");
 }
+
+#[test]
+fn what_disturbs_a_spin_is_small_and_so_in_the_next_case() {
+    let document = |second: &str| {
+        format!(
+            r"No torque acts. The principal moments are $I_1$, $I_2$ and $I_3$.
+
+## Rotation about axis 3
+
+The body spins with the constant rate $\Omega$ and is disturbed a little,
+
+$$ \omega_1 = \varepsilon_1, \qquad \omega_2 = \varepsilon_2, \qquad \omega_3 = \Omega + \varepsilon_3. $$
+
+Then
+
+$$ \dot\varepsilon_1 = \frac{{I_2 - I_3}}{{I_1}}\Omega\varepsilon_2, \qquad \dot\varepsilon_3 = 0. $$
+
+## Rotation about axis 2
+
+Now the large component is the second one,
+
+$$ \omega_1 = \eta_1, \qquad \omega_2 = \Omega + \eta_2, \qquad \omega_3 = \eta_3. $$
+
+The linear equations are
+
+$$ \dot\eta_1 = \frac{{I_2 - I_3}}{{I_1}}\Omega\eta_3, \qquad \dot\eta_3 = \frac{{{second}}}{{I_3}}\Omega\eta_1. $$
+"
+        )
+    };
+    assert_eq!(verdicts(&document("I_1 - I_2")), "aaappaaapp");
+    assert_eq!(verdicts(&document("I_2 - I_1")), "aaappaaapr");
+}
+
+#[test]
+fn a_case_that_says_again_what_the_one_before_did_keeps_to_it() {
+    let text = r"Free rotation. The principal moments are $I_1$, $I_2$, $I_3$.
+
+*(a) Spin about the middle axis.* Let $\omega_1 = \varepsilon_1$, $\omega_2 = \Omega$, $\omega_3 = \varepsilon_3$, with small $\varepsilon_1, \varepsilon_3$. To first order $\Omega$ is constant, and
+
+$$ I_1\dot\varepsilon_1 = (I_2 - I_3)\,\Omega\,\varepsilon_3. $$
+
+*(b) Spin about axis 3.* Now let $\omega_1 = \varepsilon_1$, $\omega_2 = \varepsilon_2$, $\omega_3 = \Omega$. In the same way
+
+$$ I_1\dot\varepsilon_1 = (I_2 - I_3)\,\Omega\,\varepsilon_2. $$
+";
+    assert_eq!(verdicts(text), "aaapaaap");
+}
+
+#[test]
+fn the_rate_of_the_spin_makes_no_moments_equal() {
+    let document = |rate: &str| {
+        format!(
+            r"No torque acts. The principal moments are $I_1$, $I_2$ and $I_3$. Put
+
+$$ \omega_1 = \varepsilon_1, \qquad \omega_2 = \Omega, \qquad \omega_3 = \varepsilon_3 $$
+
+with small $\varepsilon_1$, $\varepsilon_3$, of which we keep the first order only; then $\Omega$ is constant. So
+
+$$ I_3\dot\varepsilon_3 = {rate}\,\Omega\,\varepsilon_1. $$
+"
+        )
+    };
+    assert_eq!(verdicts(&document("(I_1 - I_2)")), "aaap");
+    assert_eq!(verdicts(&document("(I_3 - I_2)")), "aaar");
+}

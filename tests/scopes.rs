@@ -238,3 +238,19 @@ fn the_semi_axes_are_those_of_the_surface_above() {
     assert_eq!(axes(r"a_1 = \sqrt{2T/I_2}"), "pu");
     assert_eq!(axes(r"a_1 = \sqrt{2T I_1}"), "pu");
 }
+
+#[test]
+fn a_weight_without_a_moment_leaves_a_flying_body_free() {
+    let text = |words: &str| {
+        format!(
+            "{words}\n\n$$ \\left(\\frac{{d\\mathbf L}}{{dt}}\\right)_{{body}} = -\\boldsymbol\\omega\\times\\mathbf L $$\n"
+        )
+    };
+    let free = "In the air the weight has no moment about the centre of mass.";
+    assert_eq!(verdicts(&text(free)), "p");
+    let drag =
+        "In the air the weight has no moment about the centre of mass, but the drag has one.";
+    assert_ne!(verdicts(&text(drag)), "p");
+    let held = "On the bar the weight has no moment about the vertical axis.";
+    assert_ne!(verdicts(&text(held)), "p");
+}

@@ -57,8 +57,7 @@ impl Checker<'_> {
             .filter(|premise| premise.residuals.iter().any(turns))
             .map(|premise| premise.name.clone())
             .collect();
-        self.scopes.retain(|(name, _)| !ended.contains(name));
-        self.theory.retain(|premise| !ended.contains(&premise.name));
+        self.end_premises(&ended);
     }
 
     /// Whether a letter has components of both names, two of each at the least.

@@ -101,12 +101,13 @@ impl Checker<'_> {
             let left: Option<Vec<Variable>> = left.map(Fraction::as_variable).collect();
             self.mark_rest(&name, &left.unwrap_or_default(), &last.right.entries);
         }
-        match self.theory.assume(Premise {
+        let premise = Premise {
             name: name.clone(),
-            residuals,
+            residuals: residuals.clone(),
             preferred,
             definition,
-        }) {
+        };
+        match self.theory.assume(premise) {
             Taken::Contradiction if self.fits_rounded(sides, finding) => {}
             Taken::Contradiction => {
                 finding.verdict = Verdict::Refuted;
@@ -114,7 +115,10 @@ impl Checker<'_> {
                     Some("nothing satisfies this together with what stands before".to_owned());
                 finding.residual = self.residual(&read);
             }
-            Taken::Known => finding.verdict = Verdict::Accepted,
+            Taken::Known => {
+                finding.verdict = Verdict::Accepted;
+                self.suppose_again(&residuals);
+            }
             Taken::Solved | Taken::Kept => {
                 finding.verdict = Verdict::Accepted;
                 self.keep(&name, definition);

@@ -34,6 +34,8 @@ pub(crate) struct Cases {
     named: BTreeMap<Name, u32>,
     /// In which section and case the axes, which turn at a rate of their own elsewhere, were attached to the body.
     attached: Option<(u32, u32)>,
+    /// Whether a spin was disturbed before, as it may be in each case.
+    pub disturbed: bool,
 }
 
 /// Words that turn to another case.
@@ -60,17 +62,6 @@ impl Cases {
     }
 }
 
-/// Words for what ends with no section.
-const ONWARDS: &[&str] = &[
-    "from here on",
-    "from now on",
-    "henceforth",
-    "throughout",
-    "in all that follows",
-    "in everything that follows",
-    "for the rest of",
-];
-
 impl Checker<'_> {
     /// A heading ends the assumptions made under headings of its level and below; the title of a paragraph opens a case.
     pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {
@@ -94,10 +85,7 @@ impl Checker<'_> {
         let inner = self.scopes.iter().filter(|(_, l)| *l >= level);
         let mut ended: BTreeSet<String> = inner.map(|(name, _)| name.clone()).collect();
         ended.retain(|name| !self.outlasts(name, span));
-        self.scopes.retain(|(name, _)| !ended.contains(name));
-        if !ended.is_empty() {
-            self.theory.retain(|premise| !ended.contains(&premise.name));
-        }
+        self.end_premises(&ended);
         self.level = level;
         self.end_small_turns();
         self.end_orders(level);
@@ -108,6 +96,7 @@ impl Checker<'_> {
         self.cases.section = before.section + 1;
         self.cases.named = before.named;
         self.cases.attached = before.attached;
+        self.cases.disturbed = before.disturbed;
         self.sought = None;
     }
 
@@ -136,13 +125,6 @@ impl Checker<'_> {
         }
     }
 
-    /// Keeps a premise of the document to the end of its section; definitions stay, and what holds "from here on".
-    pub(crate) fn keep(&mut self, name: &str, definition: bool) {
-        let lasts = definition || has_any(&lowered(&self.sentence), ONWARDS);
-        let level = if lasts { 0 } else { self.level };
-        self.scopes.push((name.to_owned(), level));
-    }
-
     /// Notes in which case an assumption was made, or what a sentence gives in passing.
     pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
         if role == Role::Assume || role == Role::Given && !self.displayed {
@@ -152,16 +134,23 @@ impl Checker<'_> {
         }
     }
 
+    /// Notes that what an earlier case supposed is supposed in this one too.
+    pub(crate) fn suppose_again(&mut self, residuals: &[Fraction]) {
+        let premises = self.theory.premises().iter();
+        for premise in premises.filter(|p| p.residuals == residuals) {
+            if let Some(case) = self.cases.kept.get_mut(&premise.name) {
+                *case = self.cases.now;
+            }
+        }
+    }
+
     /// Ends what an earlier section says of another component by the same symbol: a spin n about axis 3, now about axis 1.
     pub(crate) fn pass_name_on(&mut self, sides: &[Node], name: &str) {
         let section = self.cases.section;
         let ended = self.names_of_siblings(sides).into_iter();
         let earlier = |name: &Name| self.cases.named.get(name).is_some_and(|&s| s < section);
         let ended: BTreeSet<Name> = ended.filter(earlier).collect();
-        if !ended.is_empty() {
-            self.scopes.retain(|(name, _)| !ended.contains(name));
-            self.theory.retain(|premise| !ended.contains(&premise.name));
-        }
+        self.end_premises(&ended);
         self.cases.named.insert(name.to_owned(), section);
     }
 
@@ -271,15 +260,25 @@ impl Checker<'_> {
         if !meets && !passed_on || role != Role::Assume && !self.contradicts(sides) {
             return;
         }
-        if passed_on {
-            self.small_across(first);
-        }
         let kept = self.cases.kept.iter();
         let before = kept.filter(|&(_, &case)| case < self.cases.now);
         let ended: BTreeSet<Name> = before.map(|(name, _)| name.clone()).collect();
+        if passed_on {
+            self.small_across(first);
+        } else if self.set_the_spin(&ended) {
+            self.end_spin();
+        }
         self.cases.kept.retain(|name, _| !ended.contains(name));
-        self.scopes.retain(|(name, _)| !ended.contains(name));
-        self.theory.retain(|premise| !ended.contains(&premise.name));
+        self.end_premises(&ended);
+    }
+
+    /// Whether premises say what a component of ω is.
+    fn set_the_spin(&mut self, names: &BTreeSet<Name>) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let of_omega = |&v: &Variable| self.theory.atoms.entity_of(v) == Some(omega);
+        let premises = self.theory.premises().iter();
+        let mut ended = premises.filter(|p| names.contains(&p.name));
+        ended.any(|p| p.preferred.iter().any(of_omega))
     }
 
     /// Whether an assumption of an earlier case said what a lone symbol is.
@@ -346,8 +345,7 @@ impl Checker<'_> {
             }
             self.end_spin();
             self.cases.set.remove(&premise.name);
-            self.scopes.retain(|(name, _)| *name != premise.name);
-            self.theory.retain(|kept| kept.name != premise.name);
+            self.end_premises(&BTreeSet::from([premise.name]));
         }
     }
 
@@ -358,6 +356,7 @@ impl Checker<'_> {
             && let Meaning::Component(_, axis) = self.meaning_of(symbol)
             && self.small_turns.len() == 2
         {
+            self.oscillation = None;
             self.small_turns = (0..3).filter(|&c| c != axis).collect();
             self.theory.set(|setting| setting.dropped_axis = None);
         }

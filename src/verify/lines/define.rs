@@ -78,7 +78,8 @@ impl Checker<'_> {
             let number = symbols(right).is_empty();
             let derived = self.asserted && !number && self.known.contains(&entity)
                 || self.obtained && is_zero(right)
-                || self.runs_in_a_circle(left, &sides[1..]);
+                || self.runs_in_a_circle(left, &sides[1..])
+                || self.is_tied_by_square(left);
             if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
                 *finding = tried;
                 return true;

@@ -83,6 +83,11 @@ impl Checker<'_> {
         !self.doubts.symbols.is_empty() || self.doubts.setting.is_some()
     }
 
+    pub(crate) fn leave_in_doubt(&mut self, symbol: Variable) {
+        let entity = self.theory.atoms.entity_of(symbol);
+        self.doubts.symbols.extend(entity);
+    }
+
     /// Whether a line that was left open speaks of an entity.
     pub(crate) fn is_in_doubt(&self, entity: Entity) -> bool {
         self.doubts.symbols.contains(&entity)

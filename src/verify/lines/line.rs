@@ -183,13 +183,17 @@ impl Checker<'_> {
         self.note_other_energy(&sides, role);
         self.note_libration(&sides);
         let role = self.role_by_content(role, &sides);
-        finding.role = role;
         if role == Role::Claim && self.names_a_moment(&sides) {
             finding.verdict = Verdict::Accepted;
             finding.role = Role::Given;
             finding.remarks.push(reason::NAMES_A_MOMENT.to_owned());
             return;
         }
+        let role = match self.is_disturbance(&sides) {
+            true => Role::Assume,
+            false => role,
+        };
+        finding.role = role;
         self.turn_to_case(&sides, role);
         if role == Role::Claim {
             self.take_pendulum(&sides);

@@ -1,6 +1,7 @@
 //! The compound pendulum: `I_O\ddot\theta = -mgd\sin\theta` for a body that swings about a fixed horizontal axis, with θ
 //! from the vertical and d from the axis to the mass centre.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -11,6 +12,7 @@ use crate::verify::lines::points::Law;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::has_any;
+use num_traits::Zero;
 
 /// The name of the law.
 pub(crate) const LAW: &str = "the weight about the axis";
@@ -111,7 +113,34 @@ impl Checker<'_> {
         if sides.len() != 2 || !self.is_new(&squared) {
             return None;
         }
-        self.frequency_of_swings(&squared, &swung)
+        let law = self.frequency_of_swings(&squared, &swung)?;
+        match self.grows_in_equation(sides, &squared, &swung) {
+            true => Some(law.negated()),
+            false => Some(law),
+        }
+    }
+
+    /// Whether a line has ẍ = κ²x, of which the solutions grow.
+    fn grows_in_equation(&mut self, sides: &[Node], squared: &Symbol, swung: &Symbol) -> bool {
+        let [left, right] = sides else { return false };
+        let (Some(rate), Some(x)) = (self.entity_named(squared), self.entity_named(swung)) else {
+            return false;
+        };
+        let mut lowering = self.lowering(Frame::Moving);
+        let (Some(left), Some(right)) = (lowering.scalar(left), lowering.scalar(right)) else {
+            return false;
+        };
+        let rest = left - right;
+        let rest = rest.numerator();
+        let [rate, own] = [rate, x].map(|e| self.theory.atoms.part(e, 0, 0));
+        let second = self.theory.atoms.part(x, 0, 2);
+        let inertia = Fraction::from(rest.coefficient_of(second, 1));
+        let spring = Fraction::from(rest.coefficient_of(rate, 2).coefficient_of(own, 1));
+        if inertia.is_zero() {
+            return false;
+        }
+        let ratio = (spring / inertia).to_rational();
+        ratio.is_some_and(|ratio| ratio < 0.into())
     }
 }
 

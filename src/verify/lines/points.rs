@@ -48,6 +48,12 @@ impl Law {
         Self { said: true, ..self }
     }
 
+    /// The same with the value's sign turned round.
+    pub(crate) fn negated(self) -> Self {
+        let value = self.value.negated();
+        Self { value, ..self }
+    }
+
     /// The same, where the value is that of the entity's square.
     pub(crate) fn squared(self) -> Self {
         Self { power: 2, ..self }

@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols, undotted};
+use crate::verify::lines::defined_squares::is_two;
 use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
@@ -66,6 +67,14 @@ impl Checker<'_> {
             return Role::Claim;
         }
         if role == Role::Define && self.runs_in_a_circle(left, rest) {
+            return Role::Claim;
+        }
+        // What a law says of a frequency is no matter of definition.
+        let base = match &inner(left).kind {
+            Kind::Power(base, two) if is_two(two) => base,
+            _ => left,
+        };
+        if role == Role::Define && self.is_tied_by_square(base) {
             return Role::Claim;
         }
         // A sum that vanishes says of nothing new what it is.

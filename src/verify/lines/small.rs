@@ -134,8 +134,8 @@ impl Checker<'_> {
             && entity == self.theory.atoms.quantity(Quantity::AngularVelocity)
         {
             self.small_turns.insert(component);
-            self.drop_second_order();
         }
+        self.drop_second_order();
     }
 
     /// Supposes that a component of ω keeps its value, where its rate is of second order in the other two: the equation
@@ -184,14 +184,24 @@ impl Checker<'_> {
                 self.small_turns.insert(component);
             }
         }
+        // Where the body spins about another axis now, that one is not small any more.
+        if self.small_turns.len() == 3 {
+            for component in 0..3 {
+                let value = self.theory.atoms.value(omega, component, 0);
+                let normal = self.theory.normal(&value);
+                if normal != value && !self.has_small(&normal) {
+                    self.small_turns.remove(&component);
+                }
+            }
+        }
         let mut large = (0..3).filter(|c| !self.small_turns.contains(c));
         let (1, Some(axis)) = (large.clone().count(), large.next()) else {
             return;
         };
         let value = self.theory.atoms.value(omega, axis, 0);
-        let given = value
-            .as_variable()
-            .is_some_and(|v| self.theory.rule(v).is_some());
+        // A deviation in it has an equation of its own.
+        let normal = self.theory.normal(&value);
+        let given = normal != value && !self.has_small(&normal);
         if given && self.theory.setting.dropped_axis != Some(axis) {
             self.theory.set(|setting| setting.dropped_axis = Some(axis));
         }
@@ -215,6 +225,7 @@ impl Checker<'_> {
 
     /// Forgets which component was the spin, as the body turns about another axis.
     pub(crate) fn end_spin(&mut self) {
+        self.oscillation = None;
         self.small_turns.clear();
         if self.theory.setting.dropped_axis.is_some() {
             self.theory.set(|setting| setting.dropped_axis = None);
@@ -327,7 +338,7 @@ impl Checker<'_> {
         }
     }
 
-    fn has_small(&self, entry: &Fraction) -> bool {
+    pub(crate) fn has_small(&self, entry: &Fraction) -> bool {
         let mut inside = entry
             .variables()
             .into_iter()

@@ -57,8 +57,7 @@ impl Checker<'_> {
             return false;
         }
         self.steps.clear();
-        self.scopes.retain(|(name, _)| !ended.contains(name));
-        self.theory.retain(|premise| !ended.contains(&premise.name));
+        self.end_premises(&ended);
         self.accept_definition(sides, finding)
     }
 

@@ -169,7 +169,16 @@ impl Theory {
     /// A variable of a residual in which it is linear, and its value.
     fn solution(&self, residual: &Fraction, premise: &Premise) -> Option<(Variable, Fraction)> {
         let polynomial = residual.numerator();
-        let candidates = polynomial.variables().into_iter().filter_map(|variable| {
+        // Of κ² = … the body does not follow, which κ is made of.
+        let squared = |v: &Variable| polynomial.degree_in(*v) > 1;
+        let of_body = |v: &Variable| {
+            let owner = self.atoms.owner(*v);
+            matches!(owner, Some(Owner::Quantity(Quantity::Inertia, _)))
+        };
+        let squared = premise.definition && premise.preferred.iter().any(squared);
+        let variables = polynomial.variables().into_iter();
+        let variables = variables.filter(|v| !squared || !of_body(v));
+        let candidates = variables.filter_map(|variable| {
             let score = self.solvable(polynomial, variable)?;
             let wanted = match premise.preferred.contains(&variable) {
                 // A definition says what its symbol is, and nothing of what that is made of.
@@ -354,13 +363,15 @@ impl Theory {
     }
 }
 
-/// Whether a rate of turning is a factor of a polynomial.
+/// Whether a rate of turning is a factor of a polynomial, or a symbol of the document that moves.
 fn vanishing_with_a_rate(atoms: &Atoms, polynomial: &Polynomial) -> bool {
-    let turns = |v: Variable| {
-        matches!(
-            atoms.owner(v),
-            Some(Owner::Quantity(Quantity::AngularVelocity, _))
-        )
+    let turns = |v: Variable| match atoms.owner(v) {
+        Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::AngularVelocity,
+        Some(Owner::Symbol(_)) => {
+            let entity = atoms.entity_of(v);
+            entity.is_some_and(|entity| !atoms.info(entity).constant)
+        }
+        None => false,
     };
     polynomial
         .common_monomial()

@@ -124,8 +124,15 @@ const HAS: &[&str] = &[
     "has", "exerts", "gives", "makes", "produces", "have", "exert",
 ];
 const ALOFT: &[&str] = &[
-    "air", "flight", "flies", "flying", "airborne", "aloft", "falls", "falling", "thrown", "fall",
+    "in the air",
+    "in flight",
+    "airborne",
+    "aloft",
+    "in free fall",
+    "freely falling",
 ];
+/// What may yet have one.
+const OTHER_LOADS: &[&str] = &["but ", "except", "resistance", "drag", "only", "axes"];
 
 const THERE: &[&str] = &["is no ", "are no ", "with no "];
 
@@ -205,7 +212,10 @@ fn weight_has_no_moment(text: &str) -> bool {
         let none = threes.any(|three| {
             matches!(three, [verb, "no", thing] if HAS.contains(verb) && THINGS.contains(thing))
         });
-        none && has(&["weight", "gravity"]) && has(ALOFT) && !has(AXES) && !has(&["axes"])
+        none && has(&["weight", "gravity"])
+            && has_any(clause, ALOFT)
+            && !has(AXES)
+            && !has_any(clause, OTHER_LOADS)
     })
 }
 

@@ -1,0 +1,67 @@
+//! Deviations from a spin, by their indices: "the spin is disturbed a little, ⟨ω_1 = ε_1⟩, ⟨ω_2 = ε_2⟩, ⟨ω_3 = Ω + ε_3⟩".
+
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::check::Checker;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
+use crate::verify::words::book::{has_any, lowered};
+
+const DISTURBED: &[&str] = &[
+    "disturb",
+    "perturb",
+    "deviat",
+    "slightly",
+    "a little",
+    "small departure",
+    "not quite",
+];
+
+impl Checker<'_> {
+    /// Whether a line says what a component of ω deviates by, where words tell of a disturbance; this is small then.
+    pub(crate) fn is_disturbance(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(rate) = &inner(left).kind else {
+            return false;
+        };
+        let Meaning::Component(entity, _) = self.meaning_of(rate) else {
+            return false;
+        };
+        let of_omega = entity == self.theory.atoms.quantity(Quantity::AngularVelocity);
+        if !of_omega || !self.cases.disturbed && !has_any(&lowered(&self.sentence), DISTURBED) {
+            return false;
+        }
+        let deviation = match &inner(right).kind {
+            Kind::Symbol(symbol) => Some(symbol).filter(|s| self.is_indexed_like(s, rate, 1)),
+            Kind::Sum(terms) => {
+                let mut terms = terms.iter().filter_map(|term| match &term.node.kind {
+                    Kind::Symbol(symbol) => Some(symbol),
+                    _ => None,
+                });
+                terms.find(|s| self.is_indexed_like(s, rate, 2))
+            }
+            _ => None,
+        };
+        let deviation = deviation.and_then(|symbol| self.entity_named(symbol));
+        let Some(deviation) =
+            deviation.filter(|d| self.small.contains(d) || !self.known.contains(d))
+        else {
+            return false;
+        };
+        self.small.insert(deviation);
+        self.linear = true;
+        self.cases.disturbed = true;
+        true
+    }
+
+    /// Whether a symbol has the index of a component of ω, and its letter so many others as well.
+    fn is_indexed_like(&self, symbol: &Symbol, rate: &Symbol, others: usize) -> bool {
+        let letter = Letter::of(symbol);
+        let axes = ["1", "2", "3", "x", "y", "z"].into_iter();
+        let met = axes.filter(|axis| self.reading.usage.has_index(&letter, axis));
+        letter != Letter::of(rate)
+            && symbol.subscripts.len() == 1
+            && symbol.subscripts == rate.subscripts
+            && met.count() > others
+    }
+}

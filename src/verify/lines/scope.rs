@@ -1,0 +1,42 @@
+//! How long premises hold: to the end of their section, or from where they are made onwards.
+
+use crate::verify::check::Checker;
+use crate::verify::lines::laws_in_words::is_of_swings;
+use crate::verify::theory::Name;
+use crate::verify::words::book::{has_any, lowered};
+use std::collections::BTreeSet;
+
+/// Words for what ends with no section.
+const ONWARDS: &[&str] = &[
+    "from here on",
+    "from now on",
+    "henceforth",
+    "throughout",
+    "in all that follows",
+    "in everything that follows",
+    "for the rest of",
+];
+
+impl Checker<'_> {
+    /// Keeps a premise of the document to the end of its section; definitions stay, and what holds "from here on".
+    pub(crate) fn keep(&mut self, name: &str, definition: bool) {
+        let lasts = definition || has_any(&lowered(&self.sentence), ONWARDS);
+        let level = if lasts { 0 } else { self.level };
+        self.scopes.push((name.to_owned(), level));
+    }
+
+    /// Ends premises. What a frequency was in a motion that is over leaves its symbol in doubt.
+    pub(crate) fn end_premises(&mut self, ended: &BTreeSet<Name>) {
+        if ended.is_empty() {
+            return;
+        }
+        let premises = self.theory.premises().iter();
+        let laws = premises.filter(|p| ended.contains(&p.name) && is_of_swings(&p.name));
+        let frequencies: Vec<_> = laws.flat_map(|p| p.preferred.clone()).collect();
+        for frequency in frequencies {
+            self.leave_in_doubt(frequency);
+        }
+        self.scopes.retain(|(name, _)| !ended.contains(name));
+        self.theory.retain(|premise| !ended.contains(&premise.name));
+    }
+}
