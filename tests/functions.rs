@@ -163,3 +163,18 @@ fn a_function_of_the_momentum_is_derived_in_it() {
     assert_eq!(verdicts(&text("-")), "pap");
     assert_eq!(verdicts(&text("+")), "par");
 }
+
+#[test]
+fn a_derivative_in_the_momentum_goes_by_the_angular_velocity() {
+    let text = r"A rigid body has the energy $T = \frac12\boldsymbol\omega\cdot\mathbf L$ and principal moments $I_1$, $I_2$, $I_3$.
+
+$$ \frac{\partial T}{\partial L_1} = \frac{L_1}{I_1} = \omega_1 $$
+
+$$ \frac{\partial T}{\partial L_2} = \frac{L_2}{2I_2} $$
+
+$$ \frac{\partial T}{\partial\mathbf L} = \boldsymbol\omega $$
+
+$$ \frac{\partial\boldsymbol\omega}{\partial\mathbf L} = \mathbf I^{-1} $$
+";
+    assert_eq!(verdicts(text), "pprpp");
+}

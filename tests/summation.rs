@@ -86,3 +86,22 @@ fn too_many_indices_are_left_as_they_are() {
         format!("We sum over repeated indices.\n\n$$ {many} = 0 $$\n\n$$ v_{{ijklmn}} = 1 $$\n");
     assert_eq!(verdicts(&text).len(), 2);
 }
+
+#[test]
+fn from_the_mass_centre_the_first_moment_of_the_mass_is_zero() {
+    let integrals = |words: &str, letter: &str| {
+        verdicts(&format!(
+            "{words}\n\n$$ \\int{letter}\\,dm = 0 $$\n\n\
+             $$ \\int(\\mathbf v_C + \\boldsymbol\\omega\\times{letter})\\,dm = m\\,\\mathbf v_C $$\n"
+        ))
+    };
+    let centre = "The body has its centre of mass $C$. A particle has the position vector $\\mathbf r$ from $C$.";
+    assert_eq!(integrals(centre, "\\mathbf r"), "pp");
+    let other =
+        "Let $C$ be the mass centre. The vector $\\boldsymbol\\rho$ from $C$ leads to a particle.";
+    assert_eq!(integrals(other, "\\boldsymbol\\rho"), "pp");
+    let fixed = "The body has its centre of mass $C$. A particle has the position vector $\\mathbf r$ from $O$.";
+    assert_eq!(integrals(fixed, "\\mathbf r"), "uu");
+    // The velocity of a particle is its own.
+    assert_eq!(integrals(centre, "\\mathbf r\\times\\mathbf v"), "uu");
+}

@@ -2,15 +2,18 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::letters::particles::place_among;
+use crate::verify::letters::particles::{PLACES, place_among};
 use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
-use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, constant, trouble};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use num_traits::Zero;
+
+/// Labels of what belongs to the body as a whole: the velocity of its mass centre or of a point that is held.
+const FIXED_POINTS: [&str; 7] = ["G", "C", "S", "O", "cm", "CM", "0"];
 
 impl Lowering<'_> {
     /// ∫ f dm for f quadratic in the coordinates x, y, z of the body.
@@ -30,6 +33,8 @@ impl Lowering<'_> {
         let mut coordinates = vec![];
         if value.entries.iter().any(by_arm) {
             coordinates.extend(arm);
+        } else if let Some(place) = self.place_in(integrand) {
+            coordinates.extend(place);
         } else {
             let usage = &self.reading.usage;
             let numbered = ["x", "r"].into_iter().find(|name| {
@@ -123,6 +128,20 @@ impl Lowering<'_> {
         }))
     }
 
+    /// The components of the vector that is the place of a particle in an integrand.
+    fn place_in(&mut self, integrand: &Node) -> Option<Vec<u32>> {
+        let place = |s: &&Symbol| {
+            s.style.vector && s.subscripts.is_empty() && PLACES.contains(&s.name.as_str())
+        };
+        let symbol = symbols(integrand).into_iter().find(place)?;
+        let place = self.value(&Node {
+            kind: Kind::Symbol(symbol.clone()),
+            span: integrand.span,
+        });
+        let place = place.ok().filter(Value::is_vector)?;
+        place.entries.iter().map(Fraction::as_variable).collect()
+    }
+
     /// The variable of a plain letter, or of one with an index.
     fn letter(
         &mut self,
@@ -149,8 +168,8 @@ impl Lowering<'_> {
         })
     }
 
-    /// The integral of a quadratic form in the coordinates, in terms of the inertia tensor. Measured from the mass centre,
-    /// what is linear in them adds up to nothing.
+    /// The integral of a polynomial of the second degree in the coordinates, in terms of the inertia tensor. Measured from
+    /// the mass centre, what is linear in them adds up to nothing.
     pub(crate) fn moment_of(&mut self, entry: &Fraction, coordinates: &[u32]) -> Option<Fraction> {
         let second = self.second_moments();
         let mut rest: Polynomial = entry.numerator().clone();
@@ -180,15 +199,44 @@ impl Lowering<'_> {
                 sum += Fraction::from(part) * second[a][b].clone();
             }
         }
+        // What does not change over the body has the whole mass as its factor.
+        let fixed = coordinates
+            .iter()
+            .fold(rest.clone(), |rest, &u| rest.coefficient_of(u, 0));
+        if !fixed.is_zero() && self.is_of_whole_body(&fixed) {
+            let mass = self.theory.atoms.quantity(Quantity::Mass);
+            let mass = variable_fraction(self.theory.atoms.part(mass, 0, 0));
+            rest -= fixed.clone();
+            sum += Fraction::from(fixed) * mass;
+        }
         if self.reading.measures_from_centre {
             for &u in coordinates {
                 let part = rest.coefficient_of(u, 1);
-                if !part.variables().iter().any(|v| coordinates.contains(v)) {
+                if self.is_of_whole_body(&part) {
                     rest -= part * Polynomial::variable(u);
                 }
             }
         }
         rest.is_zero().then(|| sum / below)
+    }
+
+    /// Whether a factor is the same all over the body: no place or velocity of a particle is in it.
+    fn is_of_whole_body(&self, factor: &Polynomial) -> bool {
+        use Quantity::{Acceleration, Force, Position, Velocity};
+        let variables = factor.variables();
+        let all = variables
+            .iter()
+            .flat_map(|&v| self.theory.atoms.with_arguments(v));
+        let mut owners = all.map(|v| self.theory.atoms.owner(v));
+        owners.all(|owner| match owner {
+            Some(Owner::Quantity(Position | Velocity | Acceleration | Force, label)) => {
+                FIXED_POINTS.contains(&label.as_str())
+            }
+            Some(Owner::Quantity(..)) => true,
+            // A letter of the document may be a distance, which each particle has its own of.
+            Some(Owner::Symbol(key)) => key.split(' ').any(|part| FIXED_POINTS.contains(&part)),
+            None => false,
+        })
     }
 
     /// ∫ x_a x_b dm from the tensor: J = ½ tr(I) 1 − I, with I the tensor of the equations.

@@ -161,7 +161,7 @@ impl Lowering<'_> {
                 let jacobian = match free {
                     true => Some(self.jacobian(&value, &places)),
                     false if stands => self.slope_as_written(&value, &by, &places).map(Some),
-                    false => None,
+                    false => self.slope_in_momentum(&value, &places).map(Some),
                 };
                 jacobian.ok_or(
                     "this symbol is determined by others; the derivative in it is not defined here",

@@ -7,6 +7,7 @@ use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::{Lowering, substituted};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
+use num_traits::Zero;
 
 impl Lowering<'_> {
     /// Whether the bare letter that a derivative is taken in is not what the same letter with an index is made of: the ω
@@ -98,5 +99,38 @@ impl Lowering<'_> {
         let jacobian = self.jacobian(&value, &free)?;
         let back = |v: u32| image(&free, places, v);
         Some(jacobian.map(|entry| substituted(entry, &back)))
+    }
+
+    /// The derivative in components of the angular momentum, the others held fixed, of what is known by the angular
+    /// velocity: ∂f/∂L = (∂f/∂ω)(∂L/∂ω)⁻¹. `None` where the motion is not free, or the derivative is in something else.
+    pub(crate) fn slope_in_momentum(&mut self, value: &Value, places: &[u32]) -> Option<Value> {
+        let [momentum, omega] = [Quantity::Momentum, Quantity::AngularVelocity].map(|quantity| {
+            let entity = self.theory.atoms.quantity(quantity);
+            [0, 1, 2].map(|c| self.theory.atoms.part(entity, c, 0))
+        });
+        let at: Option<Vec<usize>> = places
+            .iter()
+            .map(|place| momentum.iter().position(|part| part == place))
+            .collect();
+        let (at, free) = (at?, |v: &u32| self.theory.rule(*v).is_none());
+        if !omega.iter().all(free) {
+            return None;
+        }
+        let whole = Value::column(momentum.map(variable_fraction));
+        let inverse = self.jacobian(&whole, &omega)?.inverse().ok()?;
+        let slope = self.jacobian(value, &omega)?;
+        let through = |row: &dyn Fn(usize) -> Fraction, column: usize| {
+            (0..3).fold(Fraction::zero(), |sum, i| {
+                sum + row(i) * inverse.at(i, column).clone()
+            })
+        };
+        Some(match value.is_scalar() {
+            true => Value::from_fn(at.len(), 1, |r, _| {
+                through(&|i| slope.at(i, 0).clone(), at[r])
+            }),
+            false => Value::from_fn(slope.rows, at.len(), |r, c| {
+                through(&|i| slope.at(r, i).clone(), at[c])
+            }),
+        })
     }
 }
