@@ -233,3 +233,15 @@ $$ \vec\Omega = \vec\omega $$
 ";
     assert_eq!(verdicts(attached), "p");
 }
+
+#[test]
+fn a_tensor_changes_in_space_as_it_turns() {
+    let text = |sign: &str| {
+        format!(
+            "The inertia tensor $\\mathbf I$ of a rigid body with the angular velocity $\\vec\\omega$.\n\n\
+             $$ \\left(\\frac{{d\\mathbf I}}{{dt}}\\right)_{{\\text{{space}}}} = [\\vec\\omega]_\\times\\,\\mathbf I {sign} \\mathbf I\\,[\\vec\\omega]_\\times $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "p");
+    assert_eq!(verdicts(&text("+")), "r");
+}

@@ -127,3 +127,19 @@ $$ I_A = I_G + m d^2 = \frac{1}{3}m\ell^2 $$
 ";
     assert_eq!(verdicts(text), "aarp");
 }
+
+#[test]
+fn a_case_is_named_before_what_one_finds_for_it() {
+    let text = |last: &str| {
+        format!(
+            "Let $G$ be the mass centre of a body of mass $m$, and let $O$ be another point. The vector from $O$ to $G$ is\n\n\
+             $$ \\mathbf{{d}} = a\\,\\mathbf{{i}} + b\\,\\mathbf{{j}} + c\\,\\mathbf{{k}} $$\n\n\
+             Then\n\n\
+             $$ I_{{xx}}^O = I_{{xx}}^G + m\\,(b^2 + c^2), \\qquad I_{{yy}}^O = I_{{yy}}^G + m\\,(c^2 + a^2) $$\n\n\
+             For the end of the rod, $a = \\ell/2$ and $b = c = 0$, one finds\n\n\
+             $$ I_{{yy}}^O = I_{{yy}}^G + {last}\\,m\\ell^2 $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("\\frac14")), "aaaaap");
+    assert_eq!(verdicts(&text("\\frac12")), "aaaaar");
+}

@@ -28,6 +28,21 @@ const SUPPOSED_BEHIND: &[&str] = &[
     "is supposed",
 ];
 
+/// How a sentence begins that names a case before its main clause.
+const OPENINGS: &[&str] = &["For ", "At ", "In "];
+/// How its main clause begins.
+const MAIN_CLAUSES: &[&str] = &[
+    "one finds",
+    "one gets",
+    "one obtains",
+    "we find",
+    "we get",
+    "we obtain",
+    "this gives",
+    "this becomes",
+    "it follows",
+];
+
 /// Words right before a formula that says by its form what a new symbol in it is: "if we write ⟨T = ½ J ω²⟩".
 const WRITTEN: &[&str] = &[
     "we write",
@@ -40,16 +55,34 @@ const WRITTEN: &[&str] = &[
 ];
 
 impl<'a> Checker<'a> {
-    /// "No friction: ⟨\dot h = 0⟩ may be assumed": the words that suppose a line stand behind it.
+    /// "No friction: ⟨\dot h = 0⟩ may be assumed": the words that suppose a line stand behind it; or a main clause does,
+    /// for which it is the condition: "For the end of the rod, ⟨a = l/2⟩ and ⟨b = c = 0⟩, one finds".
     pub(crate) fn hear_ahead(&mut self, at: usize) {
-        let (Some(Item::Formula(formula)), Some(Item::Prose { text, .. })) =
-            (self.document.items.get(at), self.document.items.get(at + 1))
-        else {
+        let Some((formula, text)) = self.formula_and_text(at) else {
             return;
         };
-        let text = text.trim_start();
-        if !formula.display && SUPPOSED_BEHIND.iter().any(|words| text.starts_with(words)) {
+        let supposed = SUPPOSED_BEHIND.iter().any(|words| text.starts_with(words));
+        let behind = match text {
+            "and" | ", and" | "," => self.formula_and_text(at + 2).map(|(_, text)| text),
+            _ => Some(text),
+        };
+        let main = behind.and_then(|text| text.strip_prefix(", "));
+        let main =
+            main.is_some_and(|main| MAIN_CLAUSES.iter().any(|words| main.starts_with(words)));
+        let sentence = self.sentence.trim_start();
+        let opens = OPENINGS.iter().any(|word| sentence.starts_with(word));
+        if !formula.display && (supposed || main && opens) {
             self.mark = self.mark.or(Some(Role::Assume));
+        }
+    }
+
+    fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
+        match (
+            self.document.items.get(at)?,
+            self.document.items.get(at + 1)?,
+        ) {
+            (Item::Formula(formula), Item::Prose { text, .. }) => Some((formula, text.trim())),
+            _ => None,
         }
     }
 

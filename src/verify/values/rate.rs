@@ -6,7 +6,8 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::lower::{Lowered, Lowering, TroubleKind, trouble};
-use crate::verify::values::value::Value;
+use crate::verify::values::quantity::Quantity;
+use crate::verify::values::value::{ShapeMismatch, Value};
 
 impl Lowering<'_> {
     pub(crate) fn time_derivative(
@@ -32,12 +33,15 @@ impl Lowering<'_> {
             }
         };
         // A component is a number: every frame sees the same rate.
-        let seen_from_space = at == Frame::Space && value.is_vector();
+        let tensor = (value.rows, value.columns) == (3, 3) && label.is_some() && !written_out;
+        let seen_from_space = at == Frame::Space;
         for _ in 0..order {
-            value = if seen_from_space {
-                self.space_rate(&value)
-            } else {
-                self.plain_rate(&value)
+            value = match seen_from_space {
+                true if value.is_vector() => self.space_rate(&value),
+                true if tensor => self
+                    .space_rate_of_tensor(&value)
+                    .map_err(|mismatch| trouble(TroubleKind::IllTyped, operand.span, mismatch.0))?,
+                _ => self.plain_rate(&value),
             };
         }
         Ok(value)
@@ -46,6 +50,18 @@ impl Lowering<'_> {
     /// The derivative of each entry.
     pub(crate) fn plain_rate(&mut self, value: &Value) -> Value {
         value.map(|entry| self.theory.atoms.derivative(entry))
+    }
+
+    /// (dA/dt)_space of a tensor with the columns `A_j`: those of (`dA_j`/dt)_space, less A \[Ω\]×.
+    fn space_rate_of_tensor(&mut self, value: &Value) -> Result<Value, ShapeMismatch> {
+        let columns: [Value; 3] = [0, 1, 2].map(|j| {
+            let column = [0, 1, 2].map(|i| value.at(i, j).clone());
+            self.space_rate(&Value::column(column))
+        });
+        let turning = self.theory.atoms.quantity(Quantity::FrameRate);
+        let turning = Value::column(self.theory.atoms.vector(turning, 0));
+        let turned = value.times(&turning.skew()?)?;
+        Value::from_fn(3, 3, |i, j| columns[j].entries[i].clone()).plus(&turned, true)
     }
 
     /// The rate of a vector seen from space, as variables that the transport law determines.
