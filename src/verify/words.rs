@@ -11,6 +11,7 @@ pub(super) mod free_motion_rates;
 pub(super) mod legend;
 pub(super) mod moments_by_adjective;
 pub(super) mod moments_in_words;
+pub(super) mod motion_goes_on;
 pub(super) mod near_a_spin;
 pub(super) mod only_product;
 pub(super) mod outlasting;

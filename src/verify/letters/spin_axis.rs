@@ -94,6 +94,12 @@ fn along(term: &Term) -> Option<(&[Factor], u8)> {
     }
 }
 
+/// The axis that a letter or a unit vector names.
+pub(crate) fn axis_of(symbol: &Symbol) -> Option<u8> {
+    let letter = axis(&symbol.name).filter(|_| symbol.subscripts.is_empty());
+    letter.or_else(|| unit_axis(symbol))
+}
+
 fn unit_axis(symbol: &Symbol) -> Option<u8> {
     if !symbol.style.vector && !symbol.style.hat {
         return None;

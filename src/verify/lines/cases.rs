@@ -60,6 +60,11 @@ impl Cases {
     pub(crate) fn section(&self) -> u32 {
         self.section
     }
+
+    /// Whether a display of the section at hand set the motion up by a premise.
+    pub(crate) fn is_set_up(&self, name: &str) -> bool {
+        self.set.contains_key(name)
+    }
 }
 
 impl Checker<'_> {
@@ -97,6 +102,8 @@ impl Checker<'_> {
         self.cases.named = before.named;
         self.cases.attached = before.attached;
         self.cases.disturbed = before.disturbed;
+        let lasting = before.set.into_keys().filter(|name| !ended.contains(name));
+        self.cases.set = lasting.map(|name| (name, 0)).collect();
         self.sought = None;
     }
 

@@ -1,7 +1,7 @@
 //! Lines between magnitudes: `\sqrt{L_x^2 + L_y^2} = I\omega`. The squares of the sides are equal, and so are
 //! their signs.
 
-use crate::algebra::{Fraction, Rational};
+use crate::algebra::{Fraction, Proof, Rational};
 use crate::notation::ast::Function;
 use crate::verify::check::Checker;
 use crate::verify::lines::line::Read;
@@ -41,6 +41,9 @@ impl Substance for f64 {
     }
 }
 
+/// The equations of the squares, their proof, and what must not be negative.
+type BySquares = (Read, Proof, Vec<Fraction>);
+
 /// The equation of the squares of two sides.
 fn squared(left: &Fraction, right: &Fraction) -> Equation {
     let square = |side: &Fraction| side.clone() * side.clone();
@@ -57,9 +60,32 @@ impl Checker<'_> {
         open: bool,
         finding: &mut Finding,
     ) -> bool {
+        let Some(settled) = self.by_squares(read) else {
+            return false;
+        };
+        let Some((read, proof, positive)) = settled else {
+            if !open {
+                finding.reason = Some("it holds up to a sign that is not known here".to_owned());
+            }
+            return !open;
+        };
+        self.proved(&read, proof, finding);
+        for side in positive {
+            let shown = names::fraction(&self.theory.atoms, &side);
+            finding.conditions.push(format!("{shown} \\ge 0"));
+        }
+        finding
+            .remarks
+            .push("the squares of the sides are equal".to_owned());
+        true
+    }
+
+    /// The squares of a line with roots in it, their proof and what must not be negative; nothing inside where the signs
+    /// of the sides do not tell, `None` where the squares differ.
+    fn by_squares(&mut self, read: &Read) -> Option<Option<BySquares>> {
         // No world here is on the points of relations that are kept.
         if !self.theory.relations.kept.is_empty() {
-            return false;
+            return None;
         }
         let (mut equations, mut positive) = (vec![], vec![]);
         let (mut known, mut rooted) = (true, false);
@@ -69,11 +95,11 @@ impl Checker<'_> {
                 equation.right.entries.as_slice(),
             );
             let ([left], [right]) = sides else {
-                return false;
+                return None;
             };
             if !self.has_root(left) && !self.has_root(right) {
                 if passes_filter(&mut self.theory, &equation.residual) != Some(true) {
-                    return false;
+                    return None;
                 }
                 equations.push(equation.clone());
                 continue;
@@ -82,19 +108,17 @@ impl Checker<'_> {
             let (mut left, mut right) = (left.clone(), right.clone());
             let mut squares = squared(&left, &right);
             if passes_filter(&mut self.theory, &squares.residual) == Some(false) {
-                let Some((root, rest)) = self.root_alone(&equation.residual) else {
-                    return false;
-                };
+                let (root, rest) = self.root_alone(&equation.residual)?;
                 (left, right) = (root, rest);
                 squares = squared(&left, &right);
                 if passes_filter(&mut self.theory, &squares.residual) == Some(false) {
-                    return false;
+                    return None;
                 }
             }
             let (left, right) = (&left, &right);
             match self.have_one_sign(left, right) {
                 Some(true) => {}
-                Some(false) => return false,
+                Some(false) => return None,
                 None => known = false,
             }
             positive.extend(match (self.is_root(left), self.is_root(right)) {
@@ -106,7 +130,7 @@ impl Checker<'_> {
             equations.push(squares);
         }
         if !rooted {
-            return false;
+            return None;
         }
         let read = Read {
             equations,
@@ -114,21 +138,15 @@ impl Checker<'_> {
             ambiguous: read.ambiguous,
             to_order: read.to_order,
         };
-        match decide(&mut self.theory, &read.equations) {
-            Decision::True(proof) if known => {
-                self.proved(&read, proof, finding);
-                for side in positive {
-                    let shown = names::fraction(&self.theory.atoms, &side);
-                    finding.conditions.push(format!("{shown} \\ge 0"));
-                }
-                finding
-                    .remarks
-                    .push("the squares of the sides are equal".to_owned());
-            }
-            _ if open => return false,
-            _ => finding.reason = Some("it holds up to a sign that is not known here".to_owned()),
-        }
-        true
+        Some(match decide(&mut self.theory, &read.equations) {
+            Decision::True(proof) if known => Some((read, proof, positive)),
+            _ => None,
+        })
+    }
+
+    /// Whether a line with roots in it is proved by the squares of its sides.
+    pub(crate) fn squares_hold(&mut self, read: &Read) -> bool {
+        matches!(self.by_squares(read), Some(Some(_)))
     }
 
     /// The only root in a difference that vanishes, and what it then is, which is not negative.

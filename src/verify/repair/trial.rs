@@ -49,7 +49,7 @@ impl Checker<'_> {
             if holds
                 && !self.says_nothing(&read)
                 && !self.empties(&text, search.line)
-                && vanishes(&mut self.theory, &read.equations)
+                && (vanishes(&mut self.theory, &read.equations) || self.squares_hold(&read))
             {
                 return Some(without_alignment(text.trim()));
             }

@@ -6,7 +6,7 @@ use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::spin_axis::spin_axis;
+use crate::verify::letters::spin_axis::{axis_of, spin_axis};
 use crate::verify::letters::usage::{Letter, axis};
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
@@ -64,6 +64,31 @@ const AXIAL: &[&str] = &[
     "polar axis",
     "its own axis",
     "its axis",
+    "the normal",
+    "its normal",
+];
+/// The axis of symmetry of a flat body.
+const ACROSS_PLANE: &[&str] = &[
+    "the normal of",
+    "normal to its plane",
+    "normal to its face",
+    "normal to the dis",
+    "perpendicular to its plane",
+    "perpendicular to its face",
+    "perpendicular to the dis",
+    "perpendicular to the plane of the dis",
+];
+/// Words behind the letter of an axis that is the one of symmetry.
+const ALONG: &[&str] = &[
+    "axis",
+    "along",
+    "points along the normal",
+    "is along the normal",
+    "is the normal",
+    "is normal to",
+    "is perpendicular to its plane",
+    "is perpendicular to its face",
+    "is perpendicular to the dis",
 ];
 const TRANSVERSE: &[&str] = &[
     "diameter",
@@ -211,6 +236,9 @@ impl Numbered<'_> {
                 .filter_map(|w| words.find(w).map(|at| at + w.len()))
                 .min()
         };
+        if let Some(end) = place(ACROSS_PLANE) {
+            return Some((Named::Axial, &words[end..]));
+        }
         let (axial, transverse) = (place(AXIAL), place(TRANSVERSE));
         match (axial, transverse) {
             (_, Some(end)) => Some((Named::Transverse, &words[end..])),
@@ -292,11 +320,12 @@ fn axis_of_symmetry(sentence: &Numbered) -> Option<u8> {
         .iter()
         .enumerate()
         .find_map(|(at, (symbol, _))| {
-            let mark = format!("⟨{at}⟩ axis");
-            let along = format!("⟨{at}⟩ along");
-            let named = text.contains(&mark) || text.contains(&along);
-            let about = text.contains(&format!("about the ⟨{at}⟩"));
-            (named && !about).then(|| axis(&symbol.name))?
+            let mark = format!("⟨{at}⟩");
+            let behind = text.split_once(&mark).map_or("", |(_, behind)| behind);
+            let mut along = ALONG.iter();
+            let named = along.any(|words| behind.trim_start().starts_with(words));
+            let about = text.contains(&format!("about the {mark}"));
+            (named && !about).then(|| axis_of(symbol))?
         })
 }
 

@@ -57,6 +57,7 @@ impl Checker<'_> {
             || self.is_used_under(name, heading)
             || self.shapes_the_body(name, heading)
             || self.goes_on_in_orbit(name, heading)
+            || self.motion_goes_on(name, heading)
     }
 
     /// Whether a premise that products of inertia vanish holds on under the next heading: formulas from there on have one
@@ -171,7 +172,7 @@ impl Checker<'_> {
 }
 
 /// What stands in a document from a heading on.
-fn items_from(document: &Document, heading: Span) -> impl Iterator<Item = &Item> {
+pub(crate) fn items_from(document: &Document, heading: Span) -> impl Iterator<Item = &Item> {
     document.items.iter().skip_while(move |item| match item {
         Item::Heading { span, .. } => span.start < heading.start,
         Item::Formula(formula) => formula.span.start < heading.start,
@@ -180,7 +181,7 @@ fn items_from(document: &Document, heading: Span) -> impl Iterator<Item = &Item>
     })
 }
 
-fn nodes(row: &Row) -> Vec<&Node> {
+pub(crate) fn nodes(row: &Row) -> Vec<&Node> {
     match row {
         Row::Line(line) => line.sides.iter().collect(),
         Row::Expression(node) => vec![node],
