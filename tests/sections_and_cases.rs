@@ -37,3 +37,41 @@ $$ {later} $$
         "apr"
     );
 }
+
+#[test]
+fn each_case_spins_about_an_axis_of_its_own() {
+    let text = |second: &str, growth: &str| {
+        format!(
+            r"A free body has the principal moments $A$, $B$, $C$.
+
+**Case 1.** The body turns nearly about $z$; $\omega_x$ and $\omega_y$ are small. Neglecting the product $\omega_x\omega_y$ we have
+
+$$ \dot\omega_z = 0 $$
+
+so that $\omega_x$ oscillates with the frequency, since $\ddot\omega_x = -\frac{{(C-A)(C-B)}}{{AB}}\omega_z^2\omega_x$,
+
+$$ \Omega_z^2 = \frac{{(C-A)(C-B)}}{{AB}}\omega_z^2 $$
+
+**Case 2.** Same steps. Now $\omega_x$ is constant and
+
+$$ \ddot\omega_y = -\frac{{(C-A)(B-A)}}{{BC}}\omega_x^2\omega_y $$
+
+$$ \Omega_x^2 = \frac{{{second}}}{{BC}}\omega_x^2 $$
+
+**Case 3.** $\omega_x$ and $\omega_z$ are small and $\omega_y$ remains constant. Then
+
+$$ \ddot\omega_x = \frac{{(C-B)(B-A)}}{{AC}}\omega_y^2\omega_x $$
+
+and $\omega_x$ grows as $e^{{\lambda t}}$ with
+
+$$ \lambda = \omega_y{growth} $$
+"
+        )
+    };
+    let found = |second, growth| verdicts(&text(second, growth));
+    let root = r"\sqrt{\frac{(C-B)(B-A)}{AC}}";
+    assert_eq!(found("(C-A)(B-A)", root), "ppapapa");
+    assert_eq!(found("(C-A)(A-B)", root), "ppaprpa");
+    let square = r"\frac{(C-B)(B-A)}{AC}";
+    assert_eq!(found("(C-A)(B-A)", square), "ppapapr");
+}

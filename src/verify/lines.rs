@@ -50,6 +50,7 @@ pub(super) mod mass_integrals;
 pub(super) mod moving_point;
 pub(super) mod named_only;
 pub(super) mod named_roots;
+pub(super) mod neglected;
 pub(super) mod news;
 pub(super) mod numbered_axes;
 pub(super) mod numbers;

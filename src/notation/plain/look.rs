@@ -40,7 +40,9 @@ fn look(word: &str) -> Look {
                 || !unicode::decomposed(c).1.is_empty())
     });
     let known = |word: &str| plain_words::word(word).is_some();
-    if strong || known(core) || is_rate(core) {
+    // "The product w2*w3": no word of English has a star in it.
+    let product = core.contains('*') && core.split('*').all(known);
+    if strong || known(core) || product || is_rate(core) {
         return Look::Strong;
     }
     if word == DOT {

@@ -1,9 +1,11 @@
-//! Letters of a period: what is set equal to 2π√… or 2π/ω is neither an energy nor a moment.
+//! Letters of a period: what is set equal to 2π√… or 2π/ω is neither an energy nor a moment. And of frequencies: an Ω₁
+//! whose square a line gives is no rate of turning beside ω₁, ω₂, ω₃.
 
-use crate::notation::ast::{Function, Kind, Node};
+use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::letters::usage::{Letter, axis, inner};
+use crate::verify::lines::defined_squares::is_two;
 use crate::verify::repair::lines;
 use num_traits::{One, ToPrimitive};
 
@@ -11,12 +13,19 @@ use num_traits::{One, ToPrimitive};
 const LETTERS: &[&str] = &["T", "tau", "P"];
 
 impl Reading {
-    /// Notes the letters that lines of a document use for a period.
+    /// Notes the letters that lines of a document use for a period, or for frequencies.
     pub(crate) fn note_periods(&mut self, document: &Document) {
         for line in lines(document) {
             let [left, rest @ ..] = line.sides.as_slice() else {
                 continue;
             };
+            if let Kind::Power(base, two) = &inner(left).kind
+                && let Kind::Symbol(symbol) = &inner(base).kind
+                && is_two(two)
+                && self.is_apart_from_rates(symbol)
+            {
+                self.periods.insert(Letter::of(symbol));
+            }
             if let Kind::Symbol(symbol) = &inner(left).kind
                 && LETTERS.contains(&symbol.name.as_str())
                 && !symbol.style.vector
@@ -25,6 +34,26 @@ impl Reading {
                 self.periods.insert(Letter::of(symbol));
             }
         }
+    }
+}
+
+impl Reading {
+    /// Whether a symbol is an Ω with an index that never moves, beside another letter with the three rates.
+    fn is_apart_from_rates(&self, symbol: &Symbol) -> bool {
+        let letter = Letter::of(symbol);
+        let used = self.usage.get(&letter);
+        let families = [["1", "2", "3"], ["x", "y", "z"]];
+        let rates = ["omega", "w"].map(Letter::plain);
+        let has_all = |rate: &Letter| {
+            let all = |family: &[&str; 3]| family.iter().all(|i| self.usage.has_index(rate, i));
+            families.iter().any(all)
+        };
+        let axis = matches!(symbol.subscripts.as_slice(), [index] if axis(index).is_some());
+        letter.name == "Omega"
+            && axis
+            && used.vector + used.bare == 0
+            && !used.moving
+            && rates.iter().any(has_all)
     }
 }
 

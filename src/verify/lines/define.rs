@@ -88,7 +88,9 @@ impl Checker<'_> {
         let claimed = role == Role::Claim;
         if !self.firm && self.is_more_than_a_name(left, right, claimed, finding)
             || rest.is_empty()
-                && (claimed || self.has_a_frequency(role) && self.is_tied_by_square(left))
+                && (claimed
+                    || self.has_a_frequency(role) && self.is_tied_by_square(left)
+                    || self.goes_on_with(role))
                 && self.is_frequency(left, right, finding)
             || claimed && rest.is_empty() && self.energy_of_part(left, right, finding)
             || claimed && self.goes_on_from_a_false_line(right, finding)

@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Monomial, Rational};
 use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::line::Read;
 use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::verdict::{Finding, Role};
@@ -27,7 +27,11 @@ impl Checker<'_> {
         };
         let own = matches!(self.theory.atoms.info(entity).owner, Owner::Symbol(_));
         let same = self.theory.mentions_part(entity, Some(place));
-        let beside = self.theory.mentions_entity(entity);
+        let letter = match &inner(base).kind {
+            Kind::Symbol(symbol) => Letter::of(symbol),
+            _ => return false,
+        };
+        let beside = self.theory.mentions_entity(entity) || self.reading.periods.contains(&letter);
         if role != Role::Claim
             || !own
             || same
@@ -36,7 +40,7 @@ impl Checker<'_> {
         {
             return false;
         }
-        self.accept_definition(sides, finding)
+        self.is_frequency(left, right, finding) || self.accept_definition(sides, finding)
     }
 
     /// `\nu^2 = k/m` with a new symbol says that ν is the root.

@@ -4,16 +4,20 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::laws_in_words::is_of_swings;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Diagnosis, Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
 use num_traits::Zero;
 
 /// Findings that may stand between an equation and the frequency: conditions, numbers.
 const NEAR: usize = 2;
+
+/// Words for the motion that an equation describes.
+const GOES_ON: &[&str] = &[" grows ", " grow ", " oscillates ", " oscillate "];
 
 impl Checker<'_> {
     /// Notes w² of an equation ẍ + w²x = 0 in a symbol of the document.
@@ -40,29 +44,50 @@ impl Checker<'_> {
     fn square_of_frequency(&mut self, residual: &Fraction) -> Option<Fraction> {
         let above = residual.numerator();
         let atoms = &self.theory.atoms;
-        let (entity, second) =
+        let (entity, component, second) =
             above
                 .variables()
                 .into_iter()
                 .find_map(|v| match *atoms.atom(v) {
                     Atom::Part {
                         entity,
-                        component: 0,
+                        component,
                         order: 2,
-                    } => Some((entity, v)),
+                    } => Some((entity, component, v)),
                     _ => None,
                 })?;
-        if !matches!(atoms.info(entity).owner, Owner::Symbol(_)) {
+        let small = match &atoms.info(entity).owner {
+            Owner::Symbol(_) => component == 0,
+            // Beside two small components of ω the third keeps its value.
+            Owner::Quantity(quantity, variant) => {
+                *quantity == Quantity::AngularVelocity
+                    && variant.is_empty()
+                    && self.small_turns.len() == 2
+                    && self.small_turns.contains(&component)
+            }
+        };
+        if !small {
             return None;
         }
-        let first = self.theory.atoms.part(entity, 0, 0);
+        let first = self.theory.atoms.part(entity, component, 0);
         let (inertia, spring) = (
             above.coefficient_of(second, 1),
             above.coefficient_of(first, 1),
         );
         let made = inertia.clone() * crate::algebra::Polynomial::variable(second)
             + spring.clone() * crate::algebra::Polynomial::variable(first);
-        let apart = |v: &u32| self.theory.atoms.entity_of(*v) != Some(entity);
+        let small_turns = &self.small_turns;
+        let apart = |v: &u32| match *self.theory.atoms.atom(*v) {
+            Atom::Part {
+                entity: other,
+                component,
+                order,
+            } => {
+                other != entity
+                    || order == 0 && small_turns.len() == 2 && !small_turns.contains(&component)
+            }
+            _ => self.theory.atoms.entity_of(*v) != Some(entity),
+        };
         let constant = inertia
             .variables()
             .iter()
@@ -75,6 +100,24 @@ impl Checker<'_> {
     /// Whether a sentence names a frequency in passing: "with the libration frequency".
     pub(crate) fn has_a_frequency(&self, role: Role) -> bool {
         role == Role::Define && !self.firm && lowered(&self.sentence).contains("frequency")
+    }
+
+    /// Whether a sentence says how what the equation before it describes goes on: "it grows like exp(st) with ⟨s = …⟩".
+    pub(crate) fn goes_on_with(&self, role: Role) -> bool {
+        let words = lowered(&self.sentence);
+        let behind = GOES_ON.iter().filter_map(|verb| words.rfind(verb)).max();
+        role == Role::Assume && !self.firm && behind.is_some_and(|at| words[at..].contains("with"))
+    }
+
+    /// Whether a square is one of the frequencies of the document, by its letter.
+    fn is_by_letter(&self, square: &Node) -> bool {
+        match &inner(square).kind {
+            Kind::Power(base, _) => match &inner(base).kind {
+                Kind::Symbol(symbol) => self.reading.periods.contains(&Letter::of(symbol)),
+                _ => false,
+            },
+            _ => false,
+        }
     }
 
     /// Whether a law says what the square of a symbol is.
@@ -128,7 +171,8 @@ impl Checker<'_> {
             }
             _ => false,
         };
-        if !near || !words.contains("frequency") && !grows || !squared && !lone(left) {
+        let called = words.contains("frequency") || grows || squared && self.is_by_letter(left);
+        if !near || !called || !squared && !lone(left) {
             return false;
         }
         // Of ẍ = s²x the solutions grow like exp(st).

@@ -35,6 +35,7 @@ impl Checker<'_> {
             // "For small ⟨θ⟩ this is ⟨…⟩": to first order.
             self.linear |= clause.starts_with(&["small".to_owned(), "for".to_owned()]);
         }
+        self.linear |= self.leaves_out(node);
         if clause.iter().any(|word| word == "positive") {
             self.call_positive(node);
         }
@@ -58,12 +59,16 @@ impl Checker<'_> {
         let positive = ["is positive", "are positive", "is a positive"];
         if positive.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_positive(node));
+        } else if self.are_left_out(text, named) {
+            self.linear = true;
         } else if BEHIND.iter().any(|words| text.starts_with(words)) {
             named.iter().for_each(|node| self.call_small(node));
         } else if let [node] = named
             && (KEPT.iter().any(|words| text.starts_with(words)) || is_hardly_changed(text))
         {
             self.hardly_changes(node);
+        } else if let [node] = named {
+            self.spins_about_this_now(text, node);
         }
     }
 
@@ -73,12 +78,7 @@ impl Checker<'_> {
         let [left, right] = sides else { return false };
         if is_zero(right) {
             let value = self.lowering(Frame::Moving).value(left);
-            return value.is_ok_and(|value| {
-                value.entries.iter().all(|entry| {
-                    let mut orders = self.orders(entry).into_iter();
-                    entry.is_polynomial() && orders.len() > 0 && orders.all(|order| order > 1)
-                })
-            });
+            return value.is_ok_and(|value| self.is_of_second_order(&value));
         }
         let Kind::Function(function, argument) = &inner(left).kind else {
             return false;
@@ -94,6 +94,14 @@ impl Checker<'_> {
                 Function::Cos => one,
                 _ => false,
             }
+    }
+
+    /// Whether every term of a value is a product of small ones.
+    pub(crate) fn is_of_second_order(&self, value: &Value) -> bool {
+        value.entries.iter().all(|entry| {
+            let mut orders = self.orders(entry).into_iter();
+            entry.is_polynomial() && orders.len() > 0 && orders.all(|order| order > 1)
+        })
     }
 
     /// Whether words in small letters take equations to first order in what is small, until the next heading.

@@ -48,6 +48,47 @@ pub(crate) const DROPPED: &[&str] = &[
     "discarded",
     "second order",
 ];
+/// Words behind and before a product of what is small that leave it out.
+pub(crate) const LEFT_OUT: &[&str] = &[
+    "is neglected",
+    "are neglected",
+    "can be neglected",
+    "may be neglected",
+    "is dropped",
+    "are dropped",
+    "can be dropped",
+    "may be dropped",
+    "is ignored",
+    "can be ignored",
+    "may be ignored",
+    "is omitted",
+    "is left out",
+    "is negligible",
+    "are negligible",
+    "is of second order",
+    "is of the second order",
+    "is second order",
+];
+pub(crate) const LEAVING_OUT: &[&str] = &[
+    "neglect",
+    "neglecting",
+    "drop",
+    "dropping",
+    "ignore",
+    "ignoring",
+    "omit",
+    "omitting",
+    "leave out",
+    "leaving out",
+];
+/// What may stand between these and the product.
+pub(crate) const THE_PRODUCT: &[&str] = &[
+    "",
+    "the product",
+    "the term",
+    "the small term",
+    "the small product",
+];
 /// What small things are called together.
 const SMALL_THINGS: &[&str] = &[
     "small quantities",
