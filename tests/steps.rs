@@ -144,3 +144,28 @@ $$ \frac{{\partial F}}{{\partial\omega_1}} = J + {last} $$
     let whole = r"h\left(\hat{\omega}_m J - \widehat{J\omega_m}\right)";
     assert!(verdicts(&text(whole)).ends_with("aar"));
 }
+
+#[test]
+fn the_rate_is_a_function_whose_slopes_are_taken_at_the_step() {
+    let document = |matrix: &str, torque: &str| {
+        format!(
+            r"On principal axes with the moments $J_1$, $J_2$, $J_3$ and the torque $\boldsymbol\tau$
+
+$$ J_1\dot\omega_1 = (J_2 - J_3)\,\omega_2\omega_3 + \tau_1. $$
+
+An Euler step of size $h$ is defined by
+
+$$ \boldsymbol\omega_{{k+1}} = \boldsymbol\omega_k + h\,\dot{{\boldsymbol\omega}}(\boldsymbol\omega_k, \boldsymbol\tau_k) $$
+
+and its Jacobians are
+
+$$ \frac{{\partial\boldsymbol\omega_{{k+1}}}}{{\partial\boldsymbol\omega_k}} = {matrix}\,\frac{{\partial\dot{{\boldsymbol\omega}}}}{{\partial\boldsymbol\omega}} $$
+
+$$ \frac{{\partial\boldsymbol\omega_{{k+1}}}}{{\partial\boldsymbol\tau_k}} = {torque}\,\frac{{\partial\dot{{\boldsymbol\omega}}}}{{\partial\boldsymbol\tau}} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&document(r"\mathbf I_3 + h", "h")), "papp");
+    assert_eq!(verdicts(&document(r"\mathbf I_3 - h", "h")), "parp");
+    assert_eq!(verdicts(&document(r"\mathbf I_3 + h", "2h")), "papr");
+}

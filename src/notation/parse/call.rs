@@ -20,11 +20,14 @@ impl Parser<'_, '_> {
         let inside = &self.tokens[from..to];
         let of_time =
             matches!(inside, [t] if matches!(t.kind, Lexeme::Letter('t') | Lexeme::Number("0")));
-        let callable = matches!(head.kind, Kind::Symbol(_)) || of_time;
+        let parts = split_outside(inside, |t| t.kind == Lexeme::Char(','));
+        // Nor is anything multiplied by a list: `\dot\omega(\omega_k, \tau_k)`.
+        let rate = matches!(&head.kind, Kind::TimeDerivative { operand, .. } if matches!(operand.kind, Kind::Symbol(_)));
+        let of_list = rate && parts.len() > 1;
+        let callable = matches!(head.kind, Kind::Symbol(_)) || of_time || of_list;
         if !callable || inside.is_empty() {
             return head;
         }
-        let parts = split_outside(inside, |t| t.kind == Lexeme::Char(','));
         let arguments: Vec<Node> = parts
             .into_iter()
             .map(|part| self.inside(part).whole())
@@ -83,7 +86,7 @@ fn called(head: Node, arguments: Vec<Node>, span: Span) -> Node {
             order,
             style,
             frame,
-        } => Kind::TimeDerivative {
+        } if arguments.len() == 1 => Kind::TimeDerivative {
             operand: Box::new(called(*operand, arguments, span)),
             order,
             style,

@@ -242,7 +242,9 @@ impl Reading {
             _ if plain && self.identities.contains(&Letter::of(symbol)) => true,
             "E" | "1" => plain && marked,
             "I" if symbol.subscripts == ["3"] => {
-                !self.usage.has_index(&Letter::plain("I"), "1") && beside_j()
+                let [own, j] = ["I", "J"].map(Letter::plain);
+                let moments = ["1", "x", "xx"].iter().any(|i| self.usage.has_index(&j, i));
+                !self.usage.has_index(&own, "1") && (moments || beside_j())
             }
             "I" => symbol.style.vector && beside_j(),
             _ => false,

@@ -282,8 +282,10 @@ impl Checker<'_> {
                 Owner::Quantity(quantity, variant) => {
                     // What ω is between two frames of several, no law here says.
                     let between = variant.matches('^').count() > 1;
+                    let of_step = matches!(variant.as_str(), "k" | "n" | "k+1" | "n+1");
                     !variant.is_empty()
                         && variant != MAGNITUDE
+                        && !of_step
                         && (between
                             || !matches!(quantity, Quantity::Inertia | Quantity::AngularVelocity))
                 }

@@ -157,6 +157,7 @@ impl Checker<'_> {
             return;
         }
         keeps_its_value(&mut sides);
+        self.put_at_the_step(&mut sides);
         let Some(gained) = self.puts_integral_for_gain(&mut sides) else {
             finding.reason = Some(reason::INTEGRAL.to_owned());
             return;

@@ -4,10 +4,14 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::names;
+use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::variable_fraction;
-use crate::verify::values::lower::{Lowered, Lowering, Trouble, TroubleKind, substituted, trouble};
+use crate::verify::values::lower::{
+    Lowered, Lowering, Trouble, TroubleKind, put_in, substituted, trouble,
+};
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
+use std::collections::HashMap;
 
 impl Lowering<'_> {
     pub(crate) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
@@ -87,6 +91,11 @@ impl Lowering<'_> {
             if let Some(value) = self.applied(head, arguments)? {
                 return Ok(value);
             }
+            if matches!(head.kind, Kind::Derivative { .. })
+                && let Some(value) = self.at_one_step(head, arguments)?
+            {
+                return Ok(value);
+            }
             if let Some(value) = self.at_an_instant(head, argument)? {
                 return Ok(value);
             }
@@ -112,6 +121,9 @@ impl Lowering<'_> {
             return Ok(value);
         }
         if let Some(value) = self.made_of(head, arguments)? {
+            return Ok(value);
+        }
+        if let Some(value) = self.at_one_step(head, arguments)? {
             return Ok(value);
         }
         Err(trouble(
@@ -165,29 +177,50 @@ impl Lowering<'_> {
             span: argument.span,
         };
         let (value, from, to) = (self.value(head)?, self.value(&base)?, self.value(argument)?);
-        if value.is_scalar() && from.is_scalar() || from.entries.len() != to.entries.len() {
+        if value.is_scalar() && from.is_scalar() {
             return Ok(None);
         }
-        let parameters: Vec<u32> = from
-            .entries
-            .iter()
-            .filter_map(Fraction::as_variable)
-            .collect();
+        Ok(self.with_values(&value, &from.entries, &to.entries))
+    }
+
+    /// `\dot\omega(\omega_k, \tau_k)`, where laws say what the rate is in ω and τ: that, with the values of step k.
+    fn at_one_step(&mut self, head: &Node, arguments: &[Node]) -> Result<Option<Value>, Trouble> {
+        let (mut from, mut to) = (vec![], vec![]);
+        for argument in arguments {
+            let mut base = inner(argument).clone();
+            let Kind::Symbol(symbol) = &mut base.kind else {
+                return Ok(None);
+            };
+            if symbol.subscripts.pop().is_none() {
+                return Ok(None);
+            }
+            from.extend(self.value(&base)?.entries);
+            to.extend(self.value(argument)?.entries);
+        }
+        let value = self.value(head)?;
+        // The rate is what follows from the state and the moment.
+        let dynamics = self.theory.setting.dynamics;
+        self.theory
+            .set(|setting| setting.dynamics = Dynamics::Forward);
+        let at_step = self.with_values(&value, &from, &to);
+        self.theory.set(|setting| setting.dynamics = dynamics);
+        // The slopes of what is linear are the same everywhere.
+        let slope = matches!(head.kind, Kind::Derivative { .. });
+        Ok(at_step.or_else(|| slope.then_some(value)))
+    }
+
+    /// A value with others in the place of some variables; `None` where it does not depend on them.
+    fn with_values(&mut self, value: &Value, from: &[Fraction], to: &[Fraction]) -> Option<Value> {
+        let parameters: Vec<u32> = from.iter().filter_map(Fraction::as_variable).collect();
         let value = value.map(|entry| self.theory.normal(entry));
-        let depends = |v: u32| parameters.contains(&v);
-        if parameters.len() != to.entries.len()
-            || !value
-                .entries
-                .iter()
-                .any(|e| e.variables().into_iter().any(depends))
-        {
-            return Ok(None);
+        let met = value.entries.iter().flat_map(Fraction::variables);
+        let depends = met.into_iter().any(|v| parameters.contains(&v));
+        if !depends || parameters.len() != to.len() {
+            return None;
         }
-        let image = |v: u32| {
-            let place = parameters.iter().position(|&p| p == v);
-            place.map_or_else(|| variable_fraction(v), |i| to.entries[i].clone())
-        };
-        Ok(Some(value.map(|entry| substituted(entry, &image))))
+        let images: HashMap<u32, Fraction> =
+            parameters.into_iter().zip(to.iter().cloned()).collect();
+        Some(value.map(|entry| put_in(entry, &images)))
     }
 
     /// `T(ω)`, a number that depends on the vector in the brackets: that number.
