@@ -138,3 +138,40 @@ $$ \dot{{\mathbf L}} = R(\mathbf I\dot{{\boldsymbol\omega}} {sign} \boldsymbol\o
     let space = r"\mathbf L = \mathbf I\boldsymbol\omega";
     assert_eq!(verdicts(&text(space, "+"))[..2], *"pp");
 }
+
+#[test]
+fn labels_alone_put_vectors_without_a_mark_on_both_axes() {
+    let text = |rate: &str, moment: &str, tensor: &str, turn: &str| {
+        format!(
+            r"Let $\mathbf Q$ be the rotation matrix which takes components on body axes into components on space axes, with the
+skew matrix $[\omega_s]_\times$ of the angular velocity on space axes. Let $L_s = \mathbf J_s\omega_s$ and $L_b = \mathbf J_b\omega_b$.
+
+$$ \dot{{\mathbf Q}} = {rate}\mathbf Q $$
+
+$$ \mathbf J_s = {turn} $$
+
+$$ \dot{{\mathbf J}}_s = {tensor} $$
+
+$$ \tau_s = \mathbf J_s\dot\omega_s {moment} \omega_s\times\mathbf J_s\omega_s $$
+
+As an example take a rotation about the third axis,
+
+$$ \mathbf Q = \begin{{bmatrix}} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{{bmatrix}} $$
+"
+        )
+    };
+    let turn = r"\mathbf Q\,\mathbf J_b\,\mathbf Q^T";
+    let [one, other] = [
+        r"[\omega_s]_\times\mathbf J_s",
+        r"\mathbf J_s[\omega_s]_\times",
+    ];
+    let rate = r"[\omega_s]_\times";
+    let tensor = format!("{one} - {other}");
+    assert_eq!(verdicts(&text(rate, "+", &tensor, turn)), "ppppppa");
+    let turned = r"\mathbf Q^T\mathbf J_b\,\mathbf Q";
+    let tensor = format!("{one} + {other}");
+    assert_eq!(
+        verdicts(&text(r"[\omega_b]_\times", "-", &tensor, turned)),
+        "pprrrra"
+    );
+}

@@ -41,14 +41,16 @@ impl AttitudeReading {
         let mut found: Vec<Letter> = vec![];
         let mut made: BTreeSet<Letter> = BTreeSet::new();
         for line in lines(document) {
-            if about_turning {
-                line.sides.iter().for_each(|side| turns(side, &mut found));
-            }
+            // What turned things before it is written out is written out for an example.
             if let [left, rest @ ..] = line.sides.as_slice()
                 && let Kind::Symbol(symbol) = &inner(left).kind
                 && rest.iter().any(|side| self.makes_matrix(side))
+                && !found.contains(&Letter::of(symbol))
             {
                 made.insert(Letter::of(symbol));
+            }
+            if about_turning {
+                line.sides.iter().for_each(|side| turns(side, &mut found));
             }
         }
         // "The matrix ⟨R⟩ turns components on the body axes into components on the fixed axes."

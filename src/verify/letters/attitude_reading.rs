@@ -5,6 +5,7 @@ use crate::verify::letters::attitude_layouts::{Layout, is_vector_part};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::theory::attitude_law::Convention;
+use crate::verify::values::spatial::{BODY, LETTERS, WORDS};
 use crate::verify::words::attitude_words::{Sentence, Way, rate_in_space, way};
 use crate::verify::words::book::has_any;
 use crate::verify::words::text::Text;
@@ -74,8 +75,9 @@ impl AttitudeReading {
                 speaks("scalar last") || speaks("scalar-last") || speaks("scalar part last");
         }
         reading.find_matrix(document, sentences, taken);
-        let labelled = |s: &Symbol| s.name == "omega" && !s.superscripts.is_empty();
-        reading.listen(sentences, all.iter().any(|s| labelled(s)));
+        let rates = || all.iter().filter(|s| s.name == "omega");
+        let labelled = rates().any(|s| !s.superscripts.is_empty()) || wear_labels(rates());
+        reading.listen(sentences, labelled);
         reading.layouts = reading.layouts(document, taken);
         reading
     }
@@ -313,6 +315,20 @@ impl AttitudeReading {
             _ => {}
         }
     }
+}
+
+/// Whether no symbol of these stands bare, and some wear a label of space axes and others one of the body's: `\omega_s`
+/// beside `\omega_b`.
+fn wear_labels<'s>(symbols: impl Iterator<Item = &'s &'s Symbol>) -> bool {
+    let mut worn = [false, false];
+    for symbol in symbols {
+        let labels = |known: &[&str]| symbol.subscripts.iter().any(|s| known.contains(&s.trim()));
+        match [labels(LETTERS) || labels(WORDS), labels(BODY)] {
+            [false, false] => return false,
+            [space, body] => worn = [worn[0] || space, worn[1] || body],
+        }
+    }
+    worn == [true, true]
 }
 
 pub(super) fn spelling(symbol: &Symbol) -> Spelling {

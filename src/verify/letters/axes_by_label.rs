@@ -2,8 +2,10 @@
 
 use crate::notation::document::{Document, Item};
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, symbols};
+use crate::verify::repair::lines;
 use crate::verify::values::quantity::{Quantity, Shape};
+use std::collections::BTreeSet;
 
 /// Labels of axes of fixed orientation, with a word that they are short for.
 const SPACE: &[(&str, &[&str])] = &[
@@ -50,7 +52,19 @@ impl Reading {
             .quantities
             .iter()
             .filter(|(_, quantity)| turns(quantity));
-        let letters = turning.map(|(letter, _)| letter).filter(both);
-        self.on_both_axes = letters.cloned().collect();
+        let turning: Vec<&Letter> = turning.map(|(letter, _)| letter).collect();
+        let found: BTreeSet<Letter> = turning.iter().copied().filter(both).cloned().collect();
+        // Beside ω_s and ω_b, a τ_s that never stands bare wears the same label.
+        let one = |letter: &&Letter| {
+            let met = self.usage.subscripts.get(letter).into_iter().flatten();
+            let label = |l: &String| labels.contains(&l.as_str()) || BODY.contains(&l.as_str());
+            let mut all = lines(document)
+                .flat_map(|line| &line.sides)
+                .flat_map(symbols);
+            let bare = all.any(|s| s.subscripts.is_empty() && Letter::of(s) == **letter);
+            !found.is_empty() && !bare && met.clone().next().is_some() && met.clone().all(label)
+        };
+        let others = turning.into_iter().filter(|l| one(l)).cloned();
+        self.on_both_axes = others.chain(found.iter().cloned()).collect();
     }
 }

@@ -303,7 +303,11 @@ impl Checker<'_> {
                 *quantity == Quantity::Moment && !variant.is_empty()
             }
         };
-        own && info.shape == Shape::Vector && !self.theory.setting.other_moments.has(entity)
+        // What a law turns to space axes is the moment of that law.
+        let turned = info.in_body.is_some();
+        own && !turned
+            && info.shape == Shape::Vector
+            && !self.theory.setting.other_moments.has(entity)
     }
 
     /// The vectors that stand beside a component of the moment in what must vanish, which does without them.

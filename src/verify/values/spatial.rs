@@ -63,7 +63,7 @@ fn is_marked(symbol: &Symbol, reading: &Reading) -> bool {
 }
 
 /// Letters for the body's axes, where the document speaks of an attitude.
-const BODY: &[&str] = &["B", "b", "body"];
+pub(crate) const BODY: &[&str] = &["B", "b", "body"];
 
 /// A symbol without the label that puts it on the body's axes, `\mathbf h_B`, or the matrix without the two labels that it
 /// leads between, `\mathbf R_{WB}`; `None` where it has none.
