@@ -154,9 +154,15 @@ $$ \dot{{\mathbf J}}_s = {tensor} $$
 
 $$ \tau_s = \mathbf J_s\dot\omega_s {moment} \omega_s\times\mathbf J_s\omega_s $$
 
-As an example take a rotation about the third axis,
+As an example take a rotation through $\theta$ about the third axis,
 
 $$ \mathbf Q = \begin{{bmatrix}} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \cos\theta & 0 \\ 0 & 0 & 1 \end{{bmatrix}} $$
+
+$$ \omega_s = \dot\theta\begin{{bmatrix}} 0 \\ 0 \\ 1 \end{{bmatrix}} $$
+
+With $\mathbf J_b = \operatorname{{diag}}(A, B, C)$ the first entry is
+
+$$ (\mathbf J_s)_{{11}} = A\cos^2\theta + B\sin^2\theta $$
 "
         )
     };
@@ -167,11 +173,47 @@ $$ \mathbf Q = \begin{{bmatrix}} \cos\theta & -\sin\theta & 0 \\ \sin\theta & \c
     ];
     let rate = r"[\omega_s]_\times";
     let tensor = format!("{one} - {other}");
-    assert_eq!(verdicts(&text(rate, "+", &tensor, turn)), "ppppppa");
+    assert_eq!(verdicts(&text(rate, "+", &tensor, turn)), "ppppppapap");
     let turned = r"\mathbf Q^T\mathbf J_b\,\mathbf Q";
     let tensor = format!("{one} + {other}");
     assert_eq!(
         verdicts(&text(r"[\omega_b]_\times", "-", &tensor, turned)),
-        "pprrrra"
+        "pprrrrapap"
     );
+}
+
+#[test]
+fn a_matrix_that_is_written_out_tells_how_the_body_turns() {
+    let text = |sine: [&str; 2], lines: [&str; 2]| {
+        let ([above, below], [rate, entry]) = (sine, lines);
+        format!(
+            r"The rotation matrix $R$ takes components on body axes to components on space axes, $\dot R = R[\omega_b]_\times$, and $I_s = R I_b R^T$.
+
+# A turn about the first axis
+
+For a turn through $\theta$ about the first axis
+
+$$ R = \begin{{bmatrix}} 1 & 0 & 0 \\ 0 & \cos\theta & {above} \\ 0 & {below} & \cos\theta \end{{bmatrix}} $$
+
+$$ \omega_b = {rate} $$
+
+With $I_b = \operatorname{{diag}}(A, B, C)$ we have
+
+$$ (I_s)_{{33}} = {entry} $$
+
+# Any turn
+
+$$ \dot R = R[\omega_b]_\times $$
+"
+        )
+    };
+    let right = [r"-\sin\theta", r"\sin\theta"];
+    let rate = r"\dot\theta\begin{bmatrix} 1 \\ 0 \\ 0 \end{bmatrix}";
+    let entry = r"B\sin^2\theta + C\cos^2\theta";
+    assert_eq!(verdicts(&text(right, [rate, entry])), "ppapapp");
+    let wrong = r"\dot\theta\begin{bmatrix} 0 \\ 0 \\ 1 \end{bmatrix}";
+    let other = r"B\cos^2\theta + C\sin^2\theta";
+    assert_eq!(verdicts(&text(right, [wrong, other])), "ppararp");
+    let turned = [r"\sin\theta", r"-\sin\theta"];
+    assert!(verdicts(&text(turned, [rate, entry])).starts_with("ppu"));
 }

@@ -177,6 +177,7 @@ impl<'a> Checker<'a> {
             other_moments: OtherMoments::default(),
             parallel_axes: [None; 2],
             attitude: reading.attitude.convention,
+            attitude_given: false,
             half_angles: writes_half_angles(document),
         };
         let mut checker = Self {

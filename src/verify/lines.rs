@@ -3,6 +3,7 @@
 pub(super) mod accept;
 pub(super) mod at_the_start;
 pub(super) mod at_the_step;
+pub(super) mod attitude_given;
 pub(super) mod axes_left_behind;
 pub(super) mod bare_letters;
 pub(super) mod between_frames;

@@ -84,6 +84,7 @@ impl Checker<'_> {
         preferred.extend(turning.filter(|&v| self.theory.atoms.owner(v) == omega.as_ref()));
         let name = self.line_name(finding);
         let definition = role == Role::Define;
+        let given_attitude = self.writes_attitude_out(sides);
         if definition && let Some(new) = self.new_on_the_right(&normals, &read) {
             preferred = vec![new];
         }
@@ -108,6 +109,10 @@ impl Checker<'_> {
             definition,
         };
         match self.theory.assume(premise) {
+            Taken::Contradiction if given_attitude => {
+                self.end_given_attitude();
+                finding.reason = Some("the attitude is known by another matrix".to_owned());
+            }
             Taken::Contradiction if self.fits_rounded(sides, finding) => {}
             Taken::Contradiction => {
                 finding.verdict = Verdict::Refuted;

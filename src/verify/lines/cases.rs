@@ -93,6 +93,7 @@ impl Checker<'_> {
         self.end_premises(&ended);
         self.level = level;
         self.end_small_turns();
+        self.end_given_attitude();
         self.end_orders(level);
         if let Some(axes) = &mut self.reading.space_axes {
             axes.left = false;

@@ -211,6 +211,7 @@ impl Checker<'_> {
             || self.brings_wheels(&sides, finding)
             || self.brings_parts(&sides, finding)
             || self.says_by_use(&sides, finding)
+            || role == Role::Claim && self.gives_a_turn(&sides, finding)
             || !self.firm && self.precesses(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)

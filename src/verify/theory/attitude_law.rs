@@ -30,6 +30,9 @@ pub(crate) fn attitude(
     quantity: Quantity,
     (component, order): (u8, u8),
 ) -> Option<(&'static str, Fraction)> {
+    if setting.attitude_given && quantity == Quantity::Attitude {
+        return None;
+    }
     let entity = atoms.quantity(quantity);
     if order > 1 {
         let lower = atoms.part(entity, component, 1);
@@ -99,11 +102,14 @@ fn to_space(atoms: &mut Atoms, setting: Setting) -> Vector4<Fraction> {
 
 /// The angular velocity that turns what the attitude is of: the axes used, or the body seen from space.
 fn turning(atoms: &mut Atoms, setting: Setting) -> Vector3<Fraction> {
-    let quantity = match setting.axes {
+    vector(atoms, turning_quantity(setting), 0)
+}
+
+fn turning_quantity(setting: Setting) -> Quantity {
+    match setting.axes {
         Axes::Body | Axes::Space => Quantity::AngularVelocity,
         Axes::Turning => Quantity::FrameRate,
-    };
-    vector(atoms, quantity, 0)
+    }
 }
 
 /// Ṙ = R \[ω\]× for ω on body axes and R from body to space, and the same law in the other readings.
@@ -120,6 +126,30 @@ fn matrix_rate(atoms: &mut Atoms, setting: Setting) -> Matrix3<Fraction> {
     } else {
         mechanics::product(&mechanics::skew(&omega), &matrix)
     }
+}
+
+/// The angular velocity of an attitude that is written out, \[ω\]× = RᵀṘ, and its rates; `None` for other quantities.
+pub(crate) fn rate_of_matrix(
+    atoms: &mut Atoms,
+    setting: Setting,
+    quantity: Quantity,
+    (component, order): (u8, u8),
+) -> Option<(&'static str, Fraction)> {
+    if quantity != turning_quantity(setting) {
+        return None;
+    }
+    let matrix = body_to_space(atoms, setting);
+    let rate = matrix.map(|entry| atoms.derivative(&entry));
+    let skew = match setting.attitude.rate_in_space {
+        true => mechanics::product(&rate, &matrix.transpose()),
+        false => mechanics::product(&matrix.transpose(), &rate),
+    };
+    let at = usize::from(component);
+    let mut value = skew[((at + 2) % 3, (at + 1) % 3)].clone();
+    for _ in 0..order {
+        value = atoms.derivative(&value);
+    }
+    Some(("attitude", value))
 }
 
 /// q̇ = ½ q ω for ω on body axes and q from body to space, and the same law in the other readings.

@@ -66,6 +66,8 @@ pub(crate) struct Setting {
     pub dropped_axis: Option<u8>,
     /// What the attitude matrix and the quaternion take to what.
     pub attitude: attitude_law::Convention,
+    /// Whether the document writes the attitude matrix out: the angular velocity then follows from it.
+    pub attitude_given: bool,
     /// Whether sines and cosines are made of those of half the angle.
     pub half_angles: bool,
 }
@@ -149,6 +151,12 @@ fn part(
     }
     if matches!(quantity, Quantity::Attitude | Quantity::Quaternion) {
         return attitude_law::attitude(atoms, setting, quantity, (component, order));
+    }
+    if setting.attitude_given
+        && let Some(found) =
+            attitude_law::rate_of_matrix(atoms, setting, quantity, (component, order))
+    {
+        return Some(found);
     }
     if quantity == Quantity::AngularVelocity {
         return angular_acceleration(atoms, setting, component, order);

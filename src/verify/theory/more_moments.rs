@@ -144,7 +144,9 @@ impl Checker<'_> {
             Quantity::Moment,
         ];
         let main = main.map(|quantity| self.theory.atoms.quantity(quantity));
-        if self.entities(sides).iter().any(|e| main.contains(e)) {
+        let entities = self.entities(sides);
+        let turned = |e: &Entity| self.theory.atoms.info(*e).in_body.is_some();
+        if entities.iter().any(|e| main.contains(e) || turned(e)) {
             return false;
         }
         let mut bare = sides.to_vec();
