@@ -322,3 +322,60 @@ $$ M = I_y\dot q + (I_x - I_z)\,rp + I_{{xz}}(p^2 - r^2) {sign} {h}\,r $$
     assert_eq!(verdicts(&text(has, "h", "+")), "ppp");
     assert_eq!(verdicts(&text(has, "h", "-")), "ppr");
 }
+
+#[test]
+fn a_spin_alone_has_the_momentum_on_axes_that_turn_at_a_vector() {
+    let text = |last: &str| {
+        format!(
+            r"A gyroscope on a stand. The rotor has the moment of inertia $I$ and spins at the constant rate $\omega$ about $\hat x$. Its spin angular momentum is
+
+$$\vec L = I\omega\,\hat x$$
+
+The frame precesses with $\vec\Omega = \Omega\,\hat z$, which is constant. Hence
+
+$$\frac{{d\vec L}}{{dt}} = \vec\Omega\times\vec L = I\omega\Omega\,\hat y$$
+
+$${last}$$
+"
+        )
+    };
+    let found = |last| verdicts(&text(last));
+    assert_eq!(found(r"\vec\tau = I\omega\Omega\,\hat y"), "aapp");
+    assert_eq!(found(r"\vec\tau = -I\omega\Omega\,\hat y"), "aapr");
+    assert_eq!(found(r"\tau = I\omega\Omega"), "aapp");
+}
+
+#[test]
+fn lengths_of_a_bend_go_on_under_the_next_heading() {
+    let text = |momentum: &str, wheels: &str| {
+        format!(
+            r"## Axes
+
+The car follows a bend of radius $R$ at the constant speed $v$. The axes $\hat\imath$, $\hat\jmath$, $\hat k$ move with it:
+
+$$ \vec\Omega = \frac{{v}}{{R}}\,\hat k $$
+
+The crankshaft has the moment of inertia $J$ about its axis and spins at the constant rate $\omega_e$. What matters of its angular momentum is
+
+$$ \vec H = J\omega_e\,\hat\imath $$
+
+## The couple
+
+$$ \vec M = \frac{{d\vec H}}{{dt}} = \frac{{v}}{{R}}\,J\omega_e\,\hat\jmath $$
+
+The angular momentum of the wheels is $\vec H_w = 4I_w\omega_w\,\hat\jmath$, which changes at the rate
+
+$$ \vec\Omega\times\vec H_w = {wheels}\frac{{4I_w\omega_w v}}{{R}}\,\hat\imath $$
+
+## Numbers
+
+Take $J = 0.25~\mathrm{{kg\,m^2}}$, $\omega_e = 600~\mathrm{{rad/s}}$, $v = 20~\mathrm{{m/s}}$, $R = 40~\mathrm{{m}}$. Then
+
+$$ H = {momentum}~\mathrm{{kg\,m^2/s}} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("150", "-")), "aapapaaaap");
+    assert!(!verdicts(&text("150", "")).contains("pap"));
+    assert!(!verdicts(&text("160", "-")).ends_with(['p', 'a']));
+}

@@ -36,6 +36,7 @@ pub(super) mod set_letters;
 pub(super) mod sightings;
 pub(super) mod skew_marks;
 pub(super) mod space_axes;
+pub(super) mod spin_alone;
 pub(super) mod spin_axis;
 pub(super) mod triad;
 pub(super) mod two_points;

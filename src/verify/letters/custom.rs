@@ -278,6 +278,8 @@ impl Reading {
             "L" if letter.calligraphic && !directed => None,
             // Beside a momentum L, an H without index or arrow is Hamilton's function.
             "H" if !directed && self.is_directed("L") => Some(Quantity::Energy),
+            // Beside a vector H that words call the momentum, an L without index or arrow is a length.
+            "L" if !directed && self.is_directed("H") && taken(Quantity::Momentum) => None,
             "L" | "H" if !self.components.contains_key(letter) => Some(Quantity::Momentum),
             "h" | "ell" if directed && !taken(Quantity::Momentum) => Some(Quantity::Momentum),
             "M" if directed || used.resultant > 0 => Some(Quantity::Moment),

@@ -79,6 +79,8 @@ pub(crate) struct Reading {
     pub(crate) labelled_wheel: Option<LabelledWheel>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.
     pub(crate) rotor_alone: bool,
+    /// Whether a line gives the momentum as that of a spin alone: with a label the letter is another rotor's.
+    pub(crate) spin_alone: bool,
     /// Whether the plain letter i is the imaginary unit.
     pub(crate) imaginary: bool,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
@@ -162,6 +164,7 @@ impl Reading {
         reading.by_moment_law(document);
         reading.by_points();
         reading.by_labels(document);
+        reading.note_spin_alone(document);
         reading.note_own_point(document);
         reading.in_a_plane();
         reading.about_fixed_axis(document);

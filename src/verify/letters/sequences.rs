@@ -99,7 +99,11 @@ impl Reading {
                 calligraphic,
             });
             let bare = |l: &Letter| self.usage.get(l).bare > 0;
-            if trio.iter().all(bare) && self.usage.get(&trio[0]).component == 0 {
+            // Beside a vector M that no list is made of, an M is its length.
+            let vector = |l: &Letter| self.usage.get(l).vector > 0;
+            let listed = rates || calligraphic || self.usage.lists(["L", "M", "N"]);
+            let apart = !listed && trio.iter().any(vector);
+            if trio.iter().all(bare) && self.usage.get(&trio[0]).component == 0 && !apart {
                 self.take_components(trio, Quantity::Moment);
             }
         }

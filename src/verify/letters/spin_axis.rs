@@ -100,7 +100,7 @@ pub(crate) fn axis_of(symbol: &Symbol) -> Option<u8> {
     letter.or_else(|| unit_axis(symbol))
 }
 
-fn unit_axis(symbol: &Symbol) -> Option<u8> {
+pub(crate) fn unit_axis(symbol: &Symbol) -> Option<u8> {
     if !symbol.style.vector && !symbol.style.hat {
         return None;
     }

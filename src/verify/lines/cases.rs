@@ -26,6 +26,8 @@ pub(crate) struct Cases {
     kept: BTreeMap<Name, u32>,
     /// In which case a display set the motion up.
     set: BTreeMap<Name, u32>,
+    /// Assumptions in displays that are none in so many words.
+    shown: BTreeSet<Name>,
     /// Whether the sentence speaks of a case that is not the one at hand.
     pub hypothesis: bool,
     /// How many headings stand before.
@@ -63,7 +65,7 @@ impl Cases {
 
     /// Whether a display of the section at hand set the motion up by a premise.
     pub(crate) fn is_set_up(&self, name: &str) -> bool {
-        self.set.contains_key(name)
+        self.set.contains_key(name) || self.shown.contains(name)
     }
 }
 
@@ -105,6 +107,7 @@ impl Checker<'_> {
         self.cases.disturbed = before.disturbed;
         let lasting = before.set.into_keys().filter(|name| !ended.contains(name));
         self.cases.set = lasting.map(|name| (name, 0)).collect();
+        self.cases.shown = before.shown;
         self.sought = None;
     }
 
@@ -137,6 +140,9 @@ impl Checker<'_> {
     pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
         if role == Role::Assume || role == Role::Given && !self.displayed {
             self.cases.kept.insert(name.to_owned(), self.cases.now);
+            if self.displayed && !self.firm {
+                self.cases.shown.insert(name.to_owned());
+            }
         } else if role != Role::Claim {
             self.cases.set.insert(name.to_owned(), self.cases.now);
         }

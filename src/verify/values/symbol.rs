@@ -177,7 +177,8 @@ fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meani
     }
     let latex = latex_name(&letter.name);
     let length = matches!(quantity, Quantity::Momentum | Quantity::Moment)
-        || reading.usage.lengths.contains(letter);
+        || reading.usage.lengths.contains(letter)
+        || reading.spin_alone && !reading.usage.numbers.contains(letter);
     let owner = if length {
         Owner::Quantity(quantity, MAGNITUDE.to_owned())
     } else {
@@ -257,6 +258,7 @@ fn is_quantity(
         Quantity::Inertia => sorted.variant.is_empty(),
         Quantity::Energy if step_index(&sorted.variant) => reading.usage.counts_steps(),
         Quantity::Energy | Quantity::Power => !marked && sorted.variant.is_empty(),
+        Quantity::RelativeMomentum if reading.spin_alone => sorted.variant.is_empty(),
         // The h_w of a wheel, never marked and without a component, is a number.
         Quantity::RelativeMomentum => {
             let component = reading.usage.get(&letter).component > 0;

@@ -14,6 +14,13 @@ use crate::verify::values::symbol::Meaning;
 use crate::verify::words::outlasting::{items_from, nodes};
 use std::collections::BTreeSet;
 
+/// Quantities that say how something turns.
+const TURNS: &[Quantity] = &[
+    Quantity::AngularVelocity,
+    Quantity::FrameRate,
+    Quantity::RelativeMomentum,
+];
+
 impl Checker<'_> {
     /// Whether a premise says how the body turns by symbols of the document, or that such a symbol is constant, and the
     /// formulas from a heading on have these symbols; those of its section set no rate anew and have no rate of one.
@@ -25,7 +32,9 @@ impl Checker<'_> {
         let Some(own) = self.turns_by(premise) else {
             return false;
         };
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let rates = [Quantity::AngularVelocity, Quantity::FrameRate];
+        let rates = rates.map(|quantity| self.theory.atoms.quantity(quantity));
+        let momentum = self.theory.atoms.quantity(Quantity::RelativeMomentum);
         let document = self.document;
         let (mut used, mut headings) = (false, 0);
         for item in items_from(document, heading) {
@@ -40,12 +49,16 @@ impl Checker<'_> {
                     continue;
                 }
                 let rated = self.entities_of(under_dots(side));
-                if rated.iter().any(|e| own.contains(e) || *e == omega) {
+                if rated.iter().any(|e| own.contains(e) || rates.contains(e)) {
                     return false;
                 }
             }
-            let set = self.entities_of(set_by(formula));
-            if headings == 1 && set.contains(&omega) {
+            // A bare Ω is the length of the vector, or the number in it.
+            let mut set = set_by(formula);
+            set.retain(|s| s.style.vector || matches!(self.meaning_of(s), Meaning::Component(..)));
+            let set = self.entities_of(set);
+            let anew = |e: &Entity| rates.contains(e) || *e == momentum;
+            if headings == 1 && set.iter().any(anew) {
                 return false;
             }
         }
@@ -69,11 +82,17 @@ impl Checker<'_> {
                 Owner::Symbol(_) => {
                     own.insert(entity);
                 }
-                Owner::Quantity(Quantity::AngularVelocity, variant) if variant.is_empty() => {
-                    turns |= order == 0;
+                Owner::Quantity(quantity, variant) if variant.is_empty() => {
+                    turns |= order == 0 && TURNS.contains(quantity);
                     rests = false;
+                    if !TURNS.contains(quantity) && *quantity != Quantity::Mass {
+                        return None;
+                    }
                 }
-                Owner::Quantity(..) => return None,
+                // The ω_s of a wheel, the speed v.
+                Owner::Quantity(..) => {
+                    own.insert(entity);
+                }
             }
         }
         let given = turns && self.cases.is_set_up(&premise.name);

@@ -1,0 +1,91 @@
+//! A rotor whose spin is all that has a momentum, as in the plain account of the gyroscope: `\vec L = I\omega_s\,\hat r` on axes
+//! that turn at Ω, and what the turn itself adds is left out.
+
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::Document;
+use crate::verify::letters::reading::Reading;
+use crate::verify::letters::spin_axis::unit_axis;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::repair::lines;
+use crate::verify::values::quantity::Quantity;
+
+impl Reading {
+    /// Takes the momentum for that of a rotor where a line gives it by a moment of inertia, one rate and a unit vector, the
+    /// axes turn at a vector Ω, and no ω is a vector.
+    pub(crate) fn note_spin_alone(&mut self, document: &Document) {
+        let directed = |letter: &Letter| {
+            let used = self.usage.get(letter);
+            used.vector + used.tensor + used.component + used.double > 0
+        };
+        let of = |quantity: Quantity| {
+            let all = self.quantities.iter();
+            all.filter(move |(_, q)| **q == quantity).map(|(l, _)| l)
+        };
+        let turns = self.usage.get(&Letter::plain("Omega")).vector > 0;
+        let rates =
+            |(q, _): &(Quantity, u8)| matches!(q, Quantity::AngularVelocity | Quantity::Momentum);
+        let by_parts = self.components.values().any(rates);
+        let omega = directed(&Letter::plain("omega"));
+        if !turns || by_parts || omega || of(Quantity::Inertia).any(directed) {
+            return;
+        }
+        let momentum = |symbol: &Symbol| {
+            let whole = symbol.style.vector && symbol.subscripts.is_empty();
+            let letter = Letter::of(symbol);
+            (whole && self.quantities.get(&letter) == Some(&Quantity::Momentum)).then_some(letter)
+        };
+        let mut given = vec![];
+        for line in lines(document) {
+            let [left, right] = line.sides.as_slice() else {
+                continue;
+            };
+            if let Kind::Symbol(symbol) = &inner(left).kind
+                && let Some(letter) = momentum(symbol)
+            {
+                given.push((letter, self.spin(right)));
+            }
+        }
+        let [(letter, Some(rate))] = given.as_slice() else {
+            return;
+        };
+        // The ω of the spin is a number.
+        if rate.subscripts.is_empty() {
+            self.quantities.remove(&Letter::of(rate));
+        }
+        self.quantities
+            .insert(letter.clone(), Quantity::RelativeMomentum);
+        // No moment of the rotor is one of what carries it.
+        self.components.retain(|_, (q, _)| *q != Quantity::Inertia);
+        self.moments.clear();
+        self.spin_alone = true;
+    }
+
+    /// The rate of a side that is a moment of inertia times a rate along one unit vector.
+    fn spin<'n>(&self, side: &'n Node) -> Option<&'n Symbol> {
+        let Kind::Product(factors) = &inner(side).kind else {
+            return None;
+        };
+        let mut symbols = factors
+            .iter()
+            .map(|factor| match &inner(&factor.node).kind {
+                Kind::Symbol(symbol) => Some(symbol),
+                _ => None,
+            });
+        let (Some(moment), Some(rate), Some(axis), None) = (
+            symbols.next().flatten(),
+            symbols.next().flatten(),
+            symbols.next().flatten(),
+            symbols.next(),
+        ) else {
+            return None;
+        };
+        let unit = axis.style.hat || unit_axis(axis).is_some();
+        let inertia = |s: &Symbol| {
+            let (letter, whole) = (Letter::of(s), Quantity::Inertia);
+            let part = self.components.get(&letter).map(|(q, _)| q);
+            self.quantities.get(&letter).or(part) == Some(&whole)
+        };
+        let spin = unit && inertia(moment) && !inertia(rate) && !rate.style.vector;
+        spin.then_some(rate)
+    }
+}
