@@ -96,3 +96,25 @@ $$ n_{{\min}} = {least} $$
     );
     assert_eq!(inclined, "aaa");
 }
+
+#[test]
+fn a_size_with_the_letter_of_its_vector_has_both_roots() {
+    let text = |below: &str| {
+        verdicts(&format!(
+            r"The axes turn with the rate $\Omega$ about the vertical, the moments are $A$ and $C$:
+
+$$ \boldsymbol{{\Omega}} = \Omega\sin\theta\,\mathbf{{e}}_2 + \Omega\cos\theta\,\mathbf{{e}}_3 $$
+
+The weight gives
+
+$$ A\,\Omega^2\cos\theta - C\,\omega_3\,\Omega + m g l = 0. $$
+
+The two roots are
+
+$$ \Omega = \frac{{C\,\omega_3 \pm \sqrt{{C^2\omega_3^2 - 4A\,m g l\cos\theta}}}}{{{below}A\cos\theta}} $$
+"
+        ))
+    };
+    assert!(text("2").ends_with('p'));
+    assert!(text("").ends_with('r'));
+}

@@ -28,3 +28,17 @@ fn a_velocity_is_seen_from_space() {
         assert_eq!(named(line, wrong), format!("a{verdict}r"), "{line}");
     }
 }
+
+#[test]
+fn an_element_of_a_body_turns_about_the_fixed_point() {
+    let text = |velocity: &str| {
+        verdicts(&format!(
+            "A rigid body rotates with the angular velocity $\\vec\\omega$ about a fixed point $O$. Take a small element \
+             $dm$ with the position vector $\\vec r$. Then the velocity of this element is $\\vec v = {velocity}$.\n\n\
+             $$ \\vec L = \\int \\vec r\\times\\vec v\\,dm $$\n\n\
+             On the axes $x$, $y$, $z$ we have\n\n$$ \\vec r = x\\hat i + y\\hat j + z\\hat k $$\n"
+        ))
+    };
+    assert_eq!(text("\\vec\\omega\\times\\vec r"), "ppa");
+    assert!(text("\\vec r\\times\\vec\\omega").starts_with('r'));
+}

@@ -231,7 +231,7 @@ impl Checker<'_> {
     }
 
     /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
-    fn note_scalars(&mut self, sides: &[Node]) {
+    pub(crate) fn note_scalars(&mut self, sides: &[Node]) {
         if self.given_scalars(sides) {
             return;
         }

@@ -46,6 +46,10 @@ impl Checker<'_> {
         if count(right) != 1 {
             return false;
         }
+        // Beside a number, the letter of a vector is its size.
+        let mut one = right.clone();
+        choose(&mut one, false);
+        self.note_scalars(&[left.clone(), one]);
         // What the document supposes may be the very equation, or that products vanish which words only lead away from.
         let names = self.theory.premises().iter().map(|p| p.name.clone());
         let names: BTreeSet<String> = names.collect();

@@ -97,6 +97,7 @@ impl Checker<'_> {
             return laws;
         };
         laws.extend(self.points_of_one_body(left, &met));
+        laws.extend(self.element_about_fixed_point(left, &met));
         laws.extend(self.rate_of_position(left, sides));
         if of_points && self.is_new(left) && is_acceleration(left) && self.is_velocity_known(left) {
             let points = met.iter().filter(|s| is_acceleration(s));

@@ -2,11 +2,15 @@
 
 use crate::notation::ast::Symbol;
 use crate::verify::check::Checker;
+use crate::verify::letters::particles::PLACES;
 use crate::verify::lines::points::{Law, label};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::words::book::{has_any, lowered};
 
+/// Words for a point of the body, and for the one that it turns about.
+const ELEMENTS: &[&str] = &["element", "particle", "point of the body", "mass point"];
+const FIXED_POINT: &[&str] = &["fixed point", "point fixed", "pivot"];
 /// Words behind the letter of a point that does not move.
 const AT_REST: &[&str] = &["is fixed", "is at rest", "does not move", "is stationary"];
 
@@ -45,6 +49,34 @@ impl Checker<'_> {
         let value = base.plus(&turned, !there).ok()?;
         let entity = self.entity_named(left)?;
         Some(Law::new("points of a rigid body", entity, value).said())
+    }
+
+    /// The velocity of an element of a rigid body that turns about a fixed point, with its place as the author calls it:
+    /// `\mathbf v = \boldsymbol\omega\times\mathbf r`.
+    pub(crate) fn element_about_fixed_point(
+        &mut self,
+        left: &Symbol,
+        met: &[&Symbol],
+    ) -> Option<Law> {
+        let plain =
+            |s: &Symbol| s.style.vector && s.subscripts.is_empty() && s.superscripts.is_empty();
+        let place = |s: &&&Symbol| plain(s) && PLACES.contains(&s.name.as_str());
+        if left.name != "v"
+            || !plain(left)
+            || self.reading.moving_point.is_some()
+            || !self.is_new(left)
+            || !self.text.says(&["rigid"])
+            || !has_any(&lowered(&self.sentence), ELEMENTS)
+            || !self.text.says(FIXED_POINT)
+        {
+            return None;
+        }
+        let place = *met.iter().find(place)?;
+        let (velocity, place) = (self.entity_named(left)?, self.entity_named(place)?);
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let [place, omega] = [place, omega].map(|e| Value::column(self.theory.atoms.vector(e, 0)));
+        let value = omega.cross(&place).ok()?;
+        Some(Law::new("rigid", velocity, value))
     }
 
     /// "If A is fixed": the velocity and the acceleration that have its letter vanish.

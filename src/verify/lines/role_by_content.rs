@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::particles::PLACES;
 use crate::verify::letters::usage::{inner, symbols, undotted};
 use crate::verify::lines::defined_squares::is_two;
 use crate::verify::lines::given::is_zero;
@@ -48,6 +49,9 @@ impl Checker<'_> {
             || !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides))
         {
             return Role::Assume;
+        }
+        if role == Role::Claim && self.writes_coordinates(sides) {
+            return Role::Define;
         }
         if role == Role::Claim || self.firm {
             return role;
@@ -140,6 +144,26 @@ impl Checker<'_> {
             .iter()
             .all(|term| !term.negative && names(self, &term.node));
         vector && plain && axes.len() == 3
+    }
+
+    /// Whether a line gives the components of a place by the letters of the axes: `\mathbf r = x\,i + y\,j + z\,k`.
+    fn writes_coordinates(&mut self, sides: &[Node]) -> bool {
+        let [left, right] = sides else { return false };
+        let place =
+            matches!(&inner(left).kind, Kind::Symbol(s) if PLACES.contains(&s.name.as_str()));
+        if !place || !self.writes_components(sides) {
+            return false;
+        }
+        let met = symbols(right);
+        let named = |pair: &[&Symbol]| {
+            let axis = match self.meaning_of(pair[1]) {
+                Meaning::UnitVector(axis) => usize::from(axis),
+                _ => return false,
+            };
+            pair[0].subscripts.is_empty()
+                && ["x", "y", "z"].get(axis) == Some(&pair[0].name.as_str())
+        };
+        met.chunks(2).all(named)
     }
 
     /// Whether a symbol of the document stands in a line that nothing before says anything of.
