@@ -159,3 +159,15 @@ $$ \dot L_z = FACTOR K\nu\dot\beta\sin\beta\cos\beta $$
     assert_eq!(with("^2", ""), "pr");
     assert!(with("", "2").starts_with('r'));
 }
+
+#[test]
+fn a_uniform_box_has_moments_by_its_edges() {
+    let text = |last: &str| {
+        verdicts(&format!(
+            "For a solid box of mass $m$ with edges $a$, $b$, $c$ along $x$, $y$, $z$ the diagonal entries are\n\n\
+             $$ I_x = \\frac{{m}}{{12}}(b^2 + c^2), \\qquad I_z = \\frac{{m}}{{12}}({last}) $$\n"
+        ))
+    };
+    assert_eq!(text("a^2 + b^2"), "pp");
+    assert_eq!(text("b^2 + c^2"), "pr");
+}

@@ -258,6 +258,7 @@ impl<'a> Checker<'a> {
         checker.note_cones();
         checker.name_components();
         checker.keep_momentum_between_states();
+        checker.take_uniform_box();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);
         }

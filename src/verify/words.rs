@@ -32,4 +32,5 @@ pub(super) mod symmetric_body;
 pub(super) mod text;
 pub(super) mod torque_free;
 pub(super) mod turning_axes;
+pub(super) mod uniform_box;
 pub(super) mod wheel_speed;
