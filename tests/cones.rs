@@ -120,3 +120,20 @@ fn plain_text_names_moments_rates_and_the_angle() {
     assert_eq!(last("C ωs = H sin θ"), "pr");
     assert_eq!(last("A ωs = H cos θ"), "pr");
 }
+
+#[test]
+fn the_angle_between_momentum_and_rate_has_its_cosine_by_the_energy() {
+    let cosine = |words: &str, line: &str| {
+        verdicts(&format!(
+            "A free body with the principal moments $A$, $B$, $C$ has the kinetic energy $T$ and the angular momentum $\\mathbf L$.\n\n\
+             {words}\n\n$$ \\cos\\beta = {line} $$\n"
+        ))
+    };
+    let by_letters = r"The angle $\beta$ between $\mathbf L$ and $\boldsymbol\omega$ follows from";
+    let by_words =
+        r"Let $\beta$ be the angle between the angular momentum and the axis of rotation. Then";
+    for words in [by_letters, by_words] {
+        assert_eq!(cosine(words, r"\frac{2T}{L\omega}"), "a");
+        assert_eq!(cosine(words, r"\frac{T}{L\omega}"), "r");
+    }
+}

@@ -209,3 +209,19 @@ fn a_dot_may_stand_before_the_index_of_a_component() {
     assert_eq!(plain("Ixx*wdotx"), plain("Ixx*wxdot"));
     assert_eq!(plain("omegaddot1"), plain("omega1ddot"));
 }
+
+#[test]
+fn an_order_in_a_sentence_is_a_formula() {
+    let orders = [
+        ("Check: A + B > C  (0.015 > 0.013, ok)", "(+ A B) > C"),
+        ("For the long body C < A.", "C < A"),
+        (
+            "It is found from cos(angle) = 2 T / L.",
+            "(cos up:angle) = (* 2 (/ T L))",
+        ),
+    ];
+    for (text, formula) in orders {
+        assert_eq!(places(text), [(1, formula.to_owned())], "{text}");
+    }
+    assert!(places("> I think so, and he is not > you").is_empty());
+}

@@ -330,3 +330,18 @@ $$ \dot L_b = -\omega_b\times L_b $$
 ";
     assert_eq!(verdicts(text), "ppp");
 }
+
+#[test]
+fn the_title_of_a_section_in_plain_text_names_no_letter() {
+    let text = |energy: &str| {
+        format!(
+            "1. Data\n\n   A = 2 kg m^2, B = 3 kg m^2 and C = 4 kg m^2 are the principal moments.\n\n\
+             2. Energy and momentum\n\n   Rate about the axle: w = 5 rad/s, with w1 = 3 rad/s, w2 = 4 rad/s, w3 = 0.\n\n\
+             \x20  T = 1/2 (A w1^2 + B w2^2) = {energy} J\n\n   L1 = A w1 = 6 kg m^2/s\n"
+        )
+    };
+    let found = verdicts_in(&text("33"), Format::Text);
+    assert!(found.ends_with("pp"), "{found}");
+    let found = verdicts_in(&text("66"), Format::Text);
+    assert!(found.ends_with("rp"), "{found}");
+}

@@ -1,6 +1,7 @@
 //! What becomes of a line: a claim, a definition, something given, or a reason to leave it open.
 
 pub(super) mod accept;
+pub(super) mod angle_between;
 pub(super) mod at_the_start;
 pub(super) mod at_the_step;
 pub(super) mod attitude_given;

@@ -16,7 +16,7 @@ enum Look {
 /// Short words of English that are no letters of a formula.
 const SHORT: &[&str] = &[
     "a", "an", "as", "at", "be", "by", "do", "if", "in", "is", "it", "no", "of", "on", "or", "so",
-    "to", "up", "us", "we", "he", "my", "go", "am", "me", "eq", "vs",
+    "to", "up", "us", "we", "he", "my", "go", "am", "me", "eq", "vs", "ok",
 ];
 
 /// A point with space on both sides is that of a product: `w . (I w)`.
@@ -42,7 +42,7 @@ fn look(word: &str) -> Look {
     let known = |word: &str| plain_words::word(word).is_some();
     // "The product w2*w3": no word of English has a star in it.
     let product = core.contains('*') && core.split('*').all(known);
-    if strong || known(core) || product || is_rate(core) {
+    if strong || known(core) || product || is_rate(core) || is_called_by_word(core) {
         return Look::Strong;
     }
     if word == DOT {
@@ -61,6 +61,16 @@ fn look(word: &str) -> Look {
         return Look::Words;
     }
     Look::Weak
+}
+
+/// `cos(angle)`: a function of what has a word for its name.
+fn is_called_by_word(word: &str) -> bool {
+    let parts = word.strip_suffix(')').and_then(|rest| rest.split_once('('));
+    parts.is_some_and(|(function, name)| {
+        matches!(function, "sin" | "cos" | "tan")
+            && name.len() > 2
+            && name.bytes().all(|b| b.is_ascii_lowercase())
+    })
 }
 
 /// More than two letters, or one of the short words.
@@ -86,6 +96,10 @@ fn is_rate(word: &str) -> bool {
 
 fn is_relation(word: &str) -> bool {
     matches!(word, "=" | "≈" | "≡" | ":=" | "≔" | "==" | "~=")
+}
+
+fn is_order(word: &str) -> bool {
+    matches!(word, "<" | ">" | "<=" | ">=" | "≤" | "≥" | "≪" | "≫")
 }
 
 fn is_constant(word: &str) -> bool {
@@ -199,7 +213,9 @@ pub(super) fn runs(text: &str) -> Vec<(usize, usize)> {
             let end = at + word.trim_end_matches(['.', ',', ';', ':']).len();
             let held = is_held(word, &text[at + piece.len()..]);
             if held || belongs(word, run.as_ref().map(|run| &text[run.start..run.end])) {
-                let strong = look(word) == Look::Strong || held;
+                // A sign of order opens no line: there it marks what somebody else wrote.
+                let order = run.is_some() && is_order(word);
+                let strong = look(word) == Look::Strong || held || order;
                 let mut next = run.take().unwrap_or(Run {
                     start: at,
                     end,
@@ -298,7 +314,9 @@ fn is_open(text: &str) -> bool {
 
 /// Whether a word goes on with the run before it.
 fn belongs(word: &str, run: Option<&str>) -> bool {
-    let operators = ['=', '+', '-', '−', '/', '*', '(', '×', '·'];
+    let operators = [
+        '=', '+', '-', '−', '/', '*', '(', '×', '·', '<', '>', '≤', '≥',
+    ];
     let open = run.is_some_and(|run| run.ends_with(operators));
     let letter = word.trim_end_matches(['.', ',', ':', ';']).len() == 1;
     // "I_xz = integral of x*z dm".

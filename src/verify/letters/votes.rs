@@ -42,6 +42,10 @@ impl Reading {
                     // "For the torque …" behind a display opens a sentence of its own.
                     let opens = text.trim_start().starts_with(char::is_uppercase);
                     let text = text.to_lowercase();
+                    // A title in plain text, "3. Energy", names nothing in the paragraph below it.
+                    if opens && opens_paragraph {
+                        before.clear();
+                    }
                     self.supposed_constant(&before, &text, &mut listed);
                     self.speaks_of_energy |= text.contains("energy");
                     self.speaks_of_force |= text.contains("force");

@@ -212,6 +212,7 @@ impl Checker<'_> {
             || self.brings_parts(&sides, finding)
             || self.says_by_use(&sides, finding)
             || role == Role::Claim && self.gives_a_turn(&sides, finding)
+            || self.is_angle_of_momentum(&sides, finding)
             || !self.firm && self.precesses(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)

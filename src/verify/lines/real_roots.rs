@@ -164,7 +164,7 @@ impl Checker<'_> {
     }
 
     /// A number that the right side has to be multiplied by.
-    fn lost_in_front(&self, factor: Rational, left: &Node, right: &Node) -> Diagnosis {
+    pub(crate) fn lost_in_front(&self, factor: Rational, left: &Node, right: &Node) -> Diagnosis {
         let factor = names::fraction(&self.theory.atoms, &constant(factor));
         let [left, text] = [left, right].map(|side| self.document.source.slice(side.span).trim());
         Diagnosis {
