@@ -340,9 +340,9 @@ $${last}$$
         )
     };
     let found = |last| verdicts(&text(last));
-    assert_eq!(found(r"\vec\tau = I\omega\Omega\,\hat y"), "aapp");
-    assert_eq!(found(r"\vec\tau = -I\omega\Omega\,\hat y"), "aapr");
-    assert_eq!(found(r"\tau = I\omega\Omega"), "aapp");
+    assert_eq!(found(r"\vec\tau = I\omega\Omega\,\hat y"), "appp");
+    assert_eq!(found(r"\vec\tau = -I\omega\Omega\,\hat y"), "appr");
+    assert_eq!(found(r"\tau = I\omega\Omega"), "appp");
 }
 
 #[test]
@@ -378,4 +378,33 @@ $$ H = {momentum}~\mathrm{{kg\,m^2/s}} $$
     assert_eq!(verdicts(&text("150", "-")), "aapapaaaap");
     assert!(!verdicts(&text("150", "")).contains("pap"));
     assert!(!verdicts(&text("160", "-")).ends_with(['p', 'a']));
+}
+
+#[test]
+fn unit_vectors_along_around_and_up_turn_with_the_axle() {
+    let text = |rate: &str, turn: &str| {
+        format!(
+            r"A gyroscope of mass $m$ hangs at one end of its axle of length $\ell$. $\mathbf e_z$ is vertical, $\mathbf e_\rho$ points along the axle and $\mathbf e_\varphi = \mathbf e_z\times\mathbf e_\rho$. Its moment of inertia about the axle is $J$ and it spins at $s$. Only the spin counts,
+
+$$ \mathbf L = J s\,\mathbf e_\rho $$
+
+It precesses with $\boldsymbol\Omega = \Omega\,\mathbf e_z$, so
+
+$$ \dot{{\mathbf e}}_\varphi = {rate}\Omega\,\mathbf e_\rho $$
+
+$$ \dot{{\mathbf L}} = J s\Omega\,\mathbf e_\varphi $$
+
+The weight has the moment
+
+$$ \boldsymbol\tau = \ell\,\mathbf e_\rho\times(-mg\,\mathbf e_z) = mg\ell\,\mathbf e_\varphi $$
+
+Therefore
+
+$$ \Omega = \frac{{mg\ell}}{{{turn}}} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("-", "Js")), "pappppp");
+    assert_eq!(verdicts(&text("", "Js")), "paprppp");
+    assert_eq!(verdicts(&text("-", "2Js")), "pappppr");
 }

@@ -31,6 +31,7 @@ pub(super) mod raised_steps;
 pub(super) mod reading;
 pub(super) mod rivals;
 pub(super) mod roles_by_law;
+pub(super) mod round_axes;
 pub(super) mod sequences;
 pub(super) mod set_letters;
 pub(super) mod sightings;

@@ -12,6 +12,7 @@ use crate::verify::letters::labelled_wheel::LabelledWheel;
 use crate::verify::letters::moving_point::MovingPoint;
 use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
+use crate::verify::letters::round_axes::RoundAxes;
 use crate::verify::letters::space_axes::{SpaceAxes, momentum_in_space};
 use crate::verify::letters::two_points::TwoPoints;
 use crate::verify::letters::two_states::TwoStates;
@@ -79,8 +80,12 @@ pub(crate) struct Reading {
     pub(crate) labelled_wheel: Option<LabelledWheel>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.
     pub(crate) rotor_alone: bool,
+    /// Unit vectors along, around and up.
+    pub(crate) round_axes: Option<RoundAxes>,
     /// Whether a line gives the momentum as that of a spin alone: with a label the letter is another rotor's.
     pub(crate) spin_alone: bool,
+    /// The moment of inertia in it.
+    pub(crate) moment_of_spin: Option<Symbol>,
     /// Whether the plain letter i is the imaginary unit.
     pub(crate) imaginary: bool,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
@@ -138,6 +143,7 @@ impl Reading {
             frames: Frames::of(document),
             ..Self::default()
         };
+        reading.round_axes = RoundAxes::of(&reading.usage);
         reading.imaginary = has_imaginary_unit(document, &reading.usage);
         reading.points = TwoPoints::of(document, &reading.usage);
         reading.by_front_matter(document);

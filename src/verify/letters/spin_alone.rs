@@ -1,13 +1,21 @@
 //! A rotor whose spin is all that has a momentum, as in the plain account of the gyroscope: `\vec L = I\omega_s\,\hat r` on axes
 //! that turn at Ω, and what the turn itself adds is left out.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::Document;
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::spin_axis::unit_axis;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::repair::lines;
+use crate::verify::theory::Premise;
+use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
+
+/// The name of a premise.
+const TURN: &str = "the angular velocity of the axes by its number";
 
 impl Reading {
     /// Takes the momentum for that of a rotor where a line gives it by a moment of inertia, one rate and a unit vector, the
@@ -45,7 +53,7 @@ impl Reading {
                 given.push((letter, self.spin(right)));
             }
         }
-        let [(letter, Some(rate))] = given.as_slice() else {
+        let [(letter, Some((moment, rate)))] = given.as_slice() else {
             return;
         };
         // The ω of the spin is a number.
@@ -58,10 +66,11 @@ impl Reading {
         self.components.retain(|_, (q, _)| *q != Quantity::Inertia);
         self.moments.clear();
         self.spin_alone = true;
+        self.moment_of_spin = Some((*moment).clone());
     }
 
-    /// The rate of a side that is a moment of inertia times a rate along one unit vector.
-    fn spin<'n>(&self, side: &'n Node) -> Option<&'n Symbol> {
+    /// The factors of a side that is a moment of inertia times a rate along one unit vector.
+    fn spin<'n>(&self, side: &'n Node) -> Option<(&'n Symbol, &'n Symbol)> {
         let Kind::Product(factors) = &inner(side).kind else {
             return None;
         };
@@ -79,13 +88,76 @@ impl Reading {
         ) else {
             return None;
         };
-        let unit = axis.style.hat || unit_axis(axis).is_some();
+        let round = self.round_axes.as_ref().and_then(|axes| axes.axis(axis));
+        let unit = axis.style.hat || unit_axis(axis).or(round).is_some();
         let inertia = |s: &Symbol| {
             let (letter, whole) = (Letter::of(s), Quantity::Inertia);
             let part = self.components.get(&letter).map(|(q, _)| q);
             self.quantities.get(&letter).or(part) == Some(&whole)
         };
         let spin = unit && inertia(moment) && !inertia(rate) && !rate.style.vector;
-        spin.then_some(rate)
+        spin.then_some((moment, rate))
+    }
+}
+
+impl Checker<'_> {
+    /// Takes a line `\vec\Omega = \Omega\,\hat z` in from the start, where it is the only one of its kind: Ω is that number before
+    /// the vector is written too.
+    pub(crate) fn turns_at_its_number(&mut self) {
+        if !self.reading.spin_alone {
+            return;
+        }
+        let rate = Letter::plain("Omega");
+        let named = |line: &&Line| {
+            let [left, right] = line.sides.as_slice() else {
+                return false;
+            };
+            let vector = matches!(&inner(left).kind, Kind::Symbol(s) if s.style.vector && Letter::of(s) == rate);
+            let Kind::Product(factors) = &inner(right).kind else {
+                return false;
+            };
+            let lone = |node: &Node| matches!(&inner(node).kind, Kind::Symbol(s) if !s.style.vector && s.subscripts.is_empty() && Letter::of(s) == rate);
+            vector && factors.len() == 2 && lone(&factors[0].node)
+        };
+        let mut found = lines(self.document).filter(named);
+        let (Some(line), None) = (found.next(), found.next()) else {
+            return;
+        };
+        let Ok(read) = self.read(&line.sides, Frame::Moving) else {
+            return;
+        };
+        let left = read.equations.iter().flat_map(|e| &e.left.entries);
+        let preferred = left.flat_map(Fraction::variables).collect();
+        self.theory.assume(Premise {
+            name: TURN.to_owned(),
+            residuals: read.residuals().cloned().collect(),
+            preferred,
+            definition: true,
+        });
+    }
+
+    /// Whether a side is the moment of inertia of a spin alone, which no law determines.
+    pub(crate) fn is_moment_of_spin(&self, side: &Node) -> bool {
+        let moment = self.reading.moment_of_spin.as_ref();
+        matches!(&inner(side).kind, Kind::Symbol(symbol) if Some(symbol) == moment)
+    }
+
+    /// What the moment on a spin alone determines is how the axes turn.
+    pub(crate) fn rates_of_turn(&self, sides: &[Fraction]) -> Vec<Variable> {
+        let turns = |v: &Variable| match self.theory.atoms.owner(*v) {
+            Some(Owner::Quantity(quantity, _)) => {
+                matches!(quantity, Quantity::FrameRate | Quantity::AngularVelocity)
+            }
+            Some(Owner::Symbol(key)) => key == "Omega number",
+            None => false,
+        };
+        match self.reading.spin_alone {
+            true => sides
+                .iter()
+                .flat_map(Fraction::variables)
+                .filter(turns)
+                .collect(),
+            false => vec![],
+        }
     }
 }

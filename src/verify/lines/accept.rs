@@ -82,6 +82,7 @@ impl Checker<'_> {
         let omega = Some(Owner::Quantity(Quantity::AngularVelocity, String::new()));
         let turning = normals.iter().flat_map(Fraction::variables);
         preferred.extend(turning.filter(|&v| self.theory.atoms.owner(v) == omega.as_ref()));
+        preferred.extend(self.rates_of_turn(&normals));
         let name = self.line_name(finding);
         let definition = role == Role::Define;
         let given_attitude = self.writes_attitude_out(sides);

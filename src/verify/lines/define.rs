@@ -76,7 +76,8 @@ impl Checker<'_> {
             self.claim(sides, &mut tried);
             // What "yields" it and is not understood may have made it false.
             let number = symbols(right).is_empty();
-            let derived = self.asserted && !number && self.known.contains(&entity)
+            let free = self.is_moment_of_spin(left);
+            let derived = self.asserted && !number && !free && self.known.contains(&entity)
                 || self.obtained && is_zero(right)
                 || self.runs_in_a_circle(left, &sides[1..])
                 || self.is_tied_by_square(left);

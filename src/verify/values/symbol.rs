@@ -195,6 +195,10 @@ fn scalar(letter: &Letter, reading: &Reading, atoms: &mut Atoms) -> Option<Meani
 
 /// Unit vectors, the identity and π.
 fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<Meaning> {
+    let round = reading.round_axes.as_ref();
+    if let Some(axis) = round.and_then(|axes| axes.axis(symbol)) {
+        return Some(Meaning::UnitVector(axis));
+    }
     let marked = symbol.style.hat || symbol.style.vector || reading.is_plain_unit(symbol);
     let axis_of_name = match symbol.name.as_str() {
         "i" | "x" => Some(0),
