@@ -165,6 +165,7 @@ impl Reading {
         reading.by_attitude(document);
         reading.wheel_speeds();
         reading.by_custom();
+        reading.by_momentum_law(document);
         reading.products_apart();
         reading.by_coefficients(document);
         reading.by_moment_law(document);

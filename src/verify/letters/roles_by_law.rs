@@ -4,7 +4,7 @@
 use crate::notation::ast::{Factor, Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axis, inner, undotted};
+use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
@@ -63,6 +63,67 @@ impl Reading {
             {
                 self.quantities.insert(letter, Quantity::Force);
             }
+        }
+    }
+
+    /// What a line has as the inertia times ω is the angular momentum, whatever words stand near other letters.
+    pub(crate) fn by_momentum_law(&mut self, document: &Document) {
+        let found = lines(document).find_map(|line| {
+            let [left, right, ..] = line.sides.as_slice() else {
+                return None;
+            };
+            let (Kind::Symbol(symbol), Kind::Product(factors)) =
+                (&inner(left).kind, &inner(right).kind)
+            else {
+                return None;
+            };
+            let [inertia, rate] = factors.as_slice() else {
+                return None;
+            };
+            let plain = symbol.style.vector && symbol.subscripts.is_empty();
+            let law = self.is_inertia(&inertia.node) && self.is_angular_velocity(&rate.node);
+            (plain && law && rate.operator == Operator::Juxtaposed).then(|| Letter::of(symbol))
+        });
+        let Some(letter) = found else { return };
+        let all = self.quantities.iter();
+        let momenta = all.filter(|(_, quantity)| **quantity == Quantity::Momentum);
+        let called: Vec<Letter> = momenta.map(|(letter, _)| letter.clone()).collect();
+        if called.is_empty() || called.contains(&letter) {
+            return;
+        }
+        for other in called {
+            self.quantities.remove(&other);
+        }
+        self.quantities.insert(letter, Quantity::Momentum);
+    }
+
+    /// The letter of the inertia, or its matrix.
+    fn is_inertia(&self, node: &Node) -> bool {
+        let of_inertia =
+            |symbol: &Symbol| self.quantities.get(&Letter::of(symbol)) == Some(&Quantity::Inertia);
+        match &inner(node).kind {
+            Kind::Symbol(symbol) => of_inertia(symbol) && symbol.subscripts.is_empty(),
+            Kind::Matrix(rows) => {
+                let square = rows.len() == 3 && rows.iter().all(|row| row.len() == 3);
+                square && symbols(node).into_iter().all(of_inertia)
+            }
+            _ => false,
+        }
+    }
+
+    /// The vector ω, or the column of its components.
+    fn is_angular_velocity(&self, node: &Node) -> bool {
+        let of_rate = |symbol: &Symbol| {
+            self.quantities.get(&Letter::of(symbol)) == Some(&Quantity::AngularVelocity)
+        };
+        match &inner(node).kind {
+            Kind::Symbol(symbol) => of_rate(symbol) && symbol.subscripts.is_empty(),
+            Kind::Matrix(rows) => {
+                let column = rows.len() == 3 && rows.iter().all(|row| row.len() == 1);
+                let met = symbols(node);
+                column && met.len() == 3 && met.into_iter().all(of_rate)
+            }
+            _ => false,
         }
     }
 

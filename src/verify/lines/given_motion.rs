@@ -10,7 +10,7 @@ use crate::verify::reason::TAKEN_AS_GIVEN;
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
-use crate::verify::verdict::{Role, Verdict};
+use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
 impl Checker<'_> {
@@ -41,7 +41,10 @@ impl Checker<'_> {
             Meaning::Component(entity, c) if entity == moment => c..c + 1,
             _ => return false,
         };
-        let data = self.findings.last().is_some_and(|f| f.role == Role::Given);
+        let (line, _, _) = self.place(side.span.start);
+        let listed = |f: &Finding| f.role == Role::Assume && f.source_line == line;
+        let last = self.findings.last();
+        let data = last.is_some_and(|f| f.role == Role::Given || zero && listed(f));
         let turns_freely = (0..3).all(|c| {
             let rate = self.theory.atoms.value(omega, c, 0);
             let rate = self.theory.normal(&rate);

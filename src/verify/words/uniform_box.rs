@@ -16,13 +16,24 @@ use num_traits::Zero;
 const LAW: &str = "the moments of a uniform box";
 const BOXES: &[&str] = &["box", "cuboid", "block", "brick", "parallelepiped"];
 const UNIFORM: &[&str] = &["uniform", "solid", "homogeneous"];
+/// Words for points that are not the centre.
+const OTHER_POINTS: &[&str] = &[
+    "corner",
+    "parallel axis",
+    "parallel axes",
+    "parallel-axis",
+    "steiner",
+    "pivot",
+    "hinge",
+];
 const EDGES: &[&str] = &["edges", "sides", "edge lengths", "side lengths"];
 const ALONG: &[&str] = &["along", "parallel to"];
 
 impl Checker<'_> {
     /// Takes the law in, where words give the edges.
     pub(crate) fn take_uniform_box(&mut self) {
-        if !self.text.says(BOXES) || !self.text.says(UNIFORM) {
+        let elsewhere = self.reading.points.is_some() || self.text.says(OTHER_POINTS);
+        if elsewhere || !self.text.says(BOXES) || !self.text.says(UNIFORM) {
             return;
         }
         let Some((edges, span)) = self.edges_along_axes() else {
