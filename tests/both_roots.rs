@@ -118,3 +118,33 @@ $$ \Omega = \frac{{C\,\omega_3 \pm \sqrt{{C^2\omega_3^2 - 4A\,m g l\cos\theta}}}
     assert!(text("2").ends_with('p'));
     assert!(text("").ends_with('r'));
 }
+
+#[test]
+fn a_proved_balance_has_its_roots_too() {
+    let text = |under: &str, bound: &str| {
+        format!(
+            r"A symmetric top has the moments of inertia $A$ about $x$ and $y$ and $C$ about its axis $z$ at the fixed point $O$. The axes turn by the precession $\psi$ about the vertical and the nutation $\theta$ about the line of nodes $x$, and not by the spin $\varphi$:
+
+$$ \vec\Omega = \dot\theta\,\hat i + \dot\psi\sin\theta\,\hat j + \dot\psi\cos\theta\,\hat k, \qquad \vec\omega = \vec\Omega + \dot\varphi\,\hat k $$
+
+The weight $mg$ acts at the distance $\ell$ from $O$, so
+
+$$ \sum M_x = mg\ell\sin\theta, \qquad \sum M_y = 0 $$
+
+Suppose $\ddot\theta = 0$ and $\dot\theta = 0$. Then
+
+$$ mg\ell = C\omega_z\dot\psi - A\dot\psi^2\cos\theta $$
+
+with the two roots
+
+$$ \dot\psi = \frac{{C\omega_z \pm \sqrt{{C^2\omega_z^2 - {under}\cos\theta}}}}{{2A\cos\theta}} $$
+
+The motion is possible only when $C^2\omega_z^2 \ge {bound}\cos\theta$.
+"
+        )
+    };
+    let found = |under, bound| verdicts(&text(under, bound));
+    assert_eq!(found(r"4Amg\ell", r"4Amg\ell"), "ppppaappa");
+    assert_eq!(found(r"2Amg\ell", r"4Amg\ell"), "ppppaapua");
+    assert_eq!(found(r"4Amg\ell", r"2Amg\ell"), "ppppaappr");
+}

@@ -137,6 +137,8 @@ pub(super) struct Checker<'a> {
     pub(super) sought: Option<Sought>,
     /// The last equations whose roots a line with ± may give.
     pub(super) equations: Vec<Fraction>,
+    /// The last proved equations with terms on both sides.
+    pub(super) balances: Vec<Fraction>,
     /// What vanishes at the border of the values for which roots are real.
     pub(super) border: Option<Fraction>,
     /// Which quantities are greater than others.
@@ -232,6 +234,7 @@ impl<'a> Checker<'a> {
             quadric: None,
             last_product: None,
             equations: vec![],
+            balances: vec![],
             border: None,
             orders: vec![],
             positive: BTreeSet::new(),

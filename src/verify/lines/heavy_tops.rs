@@ -2,9 +2,9 @@
 //! turns, and k the axis of the top, on which the mass centre lies.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Node, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::symbols;
+use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
@@ -19,8 +19,8 @@ const OTHERWISE: &[&str] = &[
 ];
 
 impl Checker<'_> {
-    /// Takes the weight for what acts, where a claim with a weight in it is proved by that and no letter stands for the
-    /// moment in it.
+    /// Takes the weight for what acts, where a claim with a weight in it is proved by that and has the moment alone on
+    /// its left or nowhere.
     pub(crate) fn tie_weight(&mut self, sides: &[Node], finding: &Finding) {
         let said = self.text.says(&["weight"]) && !self.text.says(OTHERWISE);
         let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
@@ -32,7 +32,11 @@ impl Checker<'_> {
             return;
         };
         let moment = self.theory.atoms.quantity(Quantity::Moment);
-        if self.theory.mentions_entity(moment) || self.entities(sides).contains(&moment) {
+        // `\Sigma M_x = mgl\sin\theta` says what the words do.
+        let says = matches!(sides, [left, right] if matches!(inner(left).kind, Kind::Symbol(_))
+            && !self.entities([right]).contains(&moment));
+        let written = self.entities(sides).contains(&moment);
+        if self.theory.mentions_entity(moment) || written && !says {
             return;
         }
         let Some(up) = self.first_axis(&angles) else {

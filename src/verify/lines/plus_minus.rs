@@ -9,6 +9,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::given::is_zero;
+use crate::verify::theory::Theory;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::theory::law::inertia;
 use crate::verify::values::atoms::{Atom, variable_fraction};
@@ -22,21 +23,28 @@ use std::collections::{BTreeSet, HashMap};
 const MOST_EQUATIONS: usize = 6;
 
 impl Checker<'_> {
-    /// Keeps an equation that has zero on its right, in a document that speaks of roots.
+    /// Keeps an equation that has zero on its right, in a document that speaks of roots; and any other that is proved, whose
+    /// roots a line may give, though not refuse.
     pub(crate) fn note_equation(&mut self, sides: &[Node], finding: &Finding) {
         let [_, right] = sides else { return };
         let holds = !matches!(finding.verdict, Verdict::Refuted | Verdict::Unreadable);
-        if !holds || !is_zero(right) || !self.text.says(&["\\pm", "±", "root"]) {
+        let proved = matches!(finding.verdict, Verdict::Proved(_));
+        let zero = is_zero(right);
+        if !holds || !zero && !proved || !self.text.says(&["\\pm", "±", "root"]) {
             return;
         }
         let Ok(read) = self.read(sides, Frame::Moving) else {
             return;
         };
         if let [only] = read.residuals().collect::<Vec<_>>().as_slice() {
-            if self.equations.len() == MOST_EQUATIONS {
-                self.equations.remove(0);
+            let kept = match zero {
+                true => &mut self.equations,
+                false => &mut self.balances,
+            };
+            if kept.len() == MOST_EQUATIONS {
+                kept.remove(0);
             }
-            self.equations.push((*only).clone());
+            kept.push((*only).clone());
         }
     }
 
@@ -67,7 +75,7 @@ impl Checker<'_> {
             return false;
         };
         let Some((unknown, residual)) = self.equation_of_roots(left, plus) else {
-            return false;
+            return self.are_roots_of_a_balance(left, [plus, minus], &names, finding);
         };
         let equations = [plus, minus].map(|value| {
             let images = HashMap::from([(unknown, value.clone())]);
@@ -107,14 +115,54 @@ impl Checker<'_> {
             .any(|base| self.product_of_inertia(base).is_some())
     }
 
-    /// The equation that the symbol on the left is to satisfy, and the variable in it that stands for the symbol.
-    fn equation_of_roots(&mut self, left: &Node, value: &Fraction) -> Option<(u32, Fraction)> {
+    /// Whether both values satisfy a proved equation above that is written with terms on both sides.
+    fn are_roots_of_a_balance(
+        &mut self,
+        left: &Node,
+        values: [&Fraction; 2],
+        names: &BTreeSet<String>,
+        finding: &mut Finding,
+    ) -> bool {
+        let Some(own) = self.own_variable(left) else {
+            return false;
+        };
+        let balances = self.balances.iter().rev();
+        let second = balances.filter(|residual| residual.numerator().degree_in(own) == 2);
+        let proof = second
+            .cloned()
+            .collect::<Vec<_>>()
+            .into_iter()
+            .find_map(|residual| {
+                let equations = values.map(|value| {
+                    let images = HashMap::from([(own, value.clone())]);
+                    Equation::vanishing(Value::scalar(put_in(&residual, &images)))
+                });
+                let decided = |theory: &mut Theory| decide(theory, &equations);
+                match self.theory.without(names.clone(), decided) {
+                    Decision::True(proof) => Some(proof),
+                    _ => None,
+                }
+            });
+        let proved = proof.is_some();
+        if let Some(proof) = proof {
+            finding.verdict = Verdict::Proved(proof);
+        }
+        proved
+    }
+
+    /// The variable that a symbol stands for, whatever label its roots have.
+    fn own_variable(&mut self, left: &Node) -> Option<u32> {
         let mut bare = left.clone();
         bare.change_symbols(&mut |symbol| {
             symbol.subscripts.clear();
         });
         let own = self.lowering(Frame::Moving).value(&bare).ok();
-        let own = own.and_then(|own| own.as_scalar().and_then(Fraction::as_variable));
+        own.and_then(|own| own.as_scalar().and_then(Fraction::as_variable))
+    }
+
+    /// The equation that the symbol on the left is to satisfy, and the variable in it that stands for the symbol.
+    fn equation_of_roots(&mut self, left: &Node, value: &Fraction) -> Option<(u32, Fraction)> {
+        let own = self.own_variable(left);
         let second =
             |residual: &&Fraction| own.is_some_and(|own| residual.numerator().degree_in(own) == 2);
         if let Some(residual) = self.equations.iter().rev().find(second) {

@@ -18,6 +18,17 @@ use std::collections::{BTreeSet, HashMap};
 
 /// Words of an angle that goes to zero.
 const UPRIGHT: &[&str] = &["small", "vertical", "upright", "sleep"];
+/// Words of a motion that the roots of an equation are.
+const POSSIBLE: &[&str] = &[
+    "possible only",
+    "only possible",
+    "is possible if",
+    "is possible when",
+    "exist only",
+    "exists only",
+    "exists if",
+    "exist if",
+];
 const NOT_REAL: &[&str] = &[
     "no real",
     "not real",
@@ -35,7 +46,7 @@ impl Checker<'_> {
             return false;
         };
         let below = matches!(relation, Relation::Less | Relation::LessOrEqual);
-        let said = words.contains("real") && words.contains("root");
+        let said = words.contains("real") && words.contains("root") || has_any(&words, POSSIBLE);
         if !said || has_any(&words, NOT_REAL) {
             return false;
         }
@@ -69,7 +80,12 @@ impl Checker<'_> {
     /// The discriminant of the last equation for which it has the terms of a difference, with other numbers maybe.
     fn discriminant_like(&mut self, difference: &Fraction, small: bool) -> Option<Fraction> {
         let terms = monomials(difference);
-        let equations = self.equations.clone();
+        let equations: Vec<Fraction> = self
+            .balances
+            .iter()
+            .chain(&self.equations)
+            .cloned()
+            .collect();
         for equation in equations.iter().rev() {
             for unknown in equation.numerator().variables() {
                 if equation.numerator().degree_in(unknown) != 2 {
