@@ -408,3 +408,24 @@ $$ \Omega = \frac{{mg\ell}}{{{turn}}} $$
     assert_eq!(verdicts(&text("", "Js")), "paprppp");
     assert_eq!(verdicts(&text("-", "2Js")), "pappppr");
 }
+
+#[test]
+fn the_rate_of_the_wheels_momentum_is_no_torque_from_outside() {
+    let text = r"A satellite has the inertia matrix $\mathbf J$ with the wheels locked. The total momentum on body axes is
+
+$$ \mathbf K = \mathbf J\boldsymbol\omega + \mathbf h $$
+
+where $\mathbf h$ is the momentum of the wheels relative to the satellite. No external torque acts.
+
+$$ \dot{\mathbf K} + \boldsymbol\omega\times\mathbf K = 0 $$
+
+The wheels exert the control torque $\boldsymbol\tau = -\dot{\mathbf h}$, so that
+
+$$ \mathbf J\dot{\boldsymbol\omega} = \boldsymbol\tau - \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h) $$
+
+$$ \mathbf J\dot{\boldsymbol\omega} = -\boldsymbol\tau - \boldsymbol\omega\times(\mathbf J\boldsymbol\omega + \mathbf h) $$
+
+$$ \boldsymbol\omega\cdot\mathbf J\dot{\boldsymbol\omega} = \boldsymbol\omega\cdot\boldsymbol\tau $$
+";
+    assert_eq!(verdicts(text), "ppaprp");
+}

@@ -169,6 +169,7 @@ impl Reading {
         reading.products_apart();
         reading.by_coefficients(document);
         reading.by_moment_law(document);
+        reading.part_wheel_torques(document);
         reading.by_points();
         reading.by_labels(document);
         reading.note_spin_alone(document);

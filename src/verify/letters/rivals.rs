@@ -55,6 +55,35 @@ impl Reading {
             self.quantities.insert(letter, Quantity::RelativeMomentum);
         }
     }
+
+    /// A torque that a line sets to the rate of the wheels' momentum, `\mathbf u = -\dot{\mathbf h}`, is the one that they
+    /// exert, and no moment from outside.
+    pub(crate) fn part_wheel_torques(&mut self, document: &Document) {
+        let is = |letter: &Letter, quantity| self.quantities.get(letter) == Some(&quantity);
+        let rate_of_wheels = |side: &Node| {
+            let side = match &inner(side).kind {
+                Kind::Negate(inside) => inner(inside),
+                _ => inner(side),
+            };
+            let Kind::TimeDerivative { operand, .. } = &side.kind else {
+                return false;
+            };
+            matches!(&inner(operand).kind, Kind::Symbol(s)
+                if is(&Letter::of(s), Quantity::RelativeMomentum))
+        };
+        let torques = lines(document).filter_map(|line| match line.sides.as_slice() {
+            [left, right] if rate_of_wheels(right) => match &inner(left).kind {
+                Kind::Symbol(torque) => Some(Letter::of(torque)),
+                _ => None,
+            },
+            _ => None,
+        });
+        let torques: Vec<Letter> = torques.filter(|l| is(l, Quantity::Moment)).collect();
+        for letter in torques {
+            self.quantities.remove(&letter);
+            self.apart.insert(letter);
+        }
+    }
 }
 
 /// Whether the three differences of A, B and C stand in a document, as they do in Euler's equations.
