@@ -142,3 +142,21 @@ $$ N_2 = A\dot\omega_2 + C\,\omega_1\omega_3 $$
 ";
     assert_eq!(verdicts(text), "aaaapppapr");
 }
+
+#[test]
+fn a_limit_holds_in_its_sentence() {
+    let text = |value: &str| {
+        verdicts(&format!(
+            r"A body has the principal moments $A$, $B$, $C$. The constant $k$ is defined by $k^2 = \frac{{A - C}}{{B}}$.
+
+For a long thin body ($C \to 0$, $A = B$) it becomes $k = {value}$. The momentum about the third axis is
+
+$$ L_3 = C\omega_3 $$
+
+$$ L_3 = 2C\omega_3 $$
+"
+        ))
+    };
+    assert_eq!(text("1"), "aaappr");
+    assert_eq!(text("2"), "aaaupr");
+}

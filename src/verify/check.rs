@@ -15,6 +15,7 @@ use crate::verify::lines::dimensions::Dimensions;
 use crate::verify::lines::doubt::Doubts;
 use crate::verify::lines::euler_rates::RateLine;
 use crate::verify::lines::index::merged;
+use crate::verify::lines::limits::Limit;
 use crate::verify::lines::line::Read;
 use crate::verify::lines::named_roots::Sought;
 use crate::verify::lines::semi_axes::Quadric;
@@ -129,6 +130,8 @@ pub(super) struct Checker<'a> {
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
     pub(super) oscillation: Option<(usize, Fraction)>,
+    /// Values that the sentence lets something go to.
+    pub(super) limits: Vec<Limit>,
     /// The surface that a line is the equation of.
     pub(super) quadric: Option<Quadric>,
     /// The product of inertia that a line said last what it is.
@@ -232,6 +235,7 @@ impl<'a> Checker<'a> {
             oscillation: None,
             sought: None,
             quadric: None,
+            limits: vec![],
             last_product: None,
             equations: vec![],
             balances: vec![],

@@ -48,6 +48,7 @@ pub(super) mod kept_energy;
 pub(super) mod labelled_space;
 pub(super) mod laws_in_words;
 pub(super) mod libration;
+pub(super) mod limits;
 pub(super) mod line;
 pub(super) mod mass_integrals;
 pub(super) mod moving_point;

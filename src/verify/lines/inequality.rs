@@ -5,6 +5,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::lines::given::is_zero;
 use crate::verify::lines::index::is_equality;
+use crate::verify::lines::limits::ARROWS;
 use crate::verify::reason;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::role::Words;
@@ -31,6 +32,7 @@ impl Checker<'_> {
                 finding.role = Role::Define;
                 finding.reason = None;
             }
+            Relation::Other if ARROWS.contains(&text.trim()) => self.takes_limit(line, finding),
             Relation::NotEqual if line.relations.len() == 1 => self.not_equal(line, role, finding),
             _ if ordered && self.has_real_roots(line, finding) => {}
             // A criterion is not shown by what is said to follow from it.

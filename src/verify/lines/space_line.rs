@@ -18,6 +18,7 @@ use std::collections::BTreeSet;
 impl Checker<'_> {
     /// Decides a line on the axes that its symbols stand on, and keeps what it says.
     pub(crate) fn line(&mut self, line: &Line, role: Role) {
+        self.end_limits();
         if self.reading.space_axes.is_none() {
             return self.line_as_set(line, role);
         }
