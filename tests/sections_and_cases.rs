@@ -75,3 +75,40 @@ $$ \lambda = \omega_y{growth} $$
     let square = r"\frac{(C-B)(B-A)}{AC}";
     assert_eq!(found("(C-A)(B-A)", square), "ppapapr");
 }
+
+#[test]
+fn the_rate_of_the_spin_vanishes_to_first_order_by_the_law() {
+    let text = |rate: &str| {
+        verdicts(&format!(
+            r"A free body has the principal moments $J_1$, $J_2$, $J_3$. No torque acts. Let
+
+$$ \omega_3 = n + \epsilon_3 $$
+
+where $n$ is constant and $\omega_1$, $\omega_2$, $\epsilon_3$ are small. To first order
+
+$$ J_1\dot\omega_1 = -(J_3-J_2) n\omega_2 $$
+
+$$ J_3\dot\epsilon_3 = {rate} $$
+"
+        ))
+    };
+    assert_eq!(text("0"), "app");
+    assert!(!text(r"(J_1 - J_2) n\omega_2").ends_with(['p', 'a']));
+}
+
+#[test]
+fn a_square_that_a_line_adds_is_not_below_zero() {
+    let text = |relation: &str| {
+        verdicts(&format!(
+            r"A free body. Principal axes, no torque. The kinetic energy is
+
+$$ T = \tfrac12(I_1\omega_1^2 + I_2\omega_2^2 + I_3\omega_3^2) $$
+
+With a step $h$ let $E = T + \tfrac12 h^2(I_1\dot\omega_1^2 + I_2\dot\omega_2^2 + I_3\dot\omega_3^2)$. Then $E {relation} T$.
+"
+        ))
+    };
+    assert_eq!(text(r"\ge"), "pap");
+    assert_eq!(text(r"\le"), "par");
+    assert_eq!(text("<"), "par");
+}

@@ -66,6 +66,9 @@ impl Checker<'_> {
             if open && self.proved_on_space_axes(sides, finding) {
                 return;
             }
+            if !open && self.proved_about_the_spin(sides, finding) {
+                return;
+            }
             if !open && self.names_components(sides, finding) {
                 return;
             }

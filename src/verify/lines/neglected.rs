@@ -4,8 +4,10 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
+use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
+use crate::verify::verdict::Finding;
 use crate::verify::words::book::lowered;
 use crate::verify::words::small_words::{LEAVING_OUT, LEFT_OUT, THE_PRODUCT};
 
@@ -57,5 +59,28 @@ impl Checker<'_> {
             self.hardly_changes(node);
             self.small_turns = (0..3).filter(|&c| c != axis).collect();
         }
+    }
+
+    /// `J_3\dot\epsilon_3 = 0`: whether a line is proved to its order with the equation about the axis of the spin, which the
+    /// linear ones go on without.
+    pub(crate) fn proved_about_the_spin(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let Some(axis) = self.theory.setting.dropped_axis else {
+            return false;
+        };
+        self.theory.set(|setting| setting.dropped_axis = None);
+        let readings = self.readings(sides).unwrap_or_default();
+        let mut proof = None;
+        for read in readings.into_iter().filter(|read| read.to_order) {
+            if let Decision::True(found) = decide(&mut self.theory, &read.equations) {
+                proof = Some((read, found));
+                break;
+            }
+        }
+        let proved = proof.is_some();
+        if let Some((read, proof)) = proof {
+            self.proved(&read, proof, finding);
+        }
+        self.theory.set(|setting| setting.dropped_axis = Some(axis));
+        proved
     }
 }

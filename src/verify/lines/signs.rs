@@ -12,9 +12,10 @@ use crate::verify::lines::given::is_zero;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
-use crate::verify::values::lower::constant;
+use crate::verify::values::lower::{constant, put_in};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Verdict};
+use std::collections::HashMap;
 
 /// Orders that a document may keep.
 const MOST_ORDERS: usize = 16;
@@ -148,13 +149,32 @@ impl Checker<'_> {
     fn sign(&mut self, entry: &Fraction) -> Option<(Sign, Fraction)> {
         let normal = self.theory.normal(entry);
         let squares = self.squares_of_position();
-        let forms = [entry.clone(), normal];
+        let forms = [entry.clone(), self.as_lines_say(entry), normal];
         let written = forms.iter().find_map(|whole| self.sign_of(whole, None));
         written.or_else(|| {
             forms
                 .iter()
                 .find_map(|whole| self.sign_of(whole, Some(&squares)))
         })
+    }
+
+    /// A value with what lines say that its symbols are, as these are written: squares stay squares.
+    fn as_lines_say(&self, entry: &Fraction) -> Fraction {
+        let mut images = HashMap::new();
+        for variable in entry.variables() {
+            let mut premises = self.theory.premises().iter();
+            let image = premises.find_map(|premise| match premise.residuals.as_slice() {
+                [residual] if premise.preferred.contains(&variable) => {
+                    let above = residual.numerator();
+                    let [rest, factor] =
+                        [0, 1].map(|k| Fraction::from(above.coefficient_of(variable, k)));
+                    (above.degree_in(variable) == 1).then(|| -rest / factor)
+                }
+                _ => None,
+            });
+            images.extend(image.map(|image| (variable, image)));
+        }
+        put_in(entry, &images)
     }
 
     /// The moments of inertia, each with a variable for what the other two exceed it by: twice ∫x² dm.
