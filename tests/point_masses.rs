@@ -41,3 +41,23 @@ fn a_step_of_some_length_is_a_time() {
                 $$ \\omega_3^{\\text{new}} = \\omega_3 + h\\,\\dot\\omega_3 = -0.95 $$\n";
     assert_eq!(verdicts(text), "aaaaaaaapr");
 }
+
+#[test]
+fn masses_at_places_in_words_make_the_inertia() {
+    let text = |body: &str, lines: &str| {
+        verdicts(&format!(
+            "A shaft turns about $z$. Two equal point masses $m$ are mounted on {body}. They sit at $(r, 0, a)$ and at $(-r, 0, -a)$.\n\n$$ {lines} $$\n"
+        ))
+    };
+    assert_eq!(
+        text("light arms", "I_{zz} = 2mr^2, \\qquad I_{xz} = 2mra"),
+        "pp"
+    );
+    assert_eq!(
+        text("light arms", "I_{yy} = 2mr^2, \\qquad I_{xz} = mra"),
+        "rr"
+    );
+    // A heavy shaft has a moment of its own.
+    assert_ne!(text("it", "I_{zz} = 2mr^2, \\qquad I_{xz} = 2mra"), "pp");
+    assert!(text("it", "I_{zz} = 5mr^2, \\qquad I_{xz} = 2mra").ends_with('p'));
+}

@@ -99,3 +99,47 @@ $$ \mathbf n_C = \mathcal I_C\,\dot{{\boldsymbol\omega}} {sign} \boldsymbol\omeg
     let found = text("C", "-");
     assert!(!found.ends_with(['p', 'a']), "{found}");
 }
+
+#[test]
+fn the_inertia_times_the_angular_velocity_is_the_momentum() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            r"The axes $x$, $y$, $z$ are carried by the body, with $J_{{xy}} = -\int xy\,dm$ and so on.
+
+$$ \bm{{K}} = \begin{{pmatrix}} J_{{xx}} & J_{{xy}} & J_{{xz}} \\ J_{{xy}} & J_{{yy}} & J_{{yz}} \\ J_{{xz}} & J_{{yz}} & J_{{zz}} \end{{pmatrix}} \begin{{pmatrix}} \omega_x \\ \omega_y \\ \omega_z \end{{pmatrix}} $$
+
+The balance of moments about the mass centre,
+
+$$ \bm{{M}} = \frac{{d^{{*}}\bm{{K}}}}{{dt}} {sign} \bm{{\omega}}\times\bm{{K}}, $$
+
+in which the star marks the rate seen from the body, has the components
+
+$$ M_x = \dot K_x + \omega_y K_z - \omega_z K_y. $$
+
+Inserting the angular momentum gives the full equation
+
+$$ M_x = J_{{xx}}\dot\omega_x + J_{{xy}}(\dot\omega_y - \omega_z\omega_x) + J_{{xz}}(\dot\omega_z + \omega_x\omega_y) + (J_{{zz}} - J_{{yy}})\,\omega_y\omega_z + J_{{yz}}(\omega_y^2 - \omega_z^2) $$
+"
+        ))
+    };
+    assert!(text("+").ends_with("ppp"), "{}", text("+"));
+    assert!(text("-").ends_with("rpp"), "{}", text("-"));
+}
+
+#[test]
+fn a_product_under_another_letter_is_one_on_turned_axes_too() {
+    let text = |last: &str| {
+        verdicts(&format!(
+            r"Turn the axes through the angle $\theta$ about $z$,
+
+$$ x' = x\cos\theta + y\sin\theta, \qquad y' = -x\sin\theta + y\cos\theta. $$
+
+The moments of inertia are $I_x = \int(y^2+z^2)\,dm$ and $I_y = \int(z^2+x^2)\,dm$, and the product of inertia is $P_{{xy}} = \int xy\,dm$. Then
+
+$$ P_{{x'y'}} = ({last})\sin\theta\cos\theta + P_{{xy}}\cos 2\theta $$
+"
+        ))
+    };
+    assert!(text("I_x - I_y").ends_with('p'), "{}", text("I_x - I_y"));
+    assert!(text("I_x + I_y").ends_with('r'), "{}", text("I_x + I_y"));
+}

@@ -217,3 +217,17 @@ $$ \dot R = R[\omega_b]_\times $$
     let turned = [r"\sin\theta", r"-\sin\theta"];
     assert!(verdicts(&text(turned, [rate, entry])).starts_with("ppu"));
 }
+
+#[test]
+fn what_changes_by_itself_times_a_skew_matrix_is_the_attitude() {
+    let text = |first: &str| {
+        verdicts(&format!(
+            "The attitude is stored as a unit quaternion with the scalar part first, which takes body components to inertial components; $\\omega_x, \\omega_y, \\omega_z$ are body rates. \
+             The third column of $\\mathbf R$ is the body $z$ axis in inertial components,\n\n\
+             $$ R_{{13}} = 2(q_1 q_3 {first} q_0 q_2) $$\n\nand the matrix obeys\n\n\
+             $$ \\dot{{\\mathbf R}} = \\mathbf R\\,[\\boldsymbol\\omega]_\\times $$\n"
+        ))
+    };
+    assert_eq!(text("+"), "pp");
+    assert_eq!(text("-"), "rp");
+}

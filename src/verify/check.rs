@@ -32,6 +32,7 @@ use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Convention, Finding, FromProse, Passed, Report, Role};
+use crate::verify::words::point_masses::PointMass;
 use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::speaks_of_any_vector;
 use crate::verify::words::text::Text;
@@ -132,6 +133,8 @@ pub(super) struct Checker<'a> {
     pub(super) oscillation: Option<(usize, Fraction)>,
     /// Values that the sentence lets something go to.
     pub(super) limits: Vec<Limit>,
+    /// Point masses that words have further on, and where.
+    pub(super) point_masses: Option<(Vec<PointMass<'a>>, Span)>,
     /// The surface that a line is the equation of.
     pub(super) quadric: Option<Quadric>,
     /// The product of inertia that a line said last what it is.
@@ -233,6 +236,7 @@ impl<'a> Checker<'a> {
             dimensions: Dimensions::default(),
             potential: None,
             oscillation: None,
+            point_masses: None,
             sought: None,
             quadric: None,
             limits: vec![],
@@ -267,6 +271,7 @@ impl<'a> Checker<'a> {
         checker.name_components();
         checker.keep_momentum_between_states();
         checker.take_uniform_box();
+        checker.find_point_masses();
         if let Some(angles) = checker.reading.euler_angles.clone() {
             checker.take_euler_angles(&angles);
         }
@@ -315,6 +320,7 @@ impl<'a> Checker<'a> {
     fn formula(&mut self, formula: &Formula) {
         self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
+        self.take_point_masses(formula.span);
         if self.reading.turns_from == Some(formula.span.start) {
             self.turns_about_fixed_axis();
         }

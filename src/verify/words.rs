@@ -16,6 +16,7 @@ pub(super) mod near_a_spin;
 pub(super) mod only_product;
 pub(super) mod outlasting;
 pub(super) mod phrases;
+pub(super) mod point_masses;
 pub(super) mod points_in_words;
 pub(super) mod premise;
 pub(super) mod prose;

@@ -209,7 +209,7 @@ pub(super) fn dotted(operand: Node, more: u8) -> Node {
 fn marked(mut node: Node, mark: Mark, tokens: &[Token<'_>]) -> Node {
     if let Kind::Number(number) = &node.kind {
         let number = number.clone();
-        if matches!(mark, Mark::Bold | Mark::Board | Mark::Arrow) {
+        if matches!(mark, Mark::Bold | Mark::Board | Mark::Arrow | Mark::Sans) {
             node.kind = Kind::Bold(number);
         }
         return node;

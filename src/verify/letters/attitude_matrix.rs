@@ -49,6 +49,7 @@ impl AttitudeReading {
             {
                 made.insert(Letter::of(symbol));
             }
+            found.extend(turned_by_rate(&line.sides));
             if about_turning {
                 line.sides.iter().for_each(|side| turns(side, &mut found));
             }
@@ -84,6 +85,26 @@ impl AttitudeReading {
         };
         written && !of_quaternion
     }
+}
+
+/// The matrix of `\dot{\mathbf R} = \mathbf R\,[\boldsymbol\omega]_\times`, which no vector can be.
+fn turned_by_rate(sides: &[Node]) -> Option<Letter> {
+    let [left, right] = sides else { return None };
+    let (Kind::TimeDerivative { operand, .. }, Kind::Product(factors)) =
+        (&inner(left).kind, &inner(right).kind)
+    else {
+        return None;
+    };
+    let Kind::Symbol(matrix) = &inner(operand).kind else {
+        return None;
+    };
+    let [one, other] = factors.as_slice() else {
+        return None;
+    };
+    let itself = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s == matrix);
+    let skew = |node: &Node| matches!(&inner(node).kind, Kind::Skew(_));
+    let beside = other.operator == Operator::Juxtaposed;
+    (beside && itself(&one.node) && skew(&other.node)).then(|| Letter::of(matrix))
 }
 
 /// Letters that stand as an attitude matrix does: transposed beside a factor, or differentiated beside a skew matrix.

@@ -25,7 +25,10 @@ impl Reading {
         }
         let pairs = |letter: &Letter| {
             let met = self.usage.subscripts.get(letter);
-            let pair = |s: &String| axes(s).is_some_and(|(row, column)| row != column);
+            let pair = |s: &String| {
+                let unprimed = s.replace('\'', "");
+                axes(&unprimed).is_some_and(|(row, column)| row != column)
+            };
             met.is_some_and(|met| met.len() > 1 && met.iter().all(pair))
         };
         let free = |letter: &Letter| {
