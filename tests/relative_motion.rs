@@ -57,3 +57,26 @@ $$\mathbf a_B = \boldsymbol\alpha\times\mathbf r_{{AB}} {end} \boldsymbol\omega\
     assert_eq!(verdicts(&text("-", "If A is fixed,", "+")), "rpp");
     assert_eq!(verdicts(&text("+", "In general", "+")), "ppr");
 }
+
+#[test]
+fn unit_vectors_along_and_around_turn_with_their_angle() {
+    let text = |around: &str, coriolis: &str| {
+        verdicts(&format!(
+            r"A bead slides on a rotating hoop. In cylindrical coordinates the position is
+
+$$ \vec r = \rho\,\hat\rho + z\,\hat z $$
+
+The unit vectors change as
+
+$$ \dot{{\hat\rho}} = \dot\phi\,\hat\phi, \qquad \dot{{\hat\phi}} = {around}\dot\phi\,\hat\rho $$
+
+and the acceleration is
+
+$$ \vec a = (\ddot\rho - \rho\dot\phi^2)\hat\rho + (\rho\ddot\phi + {coriolis}\dot\rho\dot\phi)\hat\phi + \ddot z\,\hat z $$
+"
+        ))
+    };
+    assert_eq!(text("-", "2"), "appp");
+    assert_eq!(text("", "2"), "aprp");
+    assert_eq!(text("-", ""), "appr");
+}

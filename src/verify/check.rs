@@ -264,6 +264,7 @@ impl<'a> Checker<'a> {
         checker.wheel_lies_along_axis();
         checker.rotor_is_alone();
         checker.turns_at_its_number();
+        checker.turns_round();
         checker.note_parallel_axes();
         checker.tie_moving_point();
         checker.tie_particles();

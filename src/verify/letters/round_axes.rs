@@ -48,6 +48,14 @@ impl RoundAxes {
         })
     }
 
+    /// The angle that they turn by, where it moves.
+    pub(crate) fn angle(&self) -> Symbol {
+        Symbol {
+            name: self.around.clone(),
+            ..Symbol::default()
+        }
+    }
+
     /// The place of a unit vector among them.
     pub(crate) fn axis(&self, symbol: &Symbol) -> Option<u8> {
         let name = match (&self.base, symbol.subscripts.as_slice()) {

@@ -5,9 +5,11 @@ use crate::algebra::Fraction;
 use crate::notation::ast::Node;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::Letter;
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::{has_any, lowered};
 
 /// What turns.
@@ -87,5 +89,35 @@ impl Checker<'_> {
         if taken == Taken::Solved {
             self.tell(node.span, NAME.to_owned());
         }
+    }
+
+    /// Unit vectors along, around and up turn with the angle that the second one is called by, where it moves and nothing
+    /// else turns.
+    pub(crate) fn turns_round(&mut self) {
+        let Some(axes) = self.reading.round_axes.clone() else {
+            return;
+        };
+        let angle = axes.angle();
+        let turns = [Quantity::FrameRate, Quantity::AngularVelocity];
+        let others = turns.into_iter().any(|q| self.reading.speaks_of(q));
+        if others || !self.reading.usage.get(&Letter::of(&angle)).moving {
+            return;
+        }
+        let Meaning::Whole(angle) = self.meaning_of(&angle) else {
+            return;
+        };
+        self.known.insert(angle);
+        let speed = self.theory.atoms.value(angle, 0, 1);
+        self.theory.set(|setting| setting.axes = Axes::Turning);
+        let rate = self.theory.atoms.quantity(Quantity::FrameRate);
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(rate, c, 0));
+        let mut whole: [Fraction; 3] = self.theory.atoms.vector(rate, 0);
+        whole[2] = whole[2].clone() - speed;
+        self.theory.assume(Premise {
+            name: NAME.to_owned(),
+            residuals: whole.to_vec(),
+            preferred: parts.to_vec(),
+            definition: true,
+        });
     }
 }
