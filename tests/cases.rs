@@ -160,3 +160,25 @@ $$ L_3 = 2C\omega_3 $$
     assert_eq!(text("1"), "aaappr");
     assert_eq!(text("2"), "aaaupr");
 }
+
+#[test]
+fn a_component_of_the_rate_of_the_axes_takes_another_value_in_another_case() {
+    let text = |size: &str| {
+        verdicts(&format!(
+            r"The axes turn at $\vec\Omega$ and the body at $\vec\omega = \vec\Omega + s\,\vec e_3$. The moments are $A$, $A$, $C$ and the torque is $\vec M$.
+
+When the axes turn steadily with $\Omega_2 = q$, the other rates are zero,
+
+$$ \Omega_1 = \Omega_3 = 0 $$
+
+$$ M_1 = C s q $$
+
+When instead $\Omega_1 = p\cos kt$, the greatest torque is
+
+$$ \max|M_2| = {size} $$
+"
+        ))
+    };
+    assert_eq!(text("C s p"), "aaapap");
+    assert_eq!(text("A s p"), "aaapar");
+}

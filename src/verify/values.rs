@@ -4,6 +4,7 @@ pub(super) mod about_point;
 pub(super) mod atoms;
 pub(super) mod call;
 pub(super) mod figures;
+pub(super) mod greatest;
 pub(super) mod hamilton;
 pub(super) mod integral;
 pub(super) mod kernel;

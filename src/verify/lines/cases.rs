@@ -311,6 +311,12 @@ impl Checker<'_> {
         })
     }
 
+    /// Whether a display of an earlier case set something up by this name.
+    pub(crate) fn is_set_before(&self, name: &Name) -> bool {
+        let case = self.cases.set.get(name);
+        case.is_some_and(|&case| case < self.cases.now)
+    }
+
     /// Ends what an earlier case set a component of ω to, where a line sets it to something else; what stands there now
     /// in the place of something small is small too.
     fn set_up_anew(&mut self, sides: &[Node]) {
@@ -323,6 +329,10 @@ impl Checker<'_> {
         let Some(own) = sides.first().and_then(&mut part) else {
             return;
         };
+        let rate_of_axes = self.theory.atoms.quantity(Quantity::FrameRate);
+        if self.theory.atoms.entity_of(own) == Some(rate_of_axes) && self.contradicts(sides) {
+            self.end_component(own);
+        }
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         if self.theory.atoms.entity_of(own) != Some(omega) || !self.contradicts(sides) {
             return;
@@ -336,10 +346,7 @@ impl Checker<'_> {
             let met = r.variables();
             met.contains(&own) && !met.into_iter().any(momentum)
         };
-        let earlier = |p: &&Premise| {
-            let case = self.cases.set.get(&p.name);
-            case.is_some_and(|&case| case < now) && p.residuals.iter().any(sets)
-        };
+        let earlier = |p: &&Premise| self.is_set_before(&p.name) && p.residuals.iter().any(sets);
         let ended: Vec<Premise> = self
             .theory
             .premises()

@@ -1,8 +1,9 @@
 //! How long premises hold: to the end of their section, or from where they are made onwards.
 
+use crate::algebra::{Fraction, Variable};
 use crate::verify::check::Checker;
 use crate::verify::lines::laws_in_words::is_of_swings;
-use crate::verify::theory::Name;
+use crate::verify::theory::{Name, Premise};
 use crate::verify::words::book::{has_any, lowered};
 use std::collections::BTreeSet;
 
@@ -38,5 +39,21 @@ impl Checker<'_> {
         }
         self.scopes.retain(|(name, _)| !ended.contains(name));
         self.theory.retain(|premise| !ended.contains(&premise.name));
+    }
+
+    /// Ends what an earlier case said of one component alone; the others keep their values.
+    pub(crate) fn end_component(&mut self, own: Variable) {
+        let alone = |r: &Fraction| r.variables() == [own];
+        let earlier = |p: &&Premise| self.is_set_before(&p.name) && p.residuals.iter().any(alone);
+        let premises = self.theory.premises().iter();
+        let met: Vec<Premise> = premises.filter(earlier).cloned().collect();
+        for mut premise in met {
+            self.theory.retain(|p| p.name != premise.name);
+            premise.residuals.retain(|r| !alone(r));
+            premise.preferred.retain(|&v| v != own);
+            if !premise.residuals.is_empty() {
+                self.theory.assume(premise);
+            }
+        }
     }
 }

@@ -15,6 +15,11 @@ use std::collections::HashMap;
 
 impl Lowering<'_> {
     pub(crate) fn function(&mut self, node: &Node, function: Function, argument: &Node) -> Lowered {
+        if function == Function::Max
+            && let Some(greatest) = self.greatest(argument)
+        {
+            return Ok(Value::scalar(greatest));
+        }
         let value = self.value(argument)?;
         let ill = |ShapeMismatch(message)| trouble(TroubleKind::IllTyped, node.span, message);
         match function {
