@@ -143,3 +143,15 @@ $$ P_{{x'y'}} = ({last})\sin\theta\cos\theta + P_{{xy}}\cos 2\theta $$
     assert!(text("I_x - I_y").ends_with('p'), "{}", text("I_x - I_y"));
     assert!(text("I_x + I_y").ends_with('r'), "{}", text("I_x + I_y"));
 }
+
+#[test]
+fn numbered_lambdas_are_the_moments_that_words_call_principal() {
+    let text = |difference: &str| {
+        verdicts(&format!(
+            "The principal moments are $\\lambda_1$, $\\lambda_2$, $\\lambda_3$. No torque acts.\n\n\
+             $$ \\lambda_1\\dot\\omega_1 = ({difference})\\,\\omega_2\\omega_3 $$\n"
+        ))
+    };
+    assert_eq!(text("\\lambda_2 - \\lambda_3"), "p");
+    assert_eq!(text("\\lambda_3 - \\lambda_2"), "r");
+}

@@ -232,8 +232,13 @@ impl Reading {
                 (!small || own) && used.bare > 0 && used.vector == 0
             }
             Quantity::Inertia => {
-                matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C")
-                    && !self.components.contains_key(letter)
+                let usual = matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C");
+                // Eigenvalues are numbered so as well, and words tell them.
+                let numbered = ["1", "2", "3"]
+                    .iter()
+                    .all(|i| self.usage.has_index(letter, i));
+                let values = letter.name == "lambda" && numbered && used.vector == 0;
+                (usual || values) && !self.components.contains_key(letter)
             }
             // An ω without an Ω beside it is the body's own.
             Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
