@@ -61,3 +61,10 @@ fn masses_at_places_in_words_make_the_inertia() {
     assert_ne!(text("it", "I_{zz} = 2mr^2, \\qquad I_{xz} = 2mra"), "pp");
     assert!(text("it", "I_{zz} = 5mr^2, \\qquad I_{xz} = 2mra").ends_with('p'));
 }
+
+#[test]
+fn a_sum_goes_over_the_index_of_its_masses() {
+    let text = |sum: &str| verdicts(&format!("The moments of a body are\n\n$$ {sum} $$\n"));
+    assert_eq!(text("I_{zz} = \\sum m_i (x_i^2 + y_i^2)"), "p");
+    assert_ne!(text("I_{zz} = \\sum m_i (x_i^2 + z_i^2)"), "p");
+}

@@ -180,7 +180,10 @@ impl Parser<'_, '_> {
         if over_mass {
             self.at = before;
             let body = Box::new(self.product());
-            let index = Box::new(Symbol::default());
+            let index = Box::new(Symbol {
+                name: running_index(&node).unwrap_or_default(),
+                ..Symbol::default()
+            });
             let limits = None;
             return self.node(
                 Kind::IndexedSum {
@@ -230,6 +233,19 @@ impl Parser<'_, '_> {
             start,
         )
     }
+}
+
+/// The index under a mass that a sum without one goes over: `\sum m_i x_i^2`.
+fn running_index(mass: &Node) -> Option<String> {
+    let symbol = match &mass.kind {
+        Kind::Call(head, _) => head,
+        _ => mass,
+    };
+    let Kind::Symbol(symbol) = &symbol.kind else {
+        return None;
+    };
+    let running = |index: &&String| matches!(index.as_str(), "i" | "j" | "k");
+    symbol.subscripts.last().filter(running).cloned()
 }
 
 /// Marks the letter that a sign before a factor belongs to: in `\delta\omega^2` and `\sum\dot L(t)` that is the first.

@@ -233,11 +233,13 @@ impl Reading {
             }
             Quantity::Inertia => {
                 let usual = matches!(letter.name.as_str(), "I" | "J" | "Theta" | "A" | "B" | "C");
-                // Eigenvalues are numbered so as well, and words tell them.
+                // Beside a tensor they are its eigenvalues.
+                let tensors = ["I", "J", "Theta"].map(Letter::plain);
+                let beside = tensors.iter().any(|t| self.usage.letters.contains_key(t));
                 let numbered = ["1", "2", "3"]
                     .iter()
                     .all(|i| self.usage.has_index(letter, i));
-                let values = letter.name == "lambda" && numbered && used.vector == 0;
+                let values = letter.name == "lambda" && numbered && used.vector == 0 && !beside;
                 (usual || values) && !self.components.contains_key(letter)
             }
             // An ω without an Ω beside it is the body's own.
