@@ -28,7 +28,7 @@ impl Checker<'_> {
             return false;
         };
         let of_omega = entity == self.theory.atoms.quantity(Quantity::AngularVelocity);
-        if !of_omega || !self.cases.disturbed && !has_any(&lowered(&self.sentence), DISTURBED) {
+        if !of_omega {
             return false;
         }
         let deviation = match &inner(right).kind {
@@ -48,6 +48,9 @@ impl Checker<'_> {
         else {
             return false;
         };
+        if !self.cases.disturbed && !has_any(&lowered(&self.sentence), DISTURBED) {
+            return false;
+        }
         self.small.insert(deviation);
         self.linear = true;
         self.cases.disturbed = true;

@@ -83,6 +83,7 @@ impl Checker<'_> {
         !self.doubts.symbols.is_empty() || self.doubts.setting.is_some()
     }
 
+    /// Notes that nothing in force says any more what a symbol is.
     pub(crate) fn leave_in_doubt(&mut self, symbol: Variable) {
         let entity = self.theory.atoms.entity_of(symbol);
         self.doubts.symbols.extend(entity);

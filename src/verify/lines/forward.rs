@@ -61,6 +61,9 @@ impl<'a> Checker<'a> {
         let Some((formula, text)) = self.formula_and_text(at) else {
             return;
         };
+        if formula.display {
+            return;
+        }
         let supposed = SUPPOSED_BEHIND.iter().any(|words| text.starts_with(words));
         let behind = match text {
             "and" | ", and" | "," => self.formula_and_text(at + 2).map(|(_, text)| text),
@@ -71,11 +74,12 @@ impl<'a> Checker<'a> {
             main.is_some_and(|main| MAIN_CLAUSES.iter().any(|words| main.starts_with(words)));
         let sentence = self.sentence.trim_start();
         let opens = OPENINGS.iter().any(|word| sentence.starts_with(word));
-        if !formula.display && (supposed || main && opens) {
+        if supposed || main && opens {
             self.mark = self.mark.or(Some(Role::Assume));
         }
     }
 
+    /// A formula, and the prose right behind it.
     fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
         match (
             self.document.items.get(at)?,

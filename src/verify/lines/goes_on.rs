@@ -6,6 +6,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, undotted};
+use crate::verify::lines::growth::LONGEST;
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::Theory;
@@ -17,8 +18,6 @@ use std::collections::HashMap;
 
 /// Terms that the rate of a difference may come to.
 const MOST_TERMS: usize = 2_000;
-/// Terms of a difference whose rate is taken.
-const LONGEST: usize = 60;
 
 /// Whether a difference does not change in time.
 fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {

@@ -16,8 +16,8 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::{One, Zero};
 
-/// Terms of a side whose rate is taken.
-const LONGEST: usize = 60;
+/// Terms of what is differentiated in time.
+pub(crate) const LONGEST: usize = 60;
 
 /// Whether a value is the same at all times.
 pub(crate) fn lasts(theory: &mut Theory, value: &Fraction) -> bool {

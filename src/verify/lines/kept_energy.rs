@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::inner;
+use crate::verify::lines::growth::LONGEST;
 use crate::verify::theory::Name;
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
@@ -24,8 +25,6 @@ const WHOLE: &[&str] = &[
 const EXCHANGES: &[&str] = &[
     "friction", "damp", "dissipat", "motor", "drag", "driven", "engine",
 ];
-/// Terms of an energy whose rate is taken.
-const LONGEST: usize = 60;
 
 impl Checker<'_> {
     /// Leaves open what was taken in as the total energy and changes in the motion.

@@ -2,7 +2,6 @@
 
 use crate::algebra::Variable;
 use crate::notation::ast::{Kind, Line};
-use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
@@ -46,7 +45,7 @@ impl Checker<'_> {
         if finding.verdict == Verdict::Accepted {
             finding.role = Role::Assume;
             finding.reason = None;
-            let said = self.as_in_sentence(line.span);
+            let said = self.as_heard(line.span).trim().to_owned();
             self.limits.push(Limit { name, said });
         }
     }
@@ -75,18 +74,6 @@ impl Checker<'_> {
             .partition(|limit| sentence.contains(&limit.said));
         self.limits = kept;
         let ended: BTreeSet<Name> = ended.into_iter().map(|limit| limit.name).collect();
-        if !ended.is_empty() {
-            self.end_premises(&ended);
-        }
-    }
-
-    fn as_in_sentence(&self, span: Span) -> String {
-        let text = self.document.source.slice(span);
-        let kept = |c: &char| c.is_alphanumeric() || *c == ' ';
-        text.chars()
-            .filter(kept)
-            .collect::<String>()
-            .trim()
-            .to_owned()
+        self.end_premises(&ended);
     }
 }

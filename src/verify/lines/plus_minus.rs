@@ -77,10 +77,7 @@ impl Checker<'_> {
         let Some((unknown, residual)) = self.equation_of_roots(left, plus) else {
             return self.are_roots_of_a_balance(left, [plus, minus], &names, finding);
         };
-        let equations = [plus, minus].map(|value| {
-            let images = HashMap::from([(unknown, value.clone())]);
-            Equation::vanishing(Value::scalar(put_in(&residual, &images)))
-        });
+        let equations = at_each(&residual, unknown, [plus, minus]);
         let decision = self
             .theory
             .without(names, |theory| decide(theory, &equations));
@@ -133,10 +130,7 @@ impl Checker<'_> {
             .collect::<Vec<_>>()
             .into_iter()
             .find_map(|residual| {
-                let equations = values.map(|value| {
-                    let images = HashMap::from([(own, value.clone())]);
-                    Equation::vanishing(Value::scalar(put_in(&residual, &images)))
-                });
+                let equations = at_each(&residual, own, values);
                 let decided = |theory: &mut Theory| decide(theory, &equations);
                 match self.theory.without(names.clone(), decided) {
                     Decision::True(proof) => Some(proof),
@@ -202,6 +196,14 @@ impl Checker<'_> {
             Some((unknown, sides - product.clone() * product))
         })
     }
+}
+
+/// What vanishes, with each of two values for an unknown.
+fn at_each(residual: &Fraction, unknown: u32, values: [&Fraction; 2]) -> [Equation; 2] {
+    values.map(|value| {
+        let images = HashMap::from([(unknown, value.clone())]);
+        Equation::vanishing(Value::scalar(put_in(residual, &images)))
+    })
 }
 
 /// The bases of the powers in a node.

@@ -9,8 +9,8 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::given::is_zero;
+use crate::verify::theory::Premise;
 use crate::verify::theory::decide::Equation;
-use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
@@ -167,15 +167,12 @@ impl Checker<'_> {
         self.theory
             .retain(|premise| premise.name == name || !premise.name.ends_with(OF_SECOND));
         let premise = Premise {
-            name: name.clone(),
+            name,
             preferred: rate.as_variable().into_iter().collect(),
             residuals: vec![rate],
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
-            self.keep(&name, false);
-            self.tell(node.span, name);
-        }
+        self.take_from_words(premise, node.span);
         true
     }
 

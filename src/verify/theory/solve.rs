@@ -170,12 +170,12 @@ impl Theory {
     fn solution(&self, residual: &Fraction, premise: &Premise) -> Option<(Variable, Fraction)> {
         let polynomial = residual.numerator();
         // Of κ² = … the body does not follow, which κ is made of.
-        let squared = |v: &Variable| polynomial.degree_in(*v) > 1;
+        let is_squared = |v: &Variable| polynomial.degree_in(*v) > 1;
         let of_body = |v: &Variable| {
             let owner = self.atoms.owner(*v);
             matches!(owner, Some(Owner::Quantity(Quantity::Inertia, _)))
         };
-        let squared = premise.definition && premise.preferred.iter().any(squared);
+        let squared = premise.definition && premise.preferred.iter().any(is_squared);
         let variables = polynomial.variables().into_iter();
         let variables = variables.filter(|v| !squared || !of_body(v));
         let candidates = variables.filter_map(|variable| {

@@ -204,11 +204,8 @@ impl Lowering<'_> {
         }
         let value = self.value(head)?;
         // The rate is what follows from the state and the moment.
-        let dynamics = self.theory.setting.dynamics;
-        self.theory
-            .set(|setting| setting.dynamics = Dynamics::Forward);
-        let at_step = self.with_values(&value, &from, &to);
-        self.theory.set(|setting| setting.dynamics = dynamics);
+        let put_in = |lowering: &mut Self| lowering.with_values(&value, &from, &to);
+        let at_step = self.with_dynamics(Dynamics::Forward, put_in);
         // The slopes of what is linear are the same everywhere.
         let slope = matches!(head.kind, Kind::Derivative { .. });
         Ok(at_step.or_else(|| slope.then_some(value)))

@@ -143,32 +143,17 @@ impl Lowering<'_> {
             }
             // The moment is held fixed beside the angular velocity, as ω̇ is what follows from both; not where the moment
             // itself is derived.
-            let dynamics = self.theory.setting.dynamics;
             let left_out = self.theory.leave_out_point(&by);
             let held = match self.is_moment(operand) {
                 true => Dynamics::Inverse,
                 false => Dynamics::Forward,
             };
-            self.theory.set(|setting| setting.dynamics = held);
             let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
-            let result = places.map(|places| {
-                // Sine and cosine of the angle of a cone follow from the motion.
-                let free = places
-                    .iter()
-                    .all(|&p| self.theory.rule(p).is_none() && self.theory.cone(p).is_none());
-                let written = value.entries.iter().flat_map(Fraction::variables);
-                let stands = written.into_iter().any(|v| places.contains(&v));
-                let jacobian = match free {
-                    true => Some(self.jacobian(&value, &places)),
-                    false if stands => self.slope_as_written(&value, &by, &places).map(Some),
-                    false => self.slope_in_momentum(&value, &places).map(Some),
-                };
-                jacobian.ok_or(
-                    "this symbol is determined by others; the derivative in it is not defined here",
-                )
+            let result = self.with_dynamics(held, |lowering| {
+                let jacobian = places.map(|places| lowering.slope(&value, &by, &places));
+                lowering.theory.left_out = left_out;
+                jacobian
             });
-            self.theory.left_out = left_out;
-            self.theory.set(|setting| setting.dynamics = dynamics);
             let symbols_only = Err("a derivative is taken in symbols only");
             match result.unwrap_or(symbols_only) {
                 Ok(Some(jacobian)) => value = jacobian,
@@ -180,6 +165,41 @@ impl Lowering<'_> {
             }
         }
         Ok(value)
+    }
+
+    /// The Jacobian of a value in symbols, `None` inside where it is too long.
+    fn slope(
+        &mut self,
+        value: &Value,
+        by: &Value,
+        places: &[u32],
+    ) -> Result<Option<Value>, &'static str> {
+        // Sine and cosine of the angle of a cone follow from the motion.
+        let free = places
+            .iter()
+            .all(|&p| self.theory.rule(p).is_none() && self.theory.cone(p).is_none());
+        let written = value.entries.iter().flat_map(Fraction::variables);
+        let stands = written.into_iter().any(|v| places.contains(&v));
+        let jacobian = match free {
+            true => Some(self.jacobian(value, places)),
+            false if stands => self.slope_as_written(value, by, places).map(Some),
+            false => self.slope_in_momentum(value, places).map(Some),
+        };
+        jacobian
+            .ok_or("this symbol is determined by others; the derivative in it is not defined here")
+    }
+
+    /// Works with the moment or the rate following from the other.
+    pub(crate) fn with_dynamics<R>(
+        &mut self,
+        dynamics: Dynamics,
+        work: impl FnOnce(&mut Self) -> R,
+    ) -> R {
+        let before = self.theory.setting.dynamics;
+        self.theory.set(|setting| setting.dynamics = dynamics);
+        let result = work(self);
+        self.theory.set(|setting| setting.dynamics = before);
+        result
     }
 
     fn is_moment(&mut self, operand: &Node) -> bool {

@@ -212,10 +212,18 @@ impl Checker<'_> {
             preferred: rates,
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
-            self.keep(name, false);
-            self.tell(span, name.to_owned());
+        self.take_from_words(premise, span);
+    }
+
+    /// Takes in what words say to the end of their section, and reports it; whether it is solved for something.
+    pub(crate) fn take_from_words(&mut self, premise: Premise, span: Span) -> bool {
+        let name = premise.name.clone();
+        let taken = self.theory.assume(premise) == Taken::Solved;
+        if taken {
+            self.keep(&name, false);
+            self.tell(span, name);
         }
+        taken
     }
 
     /// Assumes that the rate of a symbol of the document is zero; what laws determine is for a claim to say. The rate ω
@@ -273,19 +281,13 @@ impl Checker<'_> {
             return false;
         }
         let text = self.document.source.slice(node.span).trim().to_owned();
-        let name = format!("{text} is constant");
         let premise = Premise {
-            name: name.clone(),
+            name: format!("{text} is constant"),
             residuals: value.entries,
             preferred: parts,
             definition: false,
         };
-        let taken = self.theory.assume(premise) == Taken::Solved;
-        if taken {
-            self.keep(&name, false);
-            self.tell(node.span, name);
-        }
-        taken
+        self.take_from_words(premise, node.span)
     }
 
     /// Reports a premise that words set.

@@ -5,7 +5,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
-use crate::verify::theory::{Premise, Taken};
+use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::lowered;
@@ -67,16 +67,13 @@ impl Checker<'_> {
         };
         let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
         let own = self.theory.atoms.part(omega, axis, 0);
-        let name = "the spin that the motion is near to".to_owned();
         let premise = Premise {
-            name: name.clone(),
+            name: "the spin that the motion is near to".to_owned(),
             residuals: vec![variable_fraction(own) - rate],
             preferred: vec![own],
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
-            self.keep(&name, false);
-            self.tell(node.span, name);
+        if self.take_from_words(premise, node.span) {
             self.now_known([node]);
             self.small_turns.extend((0..3).filter(|&c| c != axis));
             self.drop_second_order();

@@ -7,7 +7,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::theory::{Premise, Taken};
+use crate::verify::theory::Premise;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::words::book::has_any;
@@ -36,7 +36,7 @@ pub(crate) type PointMass<'d> = (&'d Node, &'d Node);
 impl Checker<'_> {
     /// Finds the sentence with the masses.
     pub(crate) fn find_point_masses(&mut self) {
-        if self.text.says(MASSES) && self.reading.points.is_none() {
+        if self.reading.points.is_none() && self.text.says(MASSES) {
             self.point_masses = point_masses(self.document);
         }
     }
@@ -67,10 +67,7 @@ impl Checker<'_> {
             preferred,
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
-            self.keep(LAW, false);
-            self.tell(span, LAW.to_owned());
-        }
+        self.take_from_words(premise, span);
     }
 
     /// Σ m x_a x_b.

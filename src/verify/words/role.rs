@@ -182,6 +182,9 @@ impl Words {
 
     /// "For a given ⟨L⟩ the energy is": there it is an attribute, and hands nothing over.
     fn without_attributes(self) -> Self {
+        if !self.text.contains(" given ") {
+            return self;
+        }
         let words: Vec<&str> = self.text.split_whitespace().collect();
         let attribute = |pair: &[&str]| {
             pair[1] == "given" && ["a", "any", "each", "for", "at", "of"].contains(&pair[0])

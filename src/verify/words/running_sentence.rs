@@ -126,16 +126,18 @@ impl Checker<'_> {
 
     /// A formula stands in the sentence as its letters and digits and a mark; a display with a stop in it ends it.
     pub(crate) fn hear_formula(&mut self, formula: &Formula) {
-        let text = self.document.source.slice(formula.span);
-        let plain: String = text
-            .chars()
-            .filter(|c| c.is_alphanumeric() || *c == ' ')
-            .collect();
+        let plain = self.as_heard(formula.span);
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
         if closes_sentence(self.document, formula) {
             self.sentence.clear();
         }
+    }
+
+    /// The letters and digits of a formula, as they stand in the sentence.
+    pub(crate) fn as_heard(&self, span: Span) -> String {
+        let text = self.document.source.slice(span).chars();
+        text.filter(|c| c.is_alphanumeric() || *c == ' ').collect()
     }
 
     /// A paragraph ends a sentence that nothing holds open.

@@ -6,7 +6,7 @@ use crate::notation::ast::Symbol;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::axis;
-use crate::verify::theory::{Premise, Taken};
+use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::sentences::{Paragraphs, sentences};
@@ -32,8 +32,8 @@ const ALONG: &[&str] = &["along", "parallel to"];
 impl Checker<'_> {
     /// Takes the law in, where words give the edges.
     pub(crate) fn take_uniform_box(&mut self) {
-        let elsewhere = self.reading.points.is_some() || self.text.says(OTHER_POINTS);
-        if elsewhere || !self.text.says(BOXES) || !self.text.says(UNIFORM) {
+        let said = self.reading.points.is_none() && self.text.says(BOXES);
+        if !said || !self.text.says(UNIFORM) || self.text.says(OTHER_POINTS) {
             return;
         }
         let Some((edges, span)) = self.edges_along_axes() else {
@@ -63,10 +63,7 @@ impl Checker<'_> {
             preferred,
             definition: false,
         };
-        if self.theory.assume(premise) == Taken::Solved {
-            self.keep(LAW, false);
-            self.tell(span, LAW.to_owned());
-        }
+        self.take_from_words(premise, span);
     }
 
     /// The edges along the three axes, where a sentence lists both.
