@@ -41,3 +41,30 @@ so $T = {energy}$.
     assert_eq!(text("8", "18"), "aaaaaaar");
     assert_eq!(text("9", "19"), "aaaaaarr");
 }
+
+#[test]
+fn what_is_zero_at_the_start_does_not_stay_so() {
+    let text = |given: &str| {
+        format!(
+            r"A body that no torque acts on, on principal axes. {given}
+
+$$ I_1\ddot\omega_1 = (I_2 - I_3)(\dot\omega_2\omega_3 + \omega_2\dot\omega_3) $$
+
+$$ I_1\dot\omega_1 = 0 $$
+"
+        )
+    };
+    for given in [
+        r"With $\omega_1 = 0$ at the start,",
+        r"Let $\omega_1 = 0$ initially.",
+        r"Initially $\omega_1 = 0$.",
+    ] {
+        assert_eq!(verdicts(&text(given)), "apr", "{given}");
+    }
+    for given in [
+        r"Let $\omega_1 = 0$ at $t = 0$.",
+        r"At $t = 0$, $\omega_1 = 0$.",
+    ] {
+        assert_eq!(verdicts(&text(given)), "aapr", "{given}");
+    }
+}

@@ -114,6 +114,8 @@ pub(super) struct Checker<'a> {
     pub(super) broken: bool,
     /// The role that a comment sets for the next formula.
     pub(super) mark: Option<Role>,
+    /// Whether the words behind this formula are of one instant.
+    pub(super) instant_behind: bool,
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
     /// Lines that say what a step is, and in which section.
@@ -226,6 +228,7 @@ impl<'a> Checker<'a> {
             implicit: BTreeSet::new(),
             broken: false,
             mark: None,
+            instant_behind: false,
             scopes: vec![],
             steps: vec![],
             level: 0,

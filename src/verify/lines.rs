@@ -44,6 +44,7 @@ pub(super) mod heavy_tops;
 pub(super) mod homogeneity;
 pub(super) mod index;
 pub(super) mod inequality;
+pub(super) mod instants;
 pub(super) mod kept_energy;
 pub(super) mod labelled_space;
 pub(super) mod laws_in_words;

@@ -114,6 +114,7 @@ fn checked<'d>(document: &'d Text<'d>, reading: Reading) -> (Report, bool) {
     for (at, item) in document.items.iter().enumerate() {
         checker.look_ahead(at);
         checker.hear_ahead(at);
+        checker.hear_instant(at);
         checker.item(item);
         // A reading that is only tried and grows beyond its budget goes no further.
         if checker.theory.terms_left == Some(0) {

@@ -99,8 +99,9 @@ pub(super) struct Theory {
     pub left_out: BTreeSet<Name>,
     /// Values that stand in the place of what laws and premises give.
     pub(super) fixed: Vec<Alternative>,
-    /// Premises that say what something is at one instant: nothing follows from them for its rate.
-    pub(super) instants: BTreeSet<Name>,
+    /// Premises that say what something is at one instant, and whether words say so: nothing follows from them for its
+    /// rate.
+    pub(super) instants: BTreeMap<Name, bool>,
     /// Relations that could not be solved for a symbol.
     pub(super) relations: Relations,
     pub(super) premises: Vec<Premise>,
@@ -137,7 +138,7 @@ impl Theory {
             setting,
             left_out: BTreeSet::new(),
             fixed: vec![],
-            instants: BTreeSet::new(),
+            instants: BTreeMap::new(),
             relations: Relations::default(),
             premises: vec![],
             mentioned: Mentioned::default(),

@@ -9,30 +9,13 @@ use crate::verify::lines::decimals::holds_decimals;
 use crate::verify::lines::given::is_zero;
 use crate::verify::lines::numbers::Numerical;
 use crate::verify::reason::{RESTS_ON_GIVEN, TAKEN_AS_GIVEN};
-use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::theory::{MOMENTARY, Name, Rule, Taken, Theory};
-use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
+use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::figures::{Alternative, is_number};
-use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
-use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 use std::collections::BTreeSet;
-
-/// Words of a sentence that says how a body moves at one instant.
-const AT_ONCE: &[&str] = &[
-    "at the start",
-    "at the beginning",
-    "at the instant",
-    "at this instant",
-    "at that instant",
-    "at an instant",
-    "at a given instant",
-    "at one instant",
-    "at the moment when",
-    "initially",
-];
 
 impl Checker<'_> {
     /// A free symbol, its value in numbers, and that value worked out: the first pair is data, the others are claims.
@@ -158,94 +141,6 @@ impl Checker<'_> {
             finding.verdict = Verdict::Undecided;
             finding.reason = Some(RESTS_ON_GIVEN.to_owned());
         }
-    }
-
-    /// A vector that moves, given in numbers, is so at one instant: its rate is not zero for that.
-    pub(crate) fn mark_instant(&mut self, name: &str, left: &[Variable], right: &[Fraction]) {
-        let moves = |checker: &Self, variable: Variable| match *checker.theory.atoms.atom(variable)
-        {
-            Atom::Part {
-                entity, order: 0, ..
-            } => match checker.theory.atoms.info(entity).owner {
-                Owner::Quantity(quantity, _) => matches!(
-                    quantity,
-                    Quantity::AngularVelocity
-                        | Quantity::FrameRate
-                        | Quantity::Momentum
-                        | Quantity::Position
-                        | Quantity::Velocity
-                ),
-                Owner::Symbol(_) => !checker.theory.atoms.info(entity).constant,
-            },
-            _ => false,
-        };
-        let moving = !left.is_empty() && left.iter().all(|&v| moves(self, v));
-        let values = right.iter().map(|entry| self.theory.normal(entry));
-        let values: Vec<Fraction> = values.collect();
-        let numbers = values.iter().all(|v| is_number(&self.theory.atoms, v));
-        let at_once = has_any(&lowered(&self.sentence), AT_ONCE);
-        if moving && (at_once || numbers && values.iter().any(|v| !v.is_zero())) {
-            self.theory.instants.insert(name.to_owned());
-        }
-    }
-
-    /// ω = 0 is how a body stands at an instant: one that never turned would have no motion to speak of.
-    pub(crate) fn mark_rest(&mut self, name: &str, left: &[Variable], right: &[Fraction]) {
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let part = |c| self.theory.atoms.part(omega, c, 0);
-        let whole = [0, 1, 2].map(part);
-        let all = whole.iter().all(|v| left.contains(v)) && left.len() == whole.len();
-        if all && right.iter().all(Zero::is_zero) {
-            self.theory.instants.insert(name.to_owned());
-        }
-    }
-
-    /// Whether a line speaks of the ω̇ of a body at rest, of which nothing is left if it stays so.
-    fn would_begin_to_turn(&mut self, sides: &[Node]) -> bool {
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let at_rest = (0..3).all(|c| {
-            let rate = self.theory.atoms.value(omega, c, 0);
-            self.theory.normal(&rate).is_zero()
-        });
-        let Ok(read) = self.read(sides, Frame::Moving) else {
-            return false;
-        };
-        let rates = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 1));
-        at_rest
-            && read.equations.iter().any(|equation| {
-                let sides = [&equation.left, &equation.right].into_iter();
-                let mut met = sides
-                    .flat_map(|side| &side.entries)
-                    .flat_map(Fraction::variables);
-                met.any(|variable| rates.contains(&variable))
-            })
-    }
-
-    /// Whether a line holds if what is given in numbers stays as it is.
-    pub(crate) fn holds_still(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        if self.theory.instants.is_empty() || self.would_begin_to_turn(sides) {
-            return false;
-        }
-        let instants = std::mem::take(&mut self.theory.instants);
-        let steady = self.theory.rebuild() != Taken::Contradiction;
-        let mut holds = false;
-        if steady && let Ok(readings) = self.readings(sides) {
-            for read in readings {
-                if let Decision::True(proof) = decide(&mut self.theory, &read.equations)
-                    && !self.is_emptied(sides, &read, &proof)
-                {
-                    self.proved(&read, proof, finding);
-                    finding
-                        .remarks
-                        .push("what is given in numbers is taken as constant".to_owned());
-                    holds = true;
-                    break;
-                }
-            }
-        }
-        self.theory.instants = instants;
-        self.theory.rebuild();
-        holds
     }
 }
 

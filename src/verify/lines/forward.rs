@@ -80,7 +80,7 @@ impl<'a> Checker<'a> {
     }
 
     /// A formula, and the prose right behind it.
-    fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
+    pub(crate) fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
         match (
             self.document.items.get(at)?,
             self.document.items.get(at + 1)?,

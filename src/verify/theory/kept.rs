@@ -100,7 +100,7 @@ impl Theory {
 
     /// Whether a kept relation speaks of one instant alone.
     pub(crate) fn is_momentary(&self, kept: &Kept) -> bool {
-        self.instants.contains(&kept.name)
+        self.instants.contains_key(&kept.name)
     }
 
     /// The relation of an index, or its first rate, with every rule put in, as a fact; `None` where nothing is left of it.

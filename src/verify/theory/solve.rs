@@ -147,7 +147,7 @@ impl Theory {
                 residual: written.clone(),
                 before: self.sources.len(),
             };
-            let momentary = order == 0 && self.instants.contains(&rule.name);
+            let momentary = order == 0 && self.instants.contains_key(&rule.name);
             let mark = if momentary { MOMENTARY } else { 0 };
             let part = (entity, component | mark);
             // A rate that a premise gave, and now follows from the value, must not be lost: its turn is behind this one.

@@ -12,7 +12,7 @@ impl Theory {
     /// When a premise is solved: those of one instant last, definitions and the form of the inertia first, rates after
     /// values.
     pub(crate) fn turn(&self, premise: &Premise) -> Turn {
-        let momentary = self.instants.contains(&premise.name);
+        let momentary = self.instants.contains_key(&premise.name);
         let mut residuals = premise.residuals.iter();
         let mean = residuals.all(|r| self.is_mean(r.numerator()));
         let later = !premise.definition && !mean && !self.is_of_products(premise);
