@@ -36,11 +36,12 @@ fn told(line: &str) -> String {
 }
 
 fn document(lines: usize) -> String {
-    let mut text = OPENING.to_owned();
-    for line in LINES.iter().cycle().take(lines) {
-        text.push_str(&told(line));
-    }
-    text
+    document_of(&LINES, lines)
+}
+
+fn document_of(kinds: &[&str], lines: usize) -> String {
+    let told = kinds.iter().cycle().take(lines).map(|line| told(line));
+    OPENING.to_owned() + &told.collect::<String>()
 }
 
 fn lines(c: &mut Criterion) {
@@ -58,12 +59,15 @@ fn lines(c: &mut Criterion) {
 }
 
 fn reading(c: &mut Criterion) {
-    let text = document(100);
     let mut group = c.benchmark_group("reading alone");
     group.throughput(Throughput::Elements(100));
-    group.bench_function("a hundred lines", |b| {
-        b.iter(|| read("bench.md", black_box(&text), Format::Markdown))
-    });
+    // A typical line, and with the long one among them.
+    for (name, kinds) in [("typical lines", &LINES[..4]), ("a hundred lines", &LINES)] {
+        let text = document_of(kinds, 100);
+        group.bench_function(name, |b| {
+            b.iter(|| read("bench.md", black_box(&text), Format::Markdown))
+        });
+    }
 }
 
 fn repair(c: &mut Criterion) {

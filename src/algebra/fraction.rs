@@ -68,6 +68,9 @@ impl Fraction {
     /// The variables that occur, ascending.
     pub fn variables(&self) -> Vec<Variable> {
         let mut found = self.numerator.variables();
+        if self.is_polynomial() {
+            return found;
+        }
         found.extend(self.denominator.variables());
         found.sort_unstable();
         found.dedup();

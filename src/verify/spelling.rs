@@ -28,7 +28,7 @@ pub(super) fn spell(document: &Document, reading: &Reading, atoms: &mut Atoms) {
             };
             for symbol in nodes.into_iter().flat_map(symbols) {
                 if let Meaning::Component(entity, component) = meaning(symbol, reading, atoms) {
-                    atoms.spell(entity, component, latex(symbol));
+                    atoms.spell(entity, component, || latex(symbol));
                 }
             }
         }

@@ -28,13 +28,11 @@ pub(super) mod wheels;
 pub(super) mod world;
 
 use crate::algebra::{Fraction, Variable};
-use crate::verify::theory::kept::Relations;
 use crate::verify::theory::law::{Setting, law};
-use crate::verify::theory::ledger::{Ledger, Source};
+use crate::verify::theory::ledger::Ledger;
 use crate::verify::theory::mentioned::Mentioned;
-use crate::verify::theory::normal::Normals;
-use crate::verify::theory::solution::{Case, Solution, Solutions};
-use crate::verify::values::atoms::{Atom, Atoms, Entity};
+use crate::verify::theory::solution::{Solution, Solutions};
+use crate::verify::values::atoms::{Atom, Atoms};
 use crate::verify::values::figures::Alternative;
 use crate::verify::values::quantity::Quantity;
 use foldhash::HashMap;
@@ -102,8 +100,6 @@ pub(super) struct Theory {
     /// Premises that say what something is at one instant, and whether words say so: nothing follows from them for its
     /// rate.
     pub(super) instants: BTreeMap<Name, bool>,
-    /// Relations that could not be solved for a symbol.
-    pub(super) relations: Relations,
     pub(super) premises: Vec<Premise>,
     mentioned: Mentioned,
     /// The turn of the premise that was solved last.
@@ -112,17 +108,11 @@ pub(super) struct Theory {
     pub(super) cones: BTreeMap<Variable, (Quantity, Option<u8>)>,
     /// Premises that turned out to speak of a rate, by what they gave.
     of_rates: HashMap<Name, u8>,
-    pub(super) rules: HashMap<(Entity, u8), (u8, Rule)>,
-    pub(super) normals: Normals,
-    /// Where the rules come from.
-    pub(super) sources: HashMap<(Entity, u8), Source>,
-    /// What the rules in force are the solution of; `None` where more was put in since.
-    case: Option<Case>,
+    /// What they come to.
+    pub(super) solution: Box<Solution>,
     solutions: Solutions,
     /// What the laws say of variables, whichever are left out.
     laws: HashMap<Variable, Option<(&'static str, Arc<Fraction>)>>,
-    /// Facts for proofs.
-    pub(super) ledger: Ledger,
     open: BTreeSet<Variable>,
     /// Whether some normal form was given up because it grew beyond the budget.
     pub exhausted: bool,
@@ -139,19 +129,14 @@ impl Theory {
             left_out: BTreeSet::new(),
             fixed: vec![],
             instants: BTreeMap::new(),
-            relations: Relations::default(),
             premises: vec![],
             mentioned: Mentioned::default(),
             last_turn: None,
             cones: BTreeMap::new(),
             of_rates: HashMap::default(),
-            rules: HashMap::default(),
-            normals: Normals::default(),
-            sources: HashMap::default(),
-            case: None,
+            solution: Box::default(),
             solutions: Solutions::default(),
             laws: HashMap::default(),
-            ledger: Ledger::default(),
             open: BTreeSet::new(),
             exhausted: false,
             terms_left: None,
@@ -165,7 +150,7 @@ impl Theory {
 
     /// Changes the setting; what was solved is solved again.
     pub(super) fn set(&mut self, change: impl FnOnce(&mut Setting)) {
-        self.set_aside();
+        self.set_aside(Box::default());
         change(&mut self.setting);
         self.laws.clear();
         self.solve_again();
@@ -178,16 +163,13 @@ impl Theory {
         work: impl FnOnce(&mut Self) -> R,
     ) -> R {
         let left_out = std::mem::replace(&mut self.left_out, names);
-        let mut before = Solution::default();
-        self.exchange(&mut before);
+        let before = self.solve_again();
         let premises = self.premises.len();
-        self.solve_again();
         let result = work(self);
-        self.set_aside();
         self.left_out = left_out;
-        match self.premises.len() == premises {
-            true => self.exchange(&mut before),
-            false => drop(self.rebuild()),
+        self.set_aside(before);
+        if self.premises.len() != premises {
+            self.rebuild();
         }
         result
     }
@@ -227,15 +209,15 @@ impl Theory {
         // A definition may have told that a symbol moves.
         self.laws.clear();
         self.solutions.clear();
-        self.case = None;
+        self.solution.case = None;
         let last = self.comes_last(&premise);
         self.premises.push(premise.clone());
         let taken = if last {
-            self.ledger = Ledger::default();
+            self.solution.ledger = Ledger::default();
             let rates = self.rates_met();
             let taken = self.solve(&premise);
             if taken == Taken::Solved && !self.exhausted {
-                self.case = self.case_at_hand();
+                self.solution.case = self.case_at_hand();
             }
             match self.rates_met() > rates {
                 true => self.rebuild(),
@@ -263,8 +245,8 @@ impl Theory {
                 order,
             } => {
                 let momentary = (entity, component | MOMENTARY);
-                let at_once = self.rules.get(&momentary).filter(|_| order == 0);
-                let ruled = at_once.or_else(|| self.rules.get(&(entity, component)));
+                let at_once = self.solution.rules.get(&momentary).filter(|_| order == 0);
+                let ruled = at_once.or_else(|| self.solution.rules.get(&(entity, component)));
                 if let Some((ruled, rule)) = ruled.cloned()
                     && ruled <= order
                 {

@@ -161,7 +161,7 @@ impl Theory {
             } = *self.atoms.atom(value.variable)
             {
                 let parts = [component, component | MOMENTARY];
-                let rules = parts.map(|c| self.rules.get(&(entity, c)));
+                let rules = parts.map(|c| self.solution.rules.get(&(entity, c)));
                 left_out.extend(
                     rules
                         .into_iter()

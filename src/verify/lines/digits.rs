@@ -120,7 +120,7 @@ impl Theory {
     /// An interval that holds a fraction in normal form, where it is a number.
     pub(crate) fn number_enclosure(&mut self, fraction: &Fraction) -> Option<Interval> {
         self.note_kernels(fraction);
-        enclosure(&ratio(fraction), &self.ledger.kernels)
+        enclosure(&ratio(fraction), &self.solution.ledger.kernels)
     }
 
     pub(crate) fn normal_enclosure(&mut self, fraction: &Fraction) -> Option<Interval> {

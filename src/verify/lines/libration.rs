@@ -12,22 +12,25 @@ use num_traits::Zero;
 /// What holds while one angle is all that changes.
 const LIBRATION: &str = "the body turns about the axis of the angle";
 
+/// Words for what turns the body.
+const GRADIENT: &[&str] = &[
+    "gravity gradient",
+    "gravity-gradient",
+    "gradient of gravity",
+];
+/// Words for a motion with one angle.
+const IN_PLANE: &[&str] = &[
+    "pitch",
+    "planar",
+    "in the plane of the orbit",
+    "in the orbit plane",
+];
+
 impl Checker<'_> {
     /// A body of which one angle turns the direction of the planet on its axes turns about the axis of this angle, and
     /// about no other but with its orbit.
     pub(crate) fn note_libration(&mut self, sides: &[Node]) {
-        let said = [
-            "pitch",
-            "planar",
-            "in the plane of the orbit",
-            "in the orbit plane",
-        ];
-        let gradient = [
-            "gravity gradient",
-            "gravity-gradient",
-            "gradient of gravity",
-        ];
-        let named = self.text.says(&gradient) && self.text.says(&said);
+        let named = self.text.says(GRADIENT) && self.text.says(IN_PLANE);
         if !named || self.theory.premises().iter().any(|p| p.name == LIBRATION) {
             return;
         }

@@ -84,7 +84,7 @@ impl Checker<'_> {
     /// of the sides do not tell, `None` where the squares differ.
     fn by_squares(&mut self, read: &Read) -> Option<Option<BySquares>> {
         // No world here is on the points of relations that are kept.
-        if !self.theory.relations.kept.is_empty() {
+        if !self.theory.solution.relations.kept.is_empty() {
             return None;
         }
         let (mut equations, mut positive) = (vec![], vec![]);

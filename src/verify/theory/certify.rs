@@ -156,8 +156,8 @@ pub(crate) fn certify_within(
         for place in 0..equation.residual.entries.len() {
             let left = side(&equation.left.entries, place)?;
             let right = side(&equation.right.entries, place)?;
-            theory.ledger.divide_by(&left.denominator);
-            theory.ledger.divide_by(&right.denominator);
+            theory.solution.ledger.divide_by(&left.denominator);
+            theory.solution.ledger.divide_by(&right.denominator);
             let mut done = Elimination::of(theory, difference(&left, &right))?;
             if !done.rest.is_zero() {
                 let divisors = [&left.denominator, &right.denominator];
@@ -190,7 +190,7 @@ fn side(entries: &[Fraction], place: usize) -> Option<Ratio> {
 
 /// The goals with the facts, rates, kernels and conditions that they need, and no others.
 fn argument(theory: &Theory, mut goals: Vec<Goal>, bounds: Vec<Bound>) -> Argument {
-    let ledger = &theory.ledger;
+    let ledger = &theory.solution.ledger;
     let mut needed: BTreeSet<usize> = BTreeSet::new();
     let mut open: Vec<usize> = goals.iter().flat_map(|g| indices(&g.by)).collect();
     while let Some(fact) = open.pop() {

@@ -146,7 +146,7 @@ pub(crate) fn decide(theory: &mut Theory, equations: &[Equation]) -> Decision {
         }
     }
     // Where relations are kept, a proof may be had though no world was found that satisfies them.
-    let proof = match seen || !theory.relations.kept.is_empty() {
+    let proof = match seen || !theory.solution.relations.kept.is_empty() {
         true => certify(theory, equations),
         false => None,
     };
@@ -165,7 +165,8 @@ pub(crate) fn vanishes(theory: &mut Theory, equations: &[Equation]) -> bool {
     let holds = residuals.all(|entry| {
         let normal = theory.normal(entry);
         theory.kernels_reduced(normal).is_zero()
-    }) || !theory.relations.kept.is_empty() && certify(theory, equations).is_some();
+    }) || !theory.solution.relations.kept.is_empty()
+        && certify(theory, equations).is_some();
     holds && !std::mem::take(&mut theory.exhausted)
 }
 
@@ -200,7 +201,7 @@ fn rests_on_a_name(theory: &mut Theory, equation: &Equation) -> bool {
 
 /// The name of a relation that is kept and speaks of something in an equation.
 fn related(theory: &mut Theory, equation: &Equation) -> Option<Name> {
-    let kept = theory.relations.kept.clone();
+    let kept = theory.solution.relations.kept.clone();
     let entries = equation.residual.entries.iter();
     let inside: BTreeSet<u32> = entries.flat_map(|e| theory.normal(e).variables()).collect();
     let mut speaks = |kept: &Kept| {
@@ -356,7 +357,7 @@ pub(crate) fn needed(theory: &mut Theory, equations: &[Equation], proof: &Proof)
 pub(crate) fn reached(theory: &mut Theory, fractions: &[Fraction]) -> Vec<Name> {
     let mut open: Vec<u32> = fractions.iter().flat_map(Fraction::variables).collect();
     let (mut seen, mut names) = (HashSet::default(), BTreeSet::new());
-    let mut kept = theory.relations.kept.clone();
+    let mut kept = theory.solution.relations.kept.clone();
     loop {
         let Some(variable) = open.pop() else {
             let speaks = |kept: &Kept| kept.written.variables().iter().any(|v| seen.contains(v));

@@ -45,7 +45,7 @@ impl Theory {
     fn is_said_not_to_turn(&self, axis: u8) -> bool {
         let rates = |entity| &self.atoms.info(entity).owner;
         let omega = Owner::Quantity(Quantity::AngularVelocity, String::new());
-        let mut rules = self.rules.iter();
+        let mut rules = self.solution.rules.iter();
         rules.any(|(&(entity, component), (order, rule))| {
             component == axis && *order == 0 && rule.value.is_zero() && *rates(entity) == omega
         })

@@ -87,15 +87,20 @@ impl Theory {
             return false;
         }
         let vector = self.atoms.info(entity).shape == Shape::Vector;
-        self.relations.kept.clone().into_iter().any(|kept| {
-            let mut variables = self.normal(&kept.written).variables();
-            variables.extend(kept.written.variables());
-            let entities = variables
-                .into_iter()
-                .filter_map(|v| self.atoms.entity_of(v));
-            let entities: BTreeSet<Entity> = entities.collect();
-            entities.contains(&entity) && !(vector && entities.len() == 1)
-        })
+        self.solution
+            .relations
+            .kept
+            .clone()
+            .into_iter()
+            .any(|kept| {
+                let mut variables = self.normal(&kept.written).variables();
+                variables.extend(kept.written.variables());
+                let entities = variables
+                    .into_iter()
+                    .filter_map(|v| self.atoms.entity_of(v));
+                let entities: BTreeSet<Entity> = entities.collect();
+                entities.contains(&entity) && !(vector && entities.len() == 1)
+            })
     }
 
     /// Whether a kept relation speaks of one instant alone.
@@ -105,45 +110,45 @@ impl Theory {
 
     /// The relation of an index, or its first rate, with every rule put in, as a fact; `None` where nothing is left of it.
     fn kept_fact(&mut self, index: usize, rate: bool) -> Option<usize> {
-        if let Some(&known) = self.ledger.kept.get(&(index, rate)) {
+        if let Some(&known) = self.solution.ledger.kept.get(&(index, rate)) {
             return known;
         }
         let fact = self.new_kept_fact(index, rate);
-        self.ledger.kept.insert((index, rate), fact);
+        self.solution.ledger.kept.insert((index, rate), fact);
         fact
     }
 
     fn new_kept_fact(&mut self, index: usize, rate: bool) -> Option<usize> {
-        let kept = self.relations.kept.get(index)?.clone();
+        let kept = self.solution.relations.kept.get(index)?.clone();
         let normal = self.normal(&kept.written);
         if rate && self.is_momentary(&kept) || self.is_heavy(&normal, rate) {
             return None;
         }
         let premise = Reason::Premise(kept.name);
         let written = kept.written.numerator().clone();
-        let mut fact = self.ledger.push(written, premise);
+        let mut fact = self.solution.ledger.push(written, premise);
         if rate {
             fact = self.rate_of(fact)?;
         }
-        let done = Elimination::of(self, self.ledger.facts[fact].value.clone())?;
+        let done = Elimination::of(self, self.solution.ledger.facts[fact].value.clone())?;
         if done.rest.is_zero() || done.rest.len() > MOST_TERMS {
             return None;
         }
         let content = self.content(&done.rest);
         let value = done.rest.divided_by(&content);
         let multiplier = Polynomial::term(content, One::one());
-        self.ledger.divide_by(&multiplier);
+        self.solution.ledger.divide_by(&multiplier);
         let mut cofactors = vec![(fact, done.multiplier)];
         cofactors.extend(done.cofactors.into_iter().map(|(fact, c)| (fact, -c)));
         let reason = Reason::Combination(Combination {
             multiplier,
             cofactors,
         });
-        Some(self.ledger.push(value, reason))
+        Some(self.solution.ledger.push(value, reason))
     }
 
     fn order_of_kept(&mut self, index: usize) -> u8 {
-        let written = self.relations.kept[index].written.clone();
+        let written = self.solution.relations.kept[index].written.clone();
         let normal = self.normal(&written);
         self.highest_rate(&normal)
     }
@@ -153,7 +158,7 @@ impl Theory {
     fn related_facts(&mut self, rest: &Polynomial, rates: bool) -> Vec<usize> {
         let orders = if rates { &[false, true][..] } else { &[false] };
         let highest = self.highest_rate(&Fraction::from(rest.clone()));
-        let mut open: Vec<usize> = (0..self.relations.kept.len())
+        let mut open: Vec<usize> = (0..self.solution.relations.kept.len())
             .flat_map(|index| orders.iter().map(move |&rate| (index, rate)))
             .filter_map(|(index, rate)| {
                 let speaks = !rate || self.order_of_kept(index) < highest;
@@ -169,14 +174,14 @@ impl Theory {
                 open.extend(self.square_relation(variable).map(|r| r.fact));
             }
             let touches = |theory: &Self, fact: usize| {
-                let inside = theory.ledger.facts[fact].value.variables();
+                let inside = theory.solution.ledger.facts[fact].value.variables();
                 inside.iter().any(|v| variables.contains(v))
             };
             let Some(place) = open.iter().position(|&fact| touches(self, fact)) else {
                 return found;
             };
             let fact = open.remove(place);
-            variables.extend(self.ledger.facts[fact].value.variables());
+            variables.extend(self.solution.ledger.facts[fact].value.variables());
             if !found.contains(&fact) {
                 found.push(fact);
             }
@@ -190,7 +195,7 @@ impl Theory {
         let facts = self.related_facts(rest, rates);
         let values = facts
             .iter()
-            .map(|&fact| self.ledger.facts[fact].value.clone());
+            .map(|&fact| self.solution.ledger.facts[fact].value.clone());
         let values = values.collect();
         (facts, values)
     }
@@ -201,7 +206,7 @@ impl Theory {
         done: &mut Elimination,
         divisors: &[&Polynomial],
     ) -> Option<()> {
-        if self.relations.kept.is_empty() || self.is_contradictory() {
+        if self.solution.relations.kept.is_empty() || self.is_contradictory() {
             return None;
         }
         [false, true].into_iter().find_map(|rates| {
@@ -211,7 +216,7 @@ impl Theory {
             let Reduction::Zero(certificate) = reduction else {
                 return None;
             };
-            self.ledger.divide_by(&certificate.multiplier);
+            self.solution.ledger.divide_by(&certificate.multiplier);
             done.vanishes_by(
                 certificate.multiplier,
                 facts.into_iter().zip(certificate.cofactors),
@@ -221,7 +226,7 @@ impl Theory {
 
     /// Whether the kept relations say that one of some conditions vanishes: what holds where none does then holds nowhere.
     pub(crate) fn leaves_nothing(&mut self, conditions: &[Polynomial]) -> bool {
-        if self.relations.kept.is_empty() || conditions.is_empty() {
+        if self.solution.relations.kept.is_empty() || conditions.is_empty() {
             return false;
         }
         let mut product = Polynomial::one();
@@ -269,20 +274,20 @@ impl Theory {
 
     /// Whether kept relations contradict each other, as rounded numbers may: from such nothing is concluded.
     fn is_contradictory(&mut self) -> bool {
-        if let Some(known) = self.relations.contradictory {
+        if let Some(known) = self.solution.relations.contradictory {
             return known;
         }
         let mut found = false;
-        for index in 0..self.relations.kept.len() {
+        for index in 0..self.solution.relations.kept.len() {
             let Some(fact) = self.kept_fact(index, false) else {
                 continue;
             };
-            let value = self.ledger.facts[fact].value.clone();
+            let value = self.solution.ledger.facts[fact].value.clone();
             let values = self.related_values(&value, false).1;
             let nothing = reduce_where(&Polynomial::one(), &values, &BTreeSet::new(), BUDGET);
             found |= matches!(nothing, Reduction::Zero(_) | Reduction::Contradiction(_));
         }
-        self.relations.contradictory = Some(found);
+        self.solution.relations.contradictory = Some(found);
         found
     }
 }

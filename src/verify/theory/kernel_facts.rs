@@ -85,7 +85,7 @@ impl Theory {
         argument: &Fraction,
     ) -> Option<Fraction> {
         let own = variable_fraction(variable);
-        if let Some(known) = self.normals.get(variable) {
+        if let Some(known) = self.solution.normals.get(variable) {
             return Some(known.clone()).filter(|known| *known != own);
         }
         let reduced = self.normal(argument);
@@ -94,7 +94,7 @@ impl Theory {
         }
         let value = self.kernel_value(function, reduced);
         if !self.exhausted {
-            self.normals.insert(variable, value.clone());
+            self.solution.normals.insert(variable, value.clone());
         }
         Some(value)
     }
@@ -129,6 +129,7 @@ impl Theory {
             return None;
         }
         let by = self
+            .solution
             .ledger
             .push(equal, Reason::Combination(done.combination()));
         self.note_kernels(&variable_fraction(variable));
@@ -139,7 +140,7 @@ impl Theory {
             other: other_variable,
             by,
         };
-        let equal = self.ledger.push(value, reason);
+        let equal = self.solution.ledger.push(value, reason);
         let known = match (function, self.known_angle(&reduced)) {
             (Function::Sin, Some((sine, _))) => sine,
             (Function::Cos, Some((_, cosine))) => cosine,
@@ -166,13 +167,15 @@ impl Theory {
     ) -> usize {
         let known = Polynomial::variable(at_angle) - value.clone();
         let name = "the sine or cosine of a known angle".to_owned();
-        let known = self.ledger.push(known, Reason::Premise(name));
+        let known = self.solution.ledger.push(known, Reason::Premise(name));
         let combination = Combination {
             multiplier: Polynomial::one(),
             cofactors: vec![(equal, Polynomial::one()), (known, Polynomial::one())],
         };
         let value = Polynomial::variable(variable) - value;
-        self.ledger.push(value, Reason::Combination(combination))
+        self.solution
+            .ledger
+            .push(value, Reason::Combination(combination))
     }
 
     /// The relation of the square of a sine or a root: d·v² − n.
@@ -180,15 +183,15 @@ impl Theory {
         let square = self.kernel_square(variable)?;
         self.note_kernels(&variable_fraction(variable));
         self.note_kernels(&square);
-        let fact = match self.ledger.squares.get(&variable) {
+        let fact = match self.solution.ledger.squares.get(&variable) {
             Some(&fact) => fact,
             None => {
                 let root = Polynomial::variable(variable);
                 let value =
                     square.denominator().clone() * root.clone() * root - square.numerator().clone();
                 let reason = self.reason_of_square(variable)?;
-                let fact = self.ledger.push(value, reason);
-                self.ledger.squares.insert(variable, fact);
+                let fact = self.solution.ledger.push(value, reason);
+                self.solution.ledger.squares.insert(variable, fact);
                 fact
             }
         };
@@ -216,7 +219,7 @@ impl Theory {
     /// Declares the kernels of a fraction, and those of their arguments.
     pub(crate) fn note_kernels(&mut self, fraction: &Fraction) {
         for variable in fraction.variables() {
-            if self.ledger.kernels.contains_key(&variable) {
+            if self.solution.ledger.kernels.contains_key(&variable) {
                 continue;
             }
             if is_pi(&self.atoms, variable) {
@@ -224,15 +227,15 @@ impl Theory {
                     function: "pi",
                     argument: ratio(&Fraction::zero()),
                 };
-                self.ledger.kernels.insert(variable, kernel);
+                self.solution.ledger.kernels.insert(variable, kernel);
             }
             if let Atom::Kernel { function, argument } = self.atoms.atom(variable).clone() {
-                self.ledger.divide_by(argument.denominator());
+                self.solution.ledger.divide_by(argument.denominator());
                 let kernel = Kernel {
                     function: crate::verify::names::function(function),
                     argument: ratio(&argument),
                 };
-                self.ledger.kernels.insert(variable, kernel);
+                self.solution.ledger.kernels.insert(variable, kernel);
                 self.note_kernels(&argument);
             }
         }

@@ -107,11 +107,11 @@ impl Ledger {
 impl Theory {
     /// The relation that gives a variable, if a law or a premise does.
     pub(crate) fn relation(&mut self, variable: Variable) -> Option<Arc<Relation>> {
-        if let Some(known) = self.ledger.relations.get(&variable) {
+        if let Some(known) = self.solution.ledger.relations.get(&variable) {
             return known.clone();
         }
         // A rule that leads back to its own variable says nothing; the variable stays free.
-        if !self.ledger.open.insert(variable) {
+        if !self.solution.ledger.open.insert(variable) {
             return None;
         }
         let found = self.new_relation(variable);
@@ -124,8 +124,11 @@ impl Theory {
             relation.height = 1 + heights.max().unwrap_or(0);
             Arc::new(relation)
         });
-        self.ledger.open.remove(&variable);
-        self.ledger.relations.insert(variable, found.clone());
+        self.solution.ledger.open.remove(&variable);
+        self.solution
+            .ledger
+            .relations
+            .insert(variable, found.clone());
         found
     }
 
@@ -144,12 +147,12 @@ impl Theory {
 
     /// A fact read as the value of a variable in which it is linear.
     fn solved_for(&mut self, variable: Variable, fact: usize) -> Option<Relation> {
-        let value = self.ledger.facts[fact].value.clone();
+        let value = self.solution.ledger.facts[fact].value.clone();
         if value.degree_in(variable) != 1 {
             return None;
         }
         let denominator = value.coefficient_of(variable, 1);
-        self.ledger.divide_by(&denominator);
+        self.solution.ledger.divide_by(&denominator);
         Some(Relation {
             numerator: -value.coefficient_of(variable, 0),
             denominator,
@@ -160,16 +163,16 @@ impl Theory {
 
     fn fact_of_part(&mut self, variable: Variable, part: (Entity, u8), order: u8) -> Option<usize> {
         let momentary = (part.0, part.1 | MOMENTARY);
-        if order == 0 && self.rules.contains_key(&momentary) {
+        if order == 0 && self.solution.rules.contains_key(&momentary) {
             return self.solved_fact(variable, momentary);
         }
-        let ruled = self.rules.get(&part).map(|(ruled, _)| *ruled);
+        let ruled = self.solution.rules.get(&part).map(|(ruled, _)| *ruled);
         match ruled.filter(|&ruled| ruled <= order) {
             Some(ruled) if ruled == order => self.solved_fact(variable, part),
             Some(_) => self.rate_fact(part, order),
             None => {
                 // The rate of a law's own value is the rate of that law.
-                let at_once = order == 1 && self.rules.contains_key(&momentary);
+                let at_once = order == 1 && self.solution.rules.contains_key(&momentary);
                 if order > 0 && !at_once && !has_own_rate(&self.atoms, part.0, order) {
                     let lower = self.atoms.part(part.0, part.1, order - 1);
                     if self.law(lower).is_some() {
@@ -182,7 +185,7 @@ impl Theory {
     }
 
     fn law_fact(&mut self, variable: Variable) -> Option<usize> {
-        if let Some(&fact) = self.ledger.laws.get(&variable) {
+        if let Some(&fact) = self.solution.ledger.laws.get(&variable) {
             return Some(fact);
         }
         let (name, value) = self.law(variable)?;
@@ -190,8 +193,11 @@ impl Theory {
             return None;
         }
         let fact = implicit(variable, &value);
-        let fact = self.ledger.push(fact, Reason::Premise(name.to_owned()));
-        self.ledger.laws.insert(variable, fact);
+        let fact = self
+            .solution
+            .ledger
+            .push(fact, Reason::Premise(name.to_owned()));
+        self.solution.ledger.laws.insert(variable, fact);
         Some(fact)
     }
 
@@ -207,80 +213,90 @@ impl Theory {
 
     /// The rate of a fact.
     pub(crate) fn rate_of(&mut self, before: usize) -> Option<usize> {
-        if let Some(&known) = self.ledger.rates_of.get(&before) {
+        if let Some(&known) = self.solution.ledger.rates_of.get(&before) {
             return Some(known);
         }
-        let value = self.ledger.facts[before].value.clone();
+        let value = self.solution.ledger.facts[before].value.clone();
         for variable in value.variables() {
             let known = self.atoms.rate(variable);
             self.note_kernels(&known);
-            self.ledger.divide_by(known.denominator());
-            self.ledger.rates.insert(variable, ratio(&known));
+            self.solution.ledger.divide_by(known.denominator());
+            self.solution.ledger.rates.insert(variable, ratio(&known));
         }
-        let rate = rate(&value, &self.ledger.rates)?;
-        let fact = self.ledger.push(rate, Reason::Rate(before));
-        self.ledger.rates_of.insert(before, fact);
+        let rate = rate(&value, &self.solution.ledger.rates)?;
+        let fact = self.solution.ledger.push(rate, Reason::Rate(before));
+        self.solution.ledger.rates_of.insert(before, fact);
         Some(fact)
     }
 
     fn solved_fact(&mut self, variable: Variable, part: (Entity, u8)) -> Option<usize> {
-        if let Some(&known) = self.ledger.solved.get(&variable) {
+        if let Some(&known) = self.solution.ledger.solved.get(&variable) {
             return Some(known);
         }
         let fact = self.premise_fact(variable, part)?;
-        self.ledger.solved.insert(variable, fact);
+        self.solution.ledger.solved.insert(variable, fact);
         Some(fact)
     }
 
     /// A rule that was solved from a premise: what is left of the premise when the rules before are put in.
     fn premise_fact(&mut self, variable: Variable, part: (Entity, u8)) -> Option<usize> {
-        let rule = self.rules.get(&part)?.1.clone();
-        let source = self.sources.get(&part)?.clone();
+        let rule = self.solution.rules.get(&part)?.1.clone();
+        let source = self.solution.sources.get(&part)?.clone();
         let written = source.residual.numerator().clone();
         let solved = implicit(variable, &rule.value);
         let premise = Reason::Premise(rule.name);
         if written == solved {
-            return Some(self.ledger.push(written, premise));
+            return Some(self.solution.ledger.push(written, premise));
         }
-        let premise = self.ledger.push(written.clone(), premise);
+        let premise = self.solution.ledger.push(written.clone(), premise);
         let done =
             self.with_rules_before(source.before, |theory| Elimination::of(theory, written))?;
         let extra = done.rest.exact_quotient(&solved)?;
-        self.ledger.divide_by(&extra);
+        self.solution.ledger.divide_by(&extra);
         let mut cofactors = vec![(premise, done.multiplier)];
         cofactors.extend(done.cofactors.into_iter().map(|(fact, c)| (fact, -c)));
         let combination = Combination {
             multiplier: extra,
             cofactors,
         };
-        Some(self.ledger.push(solved, Reason::Combination(combination)))
+        Some(
+            self.solution
+                .ledger
+                .push(solved, Reason::Combination(combination)),
+        )
     }
 
     /// Works with the rules alone that were solved before a place in their order.
     fn with_rules_before<R>(&mut self, before: usize, work: impl FnOnce(&mut Self) -> R) -> R {
         let fewer = self
+            .solution
             .rules
             .iter()
-            .filter(|(part, _)| self.sources.get(part).is_some_and(|s| s.before < before))
+            .filter(|(part, _)| {
+                self.solution
+                    .sources
+                    .get(part)
+                    .is_some_and(|s| s.before < before)
+            })
             .map(|(part, rule)| (*part, rule.clone()))
             .collect();
-        let rules = std::mem::replace(&mut self.rules, fewer);
-        let normals = std::mem::take(&mut self.normals);
-        let relations = std::mem::take(&mut self.ledger.relations);
-        let open = std::mem::take(&mut self.ledger.open);
+        let rules = std::mem::replace(&mut self.solution.rules, fewer);
+        let normals = std::mem::take(&mut self.solution.normals);
+        let relations = std::mem::take(&mut self.solution.ledger.relations);
+        let open = std::mem::take(&mut self.solution.ledger.open);
         let result = work(self);
-        self.rules = rules;
-        self.normals = normals;
-        self.ledger.relations = relations;
-        self.ledger.open = open;
+        self.solution.rules = rules;
+        self.solution.normals = normals;
+        self.solution.ledger.relations = relations;
+        self.solution.ledger.open = open;
         result
     }
 
     /// Forgets what rests on premises.
     pub(crate) fn forget_relations(&mut self) {
-        self.ledger.relations.clear();
-        self.ledger.open.clear();
-        self.ledger.kept.clear();
+        self.solution.ledger.relations.clear();
+        self.solution.ledger.open.clear();
+        self.solution.ledger.kept.clear();
     }
 }
 

@@ -58,7 +58,7 @@ impl Theory {
     pub(crate) fn normal(&mut self, fraction: &Fraction) -> Fraction {
         // On the way down a variable may count as free that is not, and a budget counts what is written.
         let whole = self.open.is_empty() && self.terms_left.is_none();
-        if whole && let Some(known) = self.normals.recall(fraction) {
+        if whole && let Some(known) = self.solution.normals.recall(fraction) {
             return known;
         }
         let numerator = self.normal_polynomial(fraction.numerator());
@@ -68,7 +68,7 @@ impl Theory {
             numerator / self.normal_polynomial(fraction.denominator())
         };
         if whole && !self.exhausted {
-            self.normals.remember(fraction, &normal);
+            self.solution.normals.remember(fraction, &normal);
         }
         normal
     }
@@ -103,7 +103,7 @@ impl Theory {
     }
 
     fn normal_variable(&mut self, variable: Variable) -> Fraction {
-        if let Some(known) = self.normals.get(variable) {
+        if let Some(known) = self.solution.normals.get(variable) {
             return known.clone();
         }
         if self.open.len() > DEEPEST || self.terms_left == Some(0) {
@@ -119,7 +119,7 @@ impl Theory {
             None => variable_fraction(variable),
         };
         self.open.remove(&variable);
-        self.normals.insert(variable, value.clone());
+        self.solution.normals.insert(variable, value.clone());
         value
     }
 }

@@ -18,7 +18,7 @@ const MOST_TERMS: usize = 200;
 impl<T: Substance> World<'_, T> {
     /// Puts the world on the variety that a variable belongs to, if it belongs to one; `None` where that fails.
     pub(crate) fn settle(&mut self, variable: Variable) -> Option<()> {
-        if self.theory.relations.kept.is_empty() {
+        if self.theory.solution.relations.kept.is_empty() {
             return Some(());
         }
         let varieties = self.theory.varieties();
@@ -32,10 +32,10 @@ impl<T: Substance> World<'_, T> {
             return Some(());
         }
         let key = (index, self.seed);
-        let known = T::recall(&self.theory.relations, key);
+        let known = T::recall(&self.theory.solution.relations, key);
         let point = known.unwrap_or_else(|| {
             let point = self.point(&varieties[index]);
-            T::remember(&mut self.theory.relations, key, &point);
+            T::remember(&mut self.theory.solution.relations, key, &point);
             point
         });
         self.lost |= point.is_none();

@@ -13,7 +13,7 @@ impl<T: Substance> World<'_, T> {
     /// Gives the roots that some fractions lead to their values before anything else is drawn; where relations are kept,
     /// these choose the values.
     pub(crate) fn draw_roots<'f>(&mut self, fractions: impl Iterator<Item = &'f Fraction>) {
-        if !self.theory.relations.kept.is_empty() {
+        if !self.theory.solution.relations.kept.is_empty() {
             return;
         }
         for variable in self.theory.reached_variables(fractions) {

@@ -16,14 +16,18 @@ use std::collections::BTreeSet;
 const MOST: usize = 32;
 
 /// What the premises in force came to, and what was made of that since.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Solution {
-    rules: HashMap<(Entity, u8), (u8, Rule)>,
-    normals: Normals,
-    sources: HashMap<(Entity, u8), Source>,
-    relations: Relations,
-    ledger: Ledger,
-    case: Option<Case>,
+    pub rules: HashMap<(Entity, u8), (u8, Rule)>,
+    pub normals: Normals,
+    /// Where the rules come from.
+    pub sources: HashMap<(Entity, u8), Source>,
+    /// Relations that could not be solved for a symbol.
+    pub relations: Relations,
+    /// Facts for proofs.
+    pub ledger: Ledger,
+    /// What this is the solution of; `None` where more was put in since.
+    pub case: Option<Case>,
 }
 
 /// What was solved, besides which premises there are.
@@ -37,7 +41,11 @@ pub(crate) struct Case {
 
 /// Solutions that hold for the premises as they are, the one that was used last behind.
 #[derive(Debug, Default)]
-pub(crate) struct Solutions(Vec<Solution>);
+#[expect(
+    clippy::vec_box,
+    reason = "a solution goes in and out of force by its box"
+)]
+pub(crate) struct Solutions(Vec<Box<Solution>>);
 
 /// A copy goes other ways, and solves anew.
 impl Clone for Solutions {
@@ -52,7 +60,11 @@ impl Solutions {
         self.0.clear();
     }
 
-    fn keep(&mut self, solution: Solution) {
+    /// Keeps a solution, if it is still that of the premises.
+    fn keep(&mut self, solution: Box<Solution>) {
+        if solution.case.is_none() {
+            return;
+        }
         if self.0.len() == MOST {
             self.0.remove(0);
         }
@@ -64,13 +76,12 @@ impl Solutions {
         setting: Setting,
         left_out: &BTreeSet<Name>,
         counts: [usize; 4],
-    ) -> Option<Solution> {
-        let same = |known: &Solution| {
-            known.case.as_ref().is_some_and(|case| {
-                case.counts == counts && case.setting == setting && case.left_out == *left_out
-            })
+    ) -> Option<Box<Solution>> {
+        let same = |case: &Case| {
+            case.counts == counts && case.setting == setting && case.left_out == *left_out
         };
-        let place = self.0.iter().position(same)?;
+        let mut cases = self.0.iter().map(|known| &known.case);
+        let place = cases.position(|case| case.as_ref().is_some_and(same))?;
         Some(self.0.remove(place))
     }
 }
@@ -100,24 +111,10 @@ impl Theory {
         ]
     }
 
-    /// Puts a solution in force, in exchange for the one that was.
-    pub(crate) fn exchange(&mut self, other: &mut Solution) {
-        use std::mem::swap;
-        swap(&mut self.rules, &mut other.rules);
-        swap(&mut self.normals, &mut other.normals);
-        swap(&mut self.sources, &mut other.sources);
-        swap(&mut self.relations, &mut other.relations);
-        swap(&mut self.ledger, &mut other.ledger);
-        swap(&mut self.case, &mut other.case);
-    }
-
-    /// Sets the solution in force aside, if it is still that of the premises; none is in force then.
-    pub(crate) fn set_aside(&mut self) {
-        let mut solution = Solution::default();
-        self.exchange(&mut solution);
-        if solution.case.is_some() {
-            self.solutions.keep(solution);
-        }
+    /// Puts a solution in force, and sets the one that was aside.
+    pub(crate) fn set_aside(&mut self, other: Box<Solution>) {
+        let solution = std::mem::replace(&mut self.solution, other);
+        self.solutions.keep(solution);
     }
 
     /// Works with one premise more, solved behind all others; `None` where it gives no symbol a value.
@@ -126,32 +123,32 @@ impl Theory {
         premise: &Premise,
         work: impl FnOnce(&mut Self) -> R,
     ) -> Option<R> {
-        let mut other = Solution {
-            rules: self.rules.clone(),
-            normals: self.normals.clone(),
-            sources: self.sources.clone(),
-            relations: self.relations.clone(),
+        let other = Solution {
+            rules: self.solution.rules.clone(),
+            normals: self.solution.normals.clone(),
+            sources: self.solution.sources.clone(),
+            relations: self.solution.relations.clone(),
             ..Solution::default()
         };
-        self.exchange(&mut other);
+        let before = std::mem::replace(&mut self.solution, Box::new(other));
         let solved = self.solve(premise) == Taken::Solved;
         let result = solved.then(|| work(self));
-        self.exchange(&mut other);
+        self.solution = before;
         result
     }
 
-    /// Puts the solution for what is in force now in the place of none, as it was set aside or anew.
-    pub(crate) fn solve_again(&mut self) {
+    /// Puts the solution for what is in force now in the place of another, as it was set aside or anew.
+    pub(crate) fn solve_again(&mut self) -> Box<Solution> {
         let counts = self.counts();
         let known = match self.fixed.is_empty() {
             true => self.solutions.take(self.setting, &self.left_out, counts),
             false => None,
         };
-        match known {
-            Some(mut known) => self.exchange(&mut known),
-            None => {
-                self.rebuild();
-            }
+        let anew = known.is_none();
+        let before = std::mem::replace(&mut self.solution, known.unwrap_or_default());
+        if anew {
+            self.rebuild();
         }
+        before
     }
 }

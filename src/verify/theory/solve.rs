@@ -18,18 +18,18 @@ impl Theory {
     pub(crate) fn rebuild(&mut self) -> Taken {
         let exhausted = std::mem::take(&mut self.exhausted);
         let taken = self.solve_all();
-        self.case = self.case_at_hand().filter(|_| !self.exhausted);
+        self.solution.case = self.case_at_hand().filter(|_| !self.exhausted);
         self.exhausted |= exhausted;
         taken
     }
 
     /// Solves definitions first, then conditions without rates, then the rest.
     fn solve_all(&mut self) -> Taken {
-        self.rules.clear();
-        self.normals.clear();
-        self.relations = Relations::default();
-        self.sources.clear();
-        self.ledger = Ledger::default();
+        self.solution.rules.clear();
+        self.solution.normals.clear();
+        self.solution.relations = Relations::default();
+        self.solution.sources.clear();
+        self.solution.ledger = Ledger::default();
         self.put_fixed();
         let mut order: Vec<Premise> = self
             .premises
@@ -61,17 +61,19 @@ impl Theory {
 
     /// Tries again what was kept, where rules came after it: they may have simplified it.
     fn solve_kept(&mut self, order: &[Premise]) -> Taken {
-        let rules = self.sources.len();
+        let rules = self.solution.sources.len();
         let simple =
             |kept: &Kept| kept.rules < rules && kept.written.numerator().len() < MOST_TERMS;
         let names: BTreeSet<Name> = self
+            .solution
             .relations
             .kept
             .iter()
             .filter(|kept| simple(kept))
             .map(|kept| kept.name.clone())
             .collect();
-        self.relations
+        self.solution
+            .relations
             .kept
             .retain(|kept| !names.contains(&kept.name));
         for premise in order.iter().filter(|p| names.contains(&p.name)) {
@@ -79,7 +81,7 @@ impl Theory {
                 return Taken::Contradiction;
             }
         }
-        match self.relations.kept.is_empty() {
+        match self.solution.relations.kept.is_empty() {
             true => Taken::Solved,
             false => Taken::Kept,
         }
@@ -128,11 +130,11 @@ impl Theory {
         let kept = left.iter().map(|(_, written)| Kept {
             name: premise.name.clone(),
             written: (*written).clone(),
-            rules: self.sources.len(),
+            rules: self.solution.sources.len(),
         });
-        self.relations.kept.extend(kept);
-        self.relations.forget();
-        self.case = None;
+        self.solution.relations.kept.extend(kept);
+        self.solution.relations.forget();
+        self.solution.case = None;
         Taken::Kept
     }
 
@@ -145,23 +147,23 @@ impl Theory {
         {
             let source = Source {
                 residual: written.clone(),
-                before: self.sources.len(),
+                before: self.solution.sources.len(),
             };
             let momentary = order == 0 && self.instants.contains_key(&rule.name);
             let mark = if momentary { MOMENTARY } else { 0 };
             let part = (entity, component | mark);
             // A rate that a premise gave, and now follows from the value, must not be lost: its turn is behind this one.
-            if let Some((ruled, of_rate)) = self.rules.get(&part)
+            if let Some((ruled, of_rate)) = self.solution.rules.get(&part)
                 && *ruled > order
             {
                 let known = self.of_rates.entry(of_rate.name.clone()).or_default();
                 *known = (*known).max(ruled.saturating_add(1));
             }
-            self.case = None;
-            self.sources.insert(part, source);
-            self.rules.insert(part, (order, rule));
-            self.normals.clear();
-            self.relations.forget();
+            self.solution.case = None;
+            self.solution.sources.insert(part, source);
+            self.solution.rules.insert(part, (order, rule));
+            self.solution.normals.clear();
+            self.solution.relations.forget();
             self.forget_relations();
         }
     }
@@ -200,7 +202,7 @@ impl Theory {
     fn has_rule_of_rate(&self, variable: Variable) -> bool {
         let atom = self.atoms.atom(variable);
         matches!(*atom, Atom::Part { entity, component, order }
-            if self.rules.get(&(entity, component)).is_some_and(|(ruled, _)| *ruled > order))
+            if self.solution.rules.get(&(entity, component)).is_some_and(|(ruled, _)| *ruled > order))
     }
 
     /// How well a polynomial can be solved for a variable; `None` where it cannot.
@@ -221,6 +223,7 @@ impl Theory {
         }
         // A lower order that is ruled already gives this one too.
         if self
+            .solution
             .rules
             .get(&(entity, component))
             .is_some_and(|(ruled, _)| *ruled <= order)

@@ -32,7 +32,7 @@ impl Theory {
     /// Whether a premise that is added can be solved behind all others, so that their solutions stand.
     pub(crate) fn comes_last(&mut self, premise: &Premise) -> bool {
         let turn = Some(self.turn(premise));
-        let in_turn = self.relations.kept.is_empty() && turn >= self.last_turn;
+        let in_turn = self.solution.relations.kept.is_empty() && turn >= self.last_turn;
         self.last_turn = self.last_turn.max(turn);
         self.left_out.is_empty() && (in_turn || self.only_names(premise))
     }

@@ -36,7 +36,7 @@ const MOST_RATES: u8 = 3;
 impl Theory {
     /// Makes the worlds of some fractions satisfy the rates of relations up to the order that stands in them.
     pub(crate) fn follow_rates(&mut self, fractions: &[Fraction]) {
-        if self.relations.kept.is_empty() {
+        if self.solution.relations.kept.is_empty() {
             return;
         }
         let mut order = 0;
@@ -45,9 +45,9 @@ impl Theory {
             order = self.highest_rate(&normal).max(order);
         }
         let order = order.min(HIGHEST_ORDER);
-        if order > self.relations.order {
-            self.relations.order = order;
-            self.relations.forget();
+        if order > self.solution.relations.order {
+            self.solution.relations.order = order;
+            self.solution.relations.forget();
         }
     }
 
@@ -62,10 +62,10 @@ impl Theory {
 
     /// The kept relations, those that hang together in one.
     pub(crate) fn varieties(&mut self) -> Arc<[Variety]> {
-        if let Some(known) = &self.relations.varieties {
+        if let Some(known) = &self.solution.relations.varieties {
             return known.clone();
         }
-        let Relations { kept, order, .. } = self.relations.clone();
+        let Relations { kept, order, .. } = self.solution.relations.clone();
         let normals: Vec<Fraction> = kept.iter().map(|k| self.normal(&k.written)).collect();
         let orders: Vec<u8> = normals.iter().map(|n| self.highest_rate(n)).collect();
         let highest = orders.iter().copied().fold(order, u8::max);
@@ -98,7 +98,7 @@ impl Theory {
             }
         }
         let found: Arc<[Variety]> = found.into();
-        self.relations.varieties = Some(found.clone());
+        self.solution.relations.varieties = Some(found.clone());
         found
     }
 

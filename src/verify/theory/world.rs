@@ -318,7 +318,7 @@ impl<'a, T: Substance> World<'a, T> {
 impl<'a, T: Substance> World<'a, T> {
     /// The world that a seed makes, with what was drawn in it for other equations since the rules are as they are.
     pub(crate) fn resumed(theory: &'a mut Theory, seed: u64) -> Self {
-        let known = T::recall_world(&mut theory.relations, seed);
+        let known = T::recall_world(&mut theory.solution.relations, seed);
         match known.filter(|drawn| drawn.changes == theory.atoms.changes()) {
             Some(drawn) => Self::with(theory, seed, drawn),
             None => Self::new(theory, seed),
@@ -328,7 +328,7 @@ impl<'a, T: Substance> World<'a, T> {
     /// Keeps what was drawn, unless the world was given up.
     pub(crate) fn leave(self) {
         if !self.lost && !self.theory.exhausted {
-            T::remember_world(&mut self.theory.relations, self.seed, self.drawn);
+            T::remember_world(&mut self.theory.solution.relations, self.seed, self.drawn);
         }
     }
 }

@@ -139,8 +139,9 @@ impl Atoms {
     }
 
     /// Notes how the document writes a component; the first spelling stays.
-    pub(crate) fn spell(&mut self, entity: Entity, component: u8, latex: String) {
-        self.spelled.entry((entity, component)).or_insert(latex);
+    pub(crate) fn spell(&mut self, entity: Entity, component: u8, latex: impl FnOnce() -> String) {
+        let spelled = self.spelled.entry((entity, component));
+        spelled.or_insert_with(latex);
     }
 
     /// How the document writes a component.

@@ -171,7 +171,7 @@ impl Checker<'_> {
             return None;
         }
         let name = "no moment is written anywhere: ΣM = 0".to_owned();
-        if !self.theory.relations.kept.is_empty() || !self.speaks_of_a_spin_rate(read) {
+        if !self.theory.solution.relations.kept.is_empty() || !self.speaks_of_a_spin_rate(read) {
             return None;
         }
         if !self.vanish(&name, Quantity::Moment, &[0, 1, 2]) {

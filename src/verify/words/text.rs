@@ -2,10 +2,10 @@
 
 use crate::notation::document::Document;
 use crate::verify::words::attitude_words::{self, named};
-use crate::verify::words::book::lowered;
+use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::sentences::{Paragraphs, Sentence, sentences};
+use foldhash::HashMap;
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeMap;
 use std::ops::Deref;
 
 /// A document and its words.
@@ -14,7 +14,8 @@ pub(crate) struct Text<'d> {
     lower: OnceCell<String>,
     sentences: OnceCell<Vec<Sentence<'d>>>,
     named: OnceCell<Vec<attitude_words::Sentence>>,
-    said: RefCell<BTreeMap<&'static str, bool>>,
+    /// By the place of the phrases, which is theirs alone.
+    said: RefCell<HashMap<(usize, usize), bool>>,
 }
 
 impl<'d> Text<'d> {
@@ -36,13 +37,10 @@ impl<'d> Text<'d> {
     }
 
     /// Whether one of some phrases stands in the source in lower case.
-    pub(crate) fn says(&self, phrases: &[&'static str]) -> bool {
+    pub(crate) fn says(&self, phrases: &'static [&'static str]) -> bool {
         let mut said = self.said.borrow_mut();
-        let mut stands = |phrase| {
-            let known = said.entry(phrase);
-            *known.or_insert_with(|| self.lower().contains(phrase))
-        };
-        phrases.iter().any(|phrase| stands(*phrase))
+        let known = said.entry((phrases.as_ptr().addr(), phrases.len()));
+        *known.or_insert_with(|| has_any(self.lower(), phrases))
     }
 
     /// Its sentences, none of which goes on in another paragraph.
