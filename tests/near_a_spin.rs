@@ -120,3 +120,19 @@ $$ I_3\dot\varepsilon_3 = {rate}\,\Omega\,\varepsilon_1. $$
     assert_eq!(verdicts(&document("(I_1 - I_2)")), "aaap");
     assert_eq!(verdicts(&document("(I_3 - I_2)")), "aaar");
 }
+
+#[test]
+fn what_is_small_now_vanished_only_while_the_spin_was_exact() {
+    let text = |last: &str| {
+        verdicts(&format!(
+            r"The principal moments are $A$, $B$, $C$, and no torque acts, so $\dot p = (B - C) q r/A$ for the angular velocity $(p, q, r)$.
+
+If the body spins exactly about the first axis, that is $q = r = 0$, it goes on doing so. Give it a knock, so that $q$ and $r$ are small but not zero. Then $p$ is nearly constant and
+
+$$ \ddot q = {last} \frac{{(A - B)(A - C)}}{{BC}}\,p^2 q $$
+"
+        ))
+    };
+    assert_eq!(text("-").chars().last(), Some('p'));
+    assert_eq!(text("+").chars().last(), Some('r'));
+}

@@ -311,6 +311,11 @@ impl Checker<'_> {
         })
     }
 
+    /// Whether a line supposed something by this name.
+    pub(crate) fn is_supposed(&self, name: &Name) -> bool {
+        self.cases.kept.contains_key(name)
+    }
+
     /// Whether a display of an earlier case set something up by this name.
     pub(crate) fn is_set_before(&self, name: &Name) -> bool {
         let case = self.cases.set.get(name);

@@ -41,6 +41,23 @@ impl Checker<'_> {
         self.theory.retain(|premise| !ended.contains(&premise.name));
     }
 
+    /// Ends what was supposed of a body that spins about one axis alone, "if ⟨ω_1 = ω_2 = 0⟩, it goes on so", where a
+    /// component that vanished by it is called small: that is no longer nothing.
+    pub(crate) fn end_exact_spin(&mut self, small: Variable) {
+        let nothing = |r: &Fraction| r.as_variable().is_some();
+        let premises = self.theory.premises().iter();
+        let ended = premises.filter(|premise| {
+            self.is_supposed(&premise.name)
+                && premise.residuals.iter().all(nothing)
+                && premise
+                    .residuals
+                    .iter()
+                    .any(|r| r.as_variable() == Some(small))
+        });
+        let ended: BTreeSet<Name> = ended.map(|premise| premise.name.clone()).collect();
+        self.end_premises(&ended);
+    }
+
     /// Ends what an earlier case said of one component alone; the others keep their values.
     pub(crate) fn end_component(&mut self, own: Variable) {
         let alone = |r: &Fraction| r.variables() == [own];

@@ -141,6 +141,8 @@ impl Checker<'_> {
             && let Meaning::Component(entity, component) = self.meaning_of(symbol)
             && entity == self.theory.atoms.quantity(Quantity::AngularVelocity)
         {
+            let own = self.theory.atoms.part(entity, component, 0);
+            self.end_exact_spin(own);
             self.small_turns.insert(component);
         }
         self.drop_second_order();
