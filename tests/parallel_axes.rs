@@ -143,3 +143,20 @@ fn a_case_is_named_before_what_one_finds_for_it() {
     assert_eq!(verdicts(&text("\\frac14")), "aaaaap");
     assert!(!verdicts(&text("\\frac12")).ends_with(['p', 'a']));
 }
+
+#[test]
+fn away_from_an_axis_through_the_centre_a_moment_grows() {
+    let last = |words: &str, line: &str| {
+        let text = format!(
+            "A hoop has the mass $m = 2$ and the radius $a = 3$; $b = 1$. {words}\n\n$$ {line} $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    let out = "Its moment of inertia about a diameter is $\\frac12 ma^2$. About a parallel axis at the distance $b$ it is, by Steiner's theorem,";
+    assert_eq!(last(out, r"J = \frac12 ma^2 + mb^2"), Some('a'));
+    assert_eq!(last(out, r"J = \frac12 ma^2 - mb^2"), Some('r'));
+    let back =
+        "The moment about a hinge is $Q$, so by the parallel-axis theorem that about the centre is";
+    assert_eq!(last(back, "J = Q - m b^2"), Some('a'));
+    assert_eq!(last(back, "J = Q + m b^2"), Some('u'));
+}

@@ -72,6 +72,7 @@ pub(super) mod rigid_points;
 pub(super) mod role_by_content;
 pub(super) mod scope;
 pub(super) mod semi_axes;
+pub(super) mod shifted_axis;
 pub(super) mod signs;
 pub(super) mod small;
 pub(super) mod space_line;

@@ -29,7 +29,9 @@ impl Checker<'_> {
         let Kind::Symbol(symbol) = &inner(left).kind else {
             return false;
         };
-        if self.is_on_border(left, right, finding) {
+        if self.is_on_border(left, right, finding)
+            || claimed && self.shifts_the_wrong_way(left, right, finding)
+        {
             return true;
         }
         let words = lowered(&self.sentence);
