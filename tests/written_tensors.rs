@@ -68,3 +68,21 @@ $$ {angle} $$
         assert_eq!(line(wrong), format!("a{before}r"), "{words}");
     }
 }
+
+#[test]
+fn a_capital_that_lines_apply_to_vectors_is_a_matrix_whatever_its_mark() {
+    let text = |rate: &str| {
+        verdicts(&format!(
+            r"The body has the inertia matrix $\mathbf J$ and the angular velocity $\boldsymbol\omega$. We apply the torque
+
+$$ \mathbf T = -\mathbf D\boldsymbol\omega $$
+
+with the gain $\mathbf D$, so that $E = \frac12\boldsymbol\omega^T\mathbf J\boldsymbol\omega$ changes at the rate
+
+$$ \dot E = {rate}\boldsymbol\omega^T\mathbf D\boldsymbol\omega $$
+"
+        ))
+    };
+    assert_eq!(text("-"), "app");
+    assert_eq!(text("-2"), "apr");
+}

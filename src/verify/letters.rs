@@ -1,6 +1,7 @@
 //! What the letters of a document stand for, decided for it as a whole.
 
 pub(super) mod any_axes;
+pub(super) mod applied;
 pub(super) mod attitude_layouts;
 pub(super) mod attitude_matrix;
 pub(super) mod attitude_parts;

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::applied::applied;
 use crate::verify::letters::wholes::Wholes;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -89,6 +90,8 @@ pub(crate) struct Usage {
     pub(crate) squares: BTreeMap<Letter, u8>,
     /// Letters of such matrices with a minus beside the diagonal.
     pub(crate) negated: BTreeSet<Letter>,
+    /// Letters with the mark of a vector that lines apply to vectors.
+    pub(crate) applied: BTreeSet<Letter>,
     /// Whether a vector k stands beside numbered unit vectors, and no i and j do.
     pub k_alone: bool,
     /// Whether the plain letters i, j, k are written for unit vectors: `w_x i + w_y j + w_z k`.
@@ -144,6 +147,7 @@ impl Usage {
                 }
             }
         }
+        usage.applied = applied(document);
         usage.angles_of_a_list();
         usage.columns_of_functions();
         let vector = |name: &str| usage.get(&Letter::plain(name)).vector > 0;

@@ -39,6 +39,7 @@ pub(crate) fn of_symbol(
     let tensor = symbol.style.tensor
         || sorted.double.is_some()
         || square && !symbol.style.vector
+        || symbol.style.vector && reading.usage.applied.contains(letter)
         || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
     let entry = used.tensor > 0
         && sorted
