@@ -83,6 +83,6 @@ $$ \dot E = {rate}\boldsymbol\omega^T\mathbf D\boldsymbol\omega $$
 "
         ))
     };
-    assert_eq!(text("-"), "app");
-    assert_eq!(text("-2"), "apr");
+    assert_eq!(text("-"), "aap");
+    assert_eq!(text("-2"), "aar");
 }
