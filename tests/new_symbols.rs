@@ -211,3 +211,30 @@ fn a_law_of_control_says_what_acts() {
     assert_eq!(verdicts(&text(&power("+"))).get(..2), Some("pa"));
     assert_ne!(verdicts(&text(&power("+"))), "pap");
 }
+
+#[test]
+fn a_law_for_the_rate_of_a_vector_leaves_its_components_to_be_said() {
+    let text = r"The theorem is $\vec M = \dot{\vec D} + \vec\omega\times\vec D$. On principal axes
+
+$$ D_1 = I_1\omega_1,\quad D_2 = I_2\omega_2, \quad D_3 = I_3\omega_3 $$
+
+$$ M_1 = I_1\dot\omega_1 - (I_2 - I_3)\omega_2\omega_3 $$
+
+$$ M_1 = I_1\dot\omega_1 + (I_2 - I_3)\omega_2\omega_3 $$
+";
+    assert_eq!(verdicts(text), "aaaapr");
+}
+
+#[test]
+fn the_point_that_a_quantity_is_taken_about_is_not_what_is_named() {
+    let text = |sign: &str| {
+        format!(
+            r"The angular momentum about the mass centre is called $\vec D$. Let the moment of the applied forces be $\vec N$.
+
+$$ \vec N = \dot{{\vec D}} {sign} \vec\omega\times\vec D $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "p");
+    assert_eq!(verdicts(&text("-")), "r");
+}

@@ -105,3 +105,54 @@ fn from_the_mass_centre_the_first_moment_of_the_mass_is_zero() {
     // The velocity of a particle is its own.
     assert_eq!(integrals(centre, "\\mathbf r\\times\\mathbf v"), "uu");
 }
+
+#[test]
+fn the_elements_of_the_tensor_are_defined_all_at_once() {
+    let text = |unit: &str, sign: &str| {
+        format!(
+            r"A body turns about a fixed point. A particle at $\mathbf r$ has the velocity $\mathbf v = \boldsymbol\omega\times\mathbf r$. We define the elements
+
+$$ \Theta_{{ij}} = \int\left({unit} - x_i x_j\right)dm $$
+
+$$ K = \frac12\int v^2\,dm = \frac12\sum_{{i,j}}\Theta_{{ij}}\,\omega_i\omega_j $$
+
+$$ L_i = \frac{{\partial K}}{{\partial\omega_i}} = \sum_j\Theta_{{ij}}\,\omega_j $$
+
+$$ L_1 = \Theta_{{11}}\omega_1 {sign} \Theta_{{12}}\omega_2 + \Theta_{{13}}\omega_3 $$
+
+$$ \Theta_n = \sum_{{i,j}}\Theta_{{ij}}\,n_i n_j $$
+"
+        )
+    };
+    for unit in [r"r^2\delta_{ij}", r"\delta_{ij}\,r^2"] {
+        assert_eq!(verdicts(&text(unit, "+")), "aapppa", "{unit}");
+        assert_eq!(verdicts(&text(unit, "-")), "aappra", "{unit}");
+    }
+}
+
+#[test]
+fn an_integral_with_the_distance_is_none_with_another_sign() {
+    let text = |first: &str, second: &str| {
+        format!(
+            r"A body. The inertia tensor is
+
+$$ I_{{ij}} = \int (r^2\delta_{{ij}} {first} x_i x_j)\,dm $$
+
+$$ I_{{xx}} = \int (r^2 {second} x^2)\,dm $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("-", "-")), "pp");
+    assert!(verdicts(&text("+", "-")).starts_with('r'));
+    assert!(!verdicts(&text("-", "+")).ends_with(['p', 'a']));
+}
+
+#[test]
+fn sums_in_sums_stop_in_time() {
+    let sums: String = ('a'..='l').map(|c| format!(r"\sum_{{{c}=1}}^6 ")).collect();
+    let text = format!("The tensor $I_{{11}}$.\n\n$$ x = {sums} I_{{11}}\\omega_1 $$\n");
+    assert_eq!(verdicts(&text), "u");
+    let sums = r"\sum_{ijkl} ".repeat(8);
+    let text = format!("Repeated indices are summed.\n\n$$ x = {sums} I_{{ij}}\\omega_k $$\n");
+    assert_eq!(verdicts(&text), "u");
+}

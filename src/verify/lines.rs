@@ -81,5 +81,6 @@ pub(super) mod steps;
 pub(super) mod summation;
 mod tied;
 pub(super) mod trust;
+mod unit_tensors;
 pub(super) mod vanishes_for;
 pub(super) mod worked_out;

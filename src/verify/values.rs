@@ -3,6 +3,7 @@
 pub(super) mod about_point;
 pub(super) mod atoms;
 pub(super) mod call;
+mod coordinates;
 pub(super) mod figures;
 pub(super) mod greatest;
 pub(super) mod hamilton;

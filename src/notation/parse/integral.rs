@@ -214,24 +214,37 @@ impl Parser<'_, '_> {
                 .map_or(String::new(), |part| text::plain(part));
             lower = parts.get(1).map(|part| self.inside(part).whole());
         }
-        let body = Box::new(self.product());
+        let body = self.product();
         if index.contains("substack") {
             let message = "conditions under a sum, one below the other, are not read";
             return self.node(Kind::Error(message.into()), start);
         }
         let limits: Limits = lower.zip(upper).map(|(a, b)| (Box::new(a), Box::new(b)));
-        let index = Box::new(Symbol {
-            name: index,
-            ..Symbol::default()
-        });
-        self.node(
-            Kind::IndexedSum {
-                index,
-                limits,
-                body,
-            },
-            start,
-        )
+        indices(index).into_iter().rfold(body, |body, name| {
+            let index = Box::new(Symbol {
+                name,
+                ..Symbol::default()
+            });
+            self.node(
+                Kind::IndexedSum {
+                    index,
+                    limits: limits.clone(),
+                    body: Box::new(body),
+                },
+                start,
+            )
+        })
+    }
+}
+
+/// The indices under a sum: `i,j` and `ij` are two, over each of which it goes.
+fn indices(text: String) -> Vec<String> {
+    let letters: Vec<char> = text.chars().filter(|c| !matches!(c, ',' | ' ')).collect();
+    match letters.len() {
+        2..=4 if letters.iter().all(|c| ('i'..='n').contains(c)) => {
+            letters.into_iter().map(String::from).collect()
+        }
+        _ => vec![text],
     }
 }
 

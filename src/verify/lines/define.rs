@@ -81,7 +81,8 @@ impl Checker<'_> {
                 || self.obtained && is_zero(right)
                 || self.runs_in_a_circle(left, &sides[1..])
                 || self.is_tied_by_square(left);
-            if derived || matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted) {
+            let decided = matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted);
+            if derived || decided && !self.theory.gives_rate_alone(entity) {
                 *finding = tried;
                 return true;
             }

@@ -11,6 +11,14 @@ use num_traits::ToPrimitive;
 /// An index never runs further in this field.
 const LONGEST: u32 = 6;
 
+/// Nodes that a sum is written out to at most.
+pub(crate) const MOST_NODES: usize = 20_000;
+
+/// The nodes that an expression is made of.
+pub(crate) fn size(node: &Node) -> usize {
+    node.children().fold(1, |all, child| all + size(child))
+}
+
 /// The document with running indices written out, and those that are summed over where they are repeated.
 pub(crate) fn written_out(document: &Document) -> (Document, Option<Indices>) {
     let mut document = document.clone();
@@ -200,7 +208,9 @@ fn sums(node: &mut Node, usage: &Usage) {
             first.map(|values| values.map(String::from).to_vec())
         }
     };
-    let Some(values) = values else { return };
+    let Some(values) = values.filter(|values| values.len() * size(body) <= MOST_NODES) else {
+        return;
+    };
     let terms = values.iter().map(|value| {
         let mut node = (**body).clone();
         put(&mut node, &index.name, value);

@@ -2,7 +2,7 @@
 //! integrand it is none.
 
 use crate::algebra::{Polynomial, Variable};
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
@@ -31,10 +31,7 @@ impl Checker<'_> {
         if another == Another::None {
             return false;
         }
-        let coordinates = self.coordinates().into_iter().flatten();
-        let coordinates = coordinates.filter_map(|v| self.theory.atoms.entity_of(v));
-        let coordinates: Vec<_> = coordinates.collect();
-        self.known.extend(coordinates);
+        self.now_known(&sides[1..]);
         finding.role = Role::Claim;
         if another == Another::Sum {
             self.claim(sides, finding);
@@ -114,34 +111,17 @@ impl Checker<'_> {
         if !bare_of_integrals(&mut integrand) {
             return None;
         }
-        let coordinates = self.coordinates()?;
-        let value = self.lowering(Frame::Moving).value(&integrand).ok()?;
+        let mut lowering = self.lowering(Frame::Moving);
+        let (value, coordinates) = lowering.in_coordinates(&integrand, side).ok()?;
+        let coordinates: [Variable; 3] = coordinates.try_into().ok()?;
+        let free = |v: Variable| self.theory.normal(&variable_fraction(v)).as_variable() == Some(v);
+        if !coordinates.into_iter().all(free) {
+            return None;
+        }
         let found = value.as_scalar().filter(|found| found.is_polynomial())?;
         let found = found.numerator().clone();
         let only = found.variables().iter().all(|v| coordinates.contains(v));
         only.then_some((found, coordinates))
-    }
-
-    /// The letters x, y, z, where they stand for nothing else.
-    fn coordinates(&mut self) -> Option<[Variable; 3]> {
-        let mut found = ["x", "y", "z"].into_iter().map(|name| {
-            let symbol = Symbol {
-                name: name.to_owned(),
-                ..Symbol::default()
-            };
-            match self.meaning_of(&symbol) {
-                Meaning::Whole(entity) => {
-                    let variable = self.theory.atoms.part(entity, 0, 0);
-                    let free = self.theory.normal(&variable_fraction(variable));
-                    (free.as_variable() == Some(variable)).then_some(variable)
-                }
-                Meaning::Component(entity, component) => {
-                    Some(self.theory.atoms.part(entity, component, 0))
-                }
-                _ => None,
-            }
-        });
-        Some([found.next()??, found.next()??, found.next()??])
     }
 }
 

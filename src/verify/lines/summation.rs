@@ -2,20 +2,19 @@
 //!
 //! `L_i = I_{ij}\omega_j` is three lines with three terms each. ε_{ijk} and δ_{ij} are put in as the numbers that they are.
 
-use crate::notation::ast::{Factor, FrameLabel, Kind, Line, Node, Number, Symbol, Term};
+use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
-use num_rational::BigRational;
-use num_traits::{One, Zero};
-use std::collections::BTreeMap;
+use crate::verify::lines::index::{MOST_NODES, size};
+use crate::verify::lines::unit_tensors::{AXES, settle, tensor_indices};
+use num_traits::Zero;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Indices of a line that are free at most: an identity of two ε has four.
 const FREE: usize = 4;
 /// Indices of a term that are summed at most.
 const SUMMED: usize = 4;
-/// The axes.
-const AXES: [&str; 3] = ["1", "2", "3"];
 
 /// What a document sums over.
 #[derive(Clone, Debug)]
@@ -30,18 +29,24 @@ impl Indices {
     /// The indices of a document that sums over them: those of an ε or a δ, and the usual ones.
     pub(crate) fn of(document: &Document) -> Option<Self> {
         let mut letters: Vec<char> = vec![];
-        let mut permutes = false;
+        let (mut permutes, mut names) = (false, BTreeSet::new());
         let mut note = |node: &Node| {
+            names.extend(symbols(node).into_iter().map(|s| s.name.clone()));
             for indices in symbols(node).into_iter().filter_map(tensor_indices) {
                 permutes |= indices.len() == 3;
                 letters.extend(indices);
             }
         };
+        let mut defines = false;
         let mut told = false;
         for item in &document.items {
             match item {
                 Item::Formula(formula) => formula.rows.iter().for_each(|row| match row {
-                    Row::Line(line) => line.sides.iter().for_each(&mut note),
+                    Row::Line(line) => {
+                        defines |= defines_elements(line);
+                        defines |= line.sides.iter().any(sums_elements);
+                        line.sides.iter().for_each(&mut note);
+                    }
                     Row::Expression(node) => note(node),
                     Row::Unreadable { .. } => {}
                 }),
@@ -49,10 +54,12 @@ impl Indices {
                 _ => {}
             }
         }
-        letters.extend("ijklmn".chars());
+        letters.extend("ijk".chars());
+        // A letter of the document's own is no index: the n of `I_n = \sum I_{ij} n_i n_j`.
+        letters.extend("lmn".chars().filter(|c| !names.contains(&c.to_string())));
         letters.sort_unstable();
         letters.dedup();
-        (told || permutes).then_some(Self {
+        (told || permutes || defines).then_some(Self {
             letters,
             written: vec![],
         })
@@ -70,16 +77,18 @@ impl Indices {
         });
         let free = frees.next()?;
         let alike = frees.all(|other| other == free);
-        if met.iter().all(Vec::is_empty) || !alike || free.len() > FREE {
+        let none = met.iter().all(Vec::is_empty) && !line.sides.iter().any(|s| self.sums(s));
+        if none || !alike || free.len() > FREE {
             return None;
         }
+        let mut left = MOST_NODES;
         let each = assignments(&free).into_iter().map(|values| {
             let mut line = line.clone();
             for side in &mut line.sides {
                 values
                     .iter()
                     .for_each(|(index, axis)| put(side, *index, axis));
-                self.sum(side)?;
+                self.sum(side, &mut left)?;
                 settle(side);
             }
             Some(line)
@@ -169,6 +178,11 @@ impl Indices {
                 }
                 all
             }
+            Kind::IndexedSum { index, body, .. } => {
+                let mut met = self.met(body);
+                met.retain(|c| !index.name.starts_with(*c));
+                met
+            }
             Kind::InFrame(inside, label) => {
                 let mut met = self.met(inside);
                 met.extend(self.within(&label.text));
@@ -189,13 +203,34 @@ impl Indices {
         }
     }
 
-    /// Sums over each index that a term has twice; nothing where there are too many.
-    fn sum(&self, node: &mut Node) -> Option<()> {
+    /// Whether a sum over an index is written out in a node.
+    fn sums(&self, node: &Node) -> bool {
+        self.index_of_sum(node).is_some() || node.children().any(|child| self.sums(child))
+    }
+
+    /// The index of `\sum_j I_{ij} ω_j`; not that of the particles of a body, which have a mass each.
+    fn index_of_sum(&self, node: &Node) -> Option<char> {
+        let Kind::IndexedSum { index, body, .. } = &node.kind else {
+            return None;
+        };
+        let letter = index.name.chars().next()?;
+        let particles = |s: &&Symbol| s.name == "m" && s.subscripts.contains(&index.name);
+        let runs = index.name.len() == 1 && self.letters.contains(&letter);
+        let particles = symbols(body).iter().any(particles);
+        (runs && !particles).then_some(letter)
+    }
+
+    /// Sums over each index that a term has twice, or that a sum is written over; nothing where there are too many, or
+    /// too many nodes come of it.
+    fn sum(&self, node: &mut Node, left: &mut usize) -> Option<()> {
+        if let Some(letter) = self.index_of_sum(node)
+            && let Kind::IndexedSum { body, .. } = &node.kind
+        {
+            node.kind = terms_of(body, &[letter], left)?;
+        }
         if matches!(node.kind, Kind::Sum(_) | Kind::Group(..) | Kind::Negate(_)) {
-            return node
-                .children_mut()
-                .into_iter()
-                .try_for_each(|child| self.sum(child));
+            let mut children = node.children_mut().into_iter();
+            return children.try_for_each(|child| self.sum(child, left));
         }
         let met = self.met(node);
         let mut twice: Vec<char> = met.clone();
@@ -206,24 +241,62 @@ impl Indices {
             return None;
         }
         if !twice.is_empty() {
-            let terms = assignments(&twice).into_iter().map(|values| {
-                let mut node = node.clone();
-                values
-                    .iter()
-                    .for_each(|(index, axis)| put(&mut node, *index, axis));
-                settle(&mut node);
-                Term {
-                    negative: false,
-                    sign: node.span.before(),
-                    node,
-                }
-            });
-            node.kind = Kind::Sum(terms.collect());
+            node.kind = terms_of(node, &twice, left)?;
         }
-        node.children_mut()
-            .into_iter()
-            .try_for_each(|child| self.sum(child))
+        let mut children = node.children_mut().into_iter();
+        children.try_for_each(|child| self.sum(child, left))
     }
+}
+
+/// The sum of a term over indices that it has, if so many nodes are left.
+fn terms_of(term: &Node, indices: &[char], left: &mut usize) -> Option<Kind> {
+    let terms = AXES.len().checked_pow(indices.len() as u32)?;
+    *left = left.checked_sub(terms.checked_mul(size(term))?)?;
+    let terms = assignments(indices).into_iter().map(|values| {
+        let mut node = term.clone();
+        values
+            .iter()
+            .for_each(|(index, axis)| put(&mut node, *index, axis));
+        settle(&mut node);
+        Term {
+            negative: false,
+            sign: node.span.before(),
+            node,
+        }
+    });
+    Some(Kind::Sum(terms.collect()))
+}
+
+/// `I_{ij} = ∫(δ_{ij} r² − x_i x_j) dm`: the elements of a tensor, all nine at once.
+fn defines_elements(line: &Line) -> bool {
+    let [left, rest @ ..] = line.sides.as_slice() else {
+        return false;
+    };
+    let Kind::Symbol(element) = &left.kind else {
+        return false;
+    };
+    let pair = |indices: &[char]| matches!(indices, [a, b] if a != b);
+    let mut units = rest.iter().flat_map(symbols).filter_map(|symbol| {
+        let indices = tensor_indices(symbol).filter(|indices| pair(indices));
+        indices.map(|_| &symbol.subscripts)
+    });
+    units.any(|indices| *indices == element.subscripts)
+}
+
+/// `\sum_j I_{ij} …`: a sum over an index of a tensor's elements.
+fn sums_elements(node: &Node) -> bool {
+    let sums = match &node.kind {
+        Kind::IndexedSum { index, body, .. } => {
+            let pair = |text: &String| {
+                let indices = ('i'..='n').contains(&text.chars().next().unwrap_or(' '));
+                indices && text.chars().count() == 2 && text.contains(index.name.as_str())
+            };
+            let elements = |s: &&Symbol| s.subscripts.iter().any(pair);
+            index.name.len() == 1 && symbols(body).iter().any(elements)
+        }
+        _ => false,
+    };
+    sums || node.children().any(sums_elements)
 }
 
 /// Whether words say that indices are summed over.
@@ -232,25 +305,6 @@ fn tells(text: &str) -> bool {
     let index = text.contains("indices") || text.contains("index");
     let summed = text.contains("repeated") || text.contains("twice");
     index && summed || text.contains("summation convention")
-}
-
-/// The indices of an ε or a δ.
-fn tensor_indices(symbol: &Symbol) -> Option<Vec<char>> {
-    let [text] = symbol.subscripts.as_slice() else {
-        return None;
-    };
-    let letters: Vec<char> = text.chars().filter(|c| !matches!(c, ' ' | ',')).collect();
-    let indices = letters.iter().all(char::is_ascii_lowercase) && !letters.contains(&'x');
-    (indices && rank(symbol) == Some(letters.len())).then_some(letters)
-}
-
-/// The number of indices of the permutation symbol and of the unit tensor.
-fn rank(symbol: &Symbol) -> Option<usize> {
-    match symbol.name.as_str() {
-        "epsilon" | "varepsilon" => Some(3),
-        "delta" => Some(2),
-        _ => None,
-    }
 }
 
 /// The indices that are met but once.
@@ -289,98 +343,4 @@ fn put(node: &mut Node, index: char, axis: &str) {
     node.children_mut()
         .into_iter()
         .for_each(|child| put(child, index, axis));
-}
-
-/// Puts in the numbers that ε and δ are, and drops terms that vanish.
-fn settle(node: &mut Node) {
-    node.children_mut().into_iter().for_each(settle);
-    let zero = |node: &Node| matches!(&node.kind, Kind::Number(n) if n.value.is_zero());
-    let one = |f: &Factor| matches!(&f.node.kind, Kind::Number(n) if n.value.is_one());
-    match &mut node.kind {
-        Kind::Symbol(symbol) => {
-            if let Some(value) = constant(symbol) {
-                let number = number(value.unsigned_abs().into());
-                node.kind = match value < 0 {
-                    true => Kind::Negate(Box::new(Node {
-                        kind: number,
-                        span: node.span,
-                    })),
-                    false => number,
-                };
-            }
-        }
-        Kind::Negate(inside) | Kind::Group(_, inside) if zero(inside) => {
-            node.kind = number(0);
-        }
-        Kind::Group(_, inside) if matches!(inside.kind, Kind::Negate(_)) => {
-            node.kind = inside.kind.clone();
-        }
-        Kind::Product(factors) if factors.iter().any(|f| zero(&f.node)) => node.kind = number(0),
-        Kind::Product(factors) => {
-            let mut negative = false;
-            for factor in factors.iter_mut() {
-                if let Kind::Negate(inside) = &factor.node.kind {
-                    negative = !negative;
-                    factor.node = (**inside).clone();
-                }
-            }
-            factors.retain(|f| !one(f));
-            let rest = match factors.as_slice() {
-                [] => number(1),
-                [only] => only.node.kind.clone(),
-                _ => Kind::Product(std::mem::take(factors)),
-            };
-            node.kind = signed(rest, negative, node);
-        }
-        Kind::Sum(terms) => {
-            terms.retain(|term| !zero(&term.node));
-            for term in terms.iter_mut() {
-                if let Kind::Negate(inside) = &term.node.kind {
-                    term.negative = !term.negative;
-                    term.node = (**inside).clone();
-                }
-            }
-            match terms.as_slice() {
-                [] => node.kind = number(0),
-                [only] => node.kind = signed(only.node.kind.clone(), only.negative, node),
-                _ => {}
-            }
-        }
-        _ => {}
-    }
-}
-
-fn signed(kind: Kind, negative: bool, place: &Node) -> Kind {
-    match negative {
-        true => Kind::Negate(Box::new(Node {
-            kind,
-            span: place.span,
-        })),
-        false => kind,
-    }
-}
-
-/// The value of an ε or a δ with numbers for indices.
-fn constant(symbol: &Symbol) -> Option<i8> {
-    let [text] = symbol.subscripts.as_slice() else {
-        return None;
-    };
-    let axes: Vec<i8> = text
-        .chars()
-        .filter(|c| !matches!(c, ' ' | ','))
-        .map(|c| AXES.iter().position(|a| a.starts_with(c)).map(|p| p as i8))
-        .collect::<Option<_>>()?;
-    match (rank(symbol)?, axes.as_slice()) {
-        (3, &[a, b, c]) => Some((b - a) * (c - b) * (c - a) / 2),
-        (2, &[a, b]) => Some(i8::from(a == b)),
-        _ => None,
-    }
-}
-
-fn number(value: u64) -> Kind {
-    Kind::Number(Number {
-        value: BigRational::from_integer(value.into()),
-        decimals: None,
-        exponent: 0,
-    })
 }

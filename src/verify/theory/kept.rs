@@ -81,26 +81,25 @@ impl Theory {
     }
 
     /// Whether a symbol of the document stands in a relation that is kept, as written or with every rule put in. That a
-    /// vector has a length ties it to nothing.
+    /// vector has a length ties it to nothing, and a law for its rate does not say what it is.
     pub(crate) fn is_in_relation(&mut self, entity: Entity) -> bool {
         if !matches!(self.atoms.info(entity).owner, Owner::Symbol(_)) {
             return false;
         }
         let vector = self.atoms.info(entity).shape == Shape::Vector;
-        self.solution
-            .relations
-            .kept
-            .clone()
-            .into_iter()
-            .any(|kept| {
-                let mut variables = self.normal(&kept.written).variables();
-                variables.extend(kept.written.variables());
-                let entities = variables
-                    .into_iter()
-                    .filter_map(|v| self.atoms.entity_of(v));
-                let entities: BTreeSet<Entity> = entities.collect();
-                entities.contains(&entity) && !(vector && entities.len() == 1)
-            })
+        let kept = self.solution.relations.kept.clone();
+        kept.into_iter().any(|kept| {
+            if vector && self.has_rate_of(&kept.written, entity) {
+                return false;
+            }
+            let mut variables = self.normal(&kept.written).variables();
+            variables.extend(kept.written.variables());
+            let entities = variables
+                .into_iter()
+                .filter_map(|v| self.atoms.entity_of(v));
+            let entities: BTreeSet<Entity> = entities.collect();
+            entities.contains(&entity) && !(vector && entities.len() == 1)
+        })
     }
 
     /// Whether a kept relation speaks of one instant alone.

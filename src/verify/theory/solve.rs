@@ -180,6 +180,7 @@ impl Theory {
         let squared = premise.definition && premise.preferred.iter().any(is_squared);
         let variables = polynomial.variables().into_iter();
         let variables = variables.filter(|v| !squared || !of_body(v));
+        let variables = variables.filter(|&v| !self.turns_with(v, premise));
         let candidates = variables.filter_map(|variable| {
             let score = self.solvable(polynomial, variable)?;
             let wanted = match premise.preferred.contains(&variable) {
@@ -196,6 +197,32 @@ impl Theory {
         let coefficient = Fraction::from(polynomial.coefficient_of(variable, 1));
         let rest = Fraction::from(polynomial.coefficient_of(variable, 0));
         Some((variable, -rest / coefficient))
+    }
+
+    /// Whether a premise is a law for the rate of a vector of the document, of which a variable is a component: of
+    /// M = dD/dt + ω × D with D₁ known nothing follows for D₂.
+    fn turns_with(&self, variable: Variable, premise: &Premise) -> bool {
+        let entity = self.atoms.entity_of(variable);
+        self.order_of(variable) == 0 && entity.is_some_and(|e| self.is_law_of_rate(premise, e))
+    }
+
+    fn is_law_of_rate(&self, premise: &Premise, entity: Entity) -> bool {
+        let info = self.atoms.info(entity);
+        let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Vector;
+        let mut residuals = premise.residuals.iter();
+        own && residuals.any(|r| self.has_rate_of(r, entity))
+    }
+
+    /// Whether a law for the rate of a vector of the document is in force, which leaves open what it is.
+    pub(crate) fn gives_rate_alone(&self, entity: Entity) -> bool {
+        let mut premises = self.premises.iter();
+        premises.any(|premise| self.is_law_of_rate(premise, entity))
+    }
+
+    /// Whether a rate of a symbol stands in what vanishes.
+    pub(crate) fn has_rate_of(&self, residual: &Fraction, entity: Entity) -> bool {
+        let mut met = residual.numerator().variables().into_iter();
+        met.any(|v| self.atoms.entity_of(v) == Some(entity) && self.order_of(v) > 0)
     }
 
     /// Whether a premise gave a rate of a variable.

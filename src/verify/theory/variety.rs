@@ -52,7 +52,7 @@ impl Theory {
     }
 
     /// The order of the rate that a variable is.
-    fn order_of(&self, variable: Variable) -> u8 {
+    pub(crate) fn order_of(&self, variable: Variable) -> u8 {
         match self.atoms.atom(variable) {
             Atom::Part { order, .. } => *order,
             Atom::SpaceRate { .. } => 1,

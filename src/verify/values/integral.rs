@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::letters::particles::{PLACES, place_among};
+use crate::verify::letters::particles::place_among;
 use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::reason;
 use crate::verify::theory::law::inertia;
@@ -26,29 +26,9 @@ impl Lowering<'_> {
         if !matches!(over.as_str(), "m" | "V") {
             return Err(unsupported(reason::INTEGRAL));
         }
-        let mut value = self.value(integrand)?;
-        let position = self.theory.atoms.quantity(Quantity::Position);
-        let arm = [0, 1, 2].map(|c| self.theory.atoms.part(position, c, 0));
-        let by_arm = |entry: &Fraction| arm.iter().any(|v| entry.variables().contains(v));
-        let mut coordinates = vec![];
-        if value.entries.iter().any(by_arm) {
-            coordinates.extend(arm);
-        } else if let Some(place) = self.place_in(integrand) {
-            coordinates.extend(place);
-        } else {
-            let usage = &self.reading.usage;
-            let numbered = ["x", "r"].into_iter().find(|name| {
-                let letter = Letter::plain(name);
-                ["1", "2", "3"].iter().all(|i| usage.has_index(&letter, i))
-            });
-            let names = match numbered {
-                Some(name) => ["1", "2", "3"].map(|index| (name, Some(index))),
-                None => ["x", "y", "z"].map(|name| (name, None)),
-            };
-            for (name, index) in names {
-                coordinates.push(self.letter(name, index, node)?);
-            }
-        }
+        let mut integrand = integrand.clone();
+        plain_density(&mut integrand);
+        let (mut value, coordinates) = self.in_coordinates(&integrand, node)?;
         if over == "V" {
             let density = self.letter("rho", None, node)?;
             value = value.map(|entry| entry.clone() / variable_fraction(density));
@@ -126,46 +106,6 @@ impl Lowering<'_> {
         Some(Value::from_fn(value.rows, columns, |r, c| {
             entries[r * columns + c].clone()
         }))
-    }
-
-    /// The components of the vector that is the place of a particle in an integrand.
-    fn place_in(&mut self, integrand: &Node) -> Option<Vec<u32>> {
-        let place = |s: &&Symbol| {
-            s.style.vector && s.subscripts.is_empty() && PLACES.contains(&s.name.as_str())
-        };
-        let symbol = symbols(integrand).into_iter().find(place)?;
-        let place = self.value(&Node {
-            kind: Kind::Symbol(symbol.clone()),
-            span: integrand.span,
-        });
-        let place = place.ok().filter(Value::is_vector)?;
-        place.entries.iter().map(Fraction::as_variable).collect()
-    }
-
-    /// The variable of a plain letter, or of one with an index.
-    fn letter(
-        &mut self,
-        name: &str,
-        index: Option<&str>,
-        node: &Node,
-    ) -> Result<u32, crate::verify::values::lower::Trouble> {
-        let symbol = Symbol {
-            name: name.to_owned(),
-            subscripts: index.into_iter().map(str::to_owned).collect(),
-            ..Symbol::default()
-        };
-        let value = self.value(&Node {
-            kind: Kind::Symbol(symbol),
-            span: node.span,
-        })?;
-        let variable = value.as_scalar().and_then(Fraction::as_variable);
-        variable.ok_or_else(|| {
-            trouble(
-                TroubleKind::Unsupported,
-                node.span,
-                "the coordinates of this integral are not known",
-            )
-        })
     }
 
     /// The integral of a polynomial of the second degree in the coordinates, in terms of the inertia tensor. Measured from
@@ -255,6 +195,16 @@ impl Lowering<'_> {
             })
         })
     }
+}
+
+/// The density ρ(r) as a symbol.
+fn plain_density(node: &mut Node) {
+    if let Kind::Call(head, _) = &node.kind
+        && matches!(&head.kind, Kind::Symbol(symbol) if symbol.name == "rho")
+    {
+        node.kind = head.kind.clone();
+    }
+    node.children_mut().into_iter().for_each(plain_density);
 }
 
 /// The mass of a particle and what it is multiplied by: `m_i f_i`, `m_i (f_i)`.

@@ -114,6 +114,17 @@ fn is_of_mass(before: &str, phrase: &str) -> bool {
     phrase == "mass" && point.iter().any(|words| before.ends_with(words))
 }
 
+/// Whether the mass centre is the point that a quantity is taken about, and not what is named.
+fn is_point(before: &str, named: &str) -> bool {
+    let about = [
+        "about the ",
+        "about its ",
+        "around the ",
+        "with respect to the ",
+    ];
+    named.starts_with("mass cent") && about.iter().any(|words| before.ends_with(words))
+}
+
 /// Whether a thing is brought in, and another clause follows it.
 fn is_aside(before: &str, behind: &str) -> bool {
     let verbs = [
@@ -128,6 +139,7 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
         let (phrase, _) = &PHRASES[which];
         is_word(text, at, phrase)
             && !is_of_mass(&text[..at], phrase)
+            && !is_point(&text[..at], &text[at..])
             && !is_aside(&text[..at], &text[at..])
     };
     let (which, at, end) = BOOK

@@ -85,7 +85,22 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
         Some(Quantity::AngularVelocity),
         &["body rates", "angular velocity"],
     ),
-    (Some(Quantity::Moment), &["torque", "moment", "couple"]),
+    (
+        Some(Quantity::Moment),
+        &[
+            "torque",
+            "moment",
+            "couple",
+            "moment of force",
+            "moment of the force",
+            "moment of all force",
+            "moment of applied force",
+            "moment of the applied force",
+            "moment of external force",
+            "moment of the external force",
+            "moment of all external force",
+        ],
+    ),
     // What drives the wheels acts on the body the other way round.
     (
         None,
