@@ -40,3 +40,34 @@ $$ \nu_3^2 = \frac{{(I_3 - I_1)(I_2 - I_3)}}{{I_1 I_2}}\,\Omega^2 $$
     let found = verdicts(&text);
     assert!(!found[4..].starts_with('p'), "{found}");
 }
+
+#[test]
+fn a_frequency_beside_its_oscillation_is_held_against_the_motion() {
+    let text = |difference: &str| {
+        format!(
+            r"A satellite pitches by the angle $\theta$. We are given that
+
+$$ I_y\ddot\theta = 3n^2(I_z - I_x)\sin\theta\cos\theta $$
+
+where $n$ is the orbital rate. For small angles
+
+$$ \ddot\theta + \omega_p^2\theta = 0,\qquad \omega_p = n\sqrt{{\frac{{3({difference})}}{{I_y}}}} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("I_x - I_z")), "apa");
+    assert_eq!(verdicts(&text("I_z - I_x")), "apr");
+}
+
+#[test]
+fn an_equation_of_motion_left_open_leaves_the_motion_in_doubt() {
+    let text = r"A body whose angle $\theta$ obeys
+
+$$ I\ddot\theta + k\sin\theta = 0 $$
+
+For small angles
+
+$$ \ddot\theta + \omega_p^2\theta = 0,\qquad \omega_p = \sqrt{\frac{k}{I}} $$
+";
+    assert!(!verdicts(text).contains('r'));
+}

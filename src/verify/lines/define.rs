@@ -91,7 +91,7 @@ impl Checker<'_> {
         if !self.firm && self.is_more_than_a_name(left, right, claimed, finding)
             || rest.is_empty()
                 && (claimed
-                    || self.has_a_frequency(role) && self.is_tied_by_square(left)
+                    || role == Role::Define && !self.firm && self.is_tied_by_square(left)
                     || self.goes_on_with(role))
                 && self.is_frequency(left, right, finding)
             || claimed && rest.is_empty() && self.energy_of_part(left, right, finding)

@@ -5,6 +5,7 @@ use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Line;
 use crate::verify::check::Checker;
 use crate::verify::lines::line::Read;
+use crate::verify::lines::oscillation::is_rate_of_rate;
 use crate::verify::names;
 use crate::verify::reason::names_unsaid;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
@@ -54,7 +55,9 @@ impl Checker<'_> {
         let [left, right] = line.sides.as_slice() else {
             return false;
         };
-        if !finding.reason.as_deref().is_some_and(names_unsaid) {
+        // An equation of motion says as much of how the rest moves.
+        let moves = line.sides.iter().any(is_rate_of_rate);
+        if moves || !finding.reason.as_deref().is_some_and(names_unsaid) {
             return false;
         }
         let [left, right] = [left, right].map(|side| self.entities([side]));

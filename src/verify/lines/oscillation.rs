@@ -157,6 +157,7 @@ impl Checker<'_> {
     ) -> bool {
         let words = lowered(&self.sentence);
         let tied = self.square_by_law(left);
+        let by_law = tied.is_some();
         let noted = tied.map(|square| (self.findings.len(), square));
         let Some((at, square)) = noted.or_else(|| self.oscillation.clone()) else {
             return false;
@@ -171,7 +172,8 @@ impl Checker<'_> {
             }
             _ => false,
         };
-        let called = words.contains("frequency") || grows || squared && self.is_by_letter(left);
+        let called =
+            by_law || words.contains("frequency") || grows || squared && self.is_by_letter(left);
         if !near || !called || !squared && !lone(left) {
             return false;
         }
@@ -194,7 +196,15 @@ impl Checker<'_> {
             true => value,
             false => value.clone() * value,
         };
-        match decide(&mut self.theory, &[Equation::of_scalars(square, value)]) {
+        // That the frequency is real too would leave no values for a root of the other sign.
+        let mut apart = self.theory.left_out.clone();
+        let premises = self.theory.premises().iter().map(|p| &p.name);
+        apart.extend(premises.filter(|name| is_of_swings(name)).cloned());
+        let equation = [Equation::of_scalars(square, value)];
+        match self
+            .theory
+            .without(apart, |theory| decide(theory, &equation))
+        {
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =
@@ -215,7 +225,7 @@ impl Checker<'_> {
 }
 
 /// Whether a second rate, or the rate of a rate, stands in a node.
-fn is_rate_of_rate(node: &Node) -> bool {
+pub(crate) fn is_rate_of_rate(node: &Node) -> bool {
     fn most(node: &Node) -> u8 {
         let mut inside = 0;
         node.children()
