@@ -119,3 +119,19 @@ fn a_rate_that_is_not_zero_is_given_by_the_equality_before_it() {
         assert_eq!(verdicts(&text(last)), "ap", "{last}");
     }
 }
+
+#[test]
+fn a_display_right_behind_a_claim_is_claimed_too() {
+    let text = |sign: &str| {
+        format!(
+            r"Parallel axes: with $\mathbf d$ from the mass centre $G$ to the point $A$ of the body,
+
+$$ \mathbf I_A = \mathbf I_G - m[\mathbf d]_\times[\mathbf d]_\times $$
+
+$$ \mathbf I_A = \mathbf I_G {sign} m\left[(\mathbf d\cdot\mathbf d)\mathbf 1 - \mathbf d\mathbf d^T\right] $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "pp");
+    assert_eq!(verdicts(&text("-")), "pr");
+}

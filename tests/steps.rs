@@ -169,3 +169,21 @@ $$ \frac{{\partial\boldsymbol\omega_{{k+1}}}}{{\partial\boldsymbol\tau_k}} = {to
     assert_eq!(verdicts(&document(r"\mathbf I_3 - h", "h")), "parp");
     assert_eq!(verdicts(&document(r"\mathbf I_3 + h", "2h")), "papr");
 }
+
+#[test]
+fn a_one_beside_matrices_is_the_unit_matrix() {
+    let text = |sign: &str| {
+        format!(
+            r"The step $\omega_{{k+1}} = \omega_k + h\,I^{{-1}}(\tau_k - \omega_k\times I\omega_k)$. Its Jacobian is
+
+$$ \frac{{\partial\omega_{{k+1}}}}{{\partial\omega_k}} = 1 {sign} hI^{{-1}}\left([I\omega_k]_\times - [\omega_k]_\times I\right) $$
+
+Let $R$ be the rotation matrix. Then
+
+$$ R R^T = 1 $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "app");
+    assert_eq!(verdicts(&text("-")), "arp");
+}

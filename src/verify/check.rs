@@ -114,6 +114,8 @@ pub(super) struct Checker<'a> {
     pub(super) broken: bool,
     /// The role that a comment sets for the next formula.
     pub(super) mark: Option<Role>,
+    /// Whether nothing stands between a display that was claimed and what comes now.
+    pub(super) behind_claim: bool,
     /// Whether the words behind this formula are of one instant.
     pub(super) instant_behind: bool,
     /// Names of premises with the level of the heading that they stand under.
@@ -228,6 +230,7 @@ impl<'a> Checker<'a> {
             implicit: BTreeSet::new(),
             broken: false,
             mark: None,
+            behind_claim: false,
             instant_behind: false,
             scopes: vec![],
             steps: vec![],
@@ -303,8 +306,14 @@ impl<'a> Checker<'a> {
 
     pub(super) fn item(&mut self, item: &Item) {
         match item {
-            Item::Heading { level, text, span } => self.heading(*level, text, *span),
-            Item::Prose { text, span } => self.prose(text, *span),
+            Item::Heading { level, text, span } => {
+                self.behind_claim = false;
+                self.heading(*level, text, *span);
+            }
+            Item::Prose { text, span } => {
+                self.behind_claim &= text.trim().is_empty();
+                self.prose(text, *span);
+            }
             Item::Break => self.end_paragraph(),
             Item::Comment { text, .. } => self.comment(text),
             Item::Formula(formula) => self.formula(formula),
@@ -332,9 +341,15 @@ impl<'a> Checker<'a> {
             self.named.clear();
         }
         let says = |row: &Row| !matches!(row, Row::Expression(_));
-        let role = match formula.rows.iter().any(says) {
+        let said = formula.rows.iter().any(says);
+        let heard = match said {
             true => self.listen(formula.display),
             false => Role::Claim,
+        };
+        // Right behind a display that is claimed, no words suppose the next one.
+        let role = match self.behind_claim && formula.display && self.mark.is_none() {
+            true => Role::Claim,
+            false => heard,
         };
         let ends = |row: &Row| match row {
             Row::Line(line) => line.sides.first().cloned().zip(line.sides.last().cloned()),
@@ -367,6 +382,7 @@ impl<'a> Checker<'a> {
             }
         }
         self.mark = None;
+        self.behind_claim = formula.display && said && role == Role::Claim;
         self.note_only_product(formula);
         self.hear_formula(formula);
         self.broken = false;

@@ -121,9 +121,14 @@ impl Lowering<'_> {
                 })
             }
             Kind::Sum(terms) => {
+                let values = terms.iter().map(|term| self.value(&term.node));
+                let values = values.collect::<Result<Vec<Value>, Trouble>>()?;
+                let matrix = values.iter().find(|value| value.rows > 1).cloned();
                 let mut sum = Value::scalar(Fraction::zero());
-                for term in terms {
-                    let value = self.value(&term.node)?;
+                for (term, value) in terms.iter().zip(values) {
+                    // The 1 of `1 + hA` is the unit matrix.
+                    let unit = matrix.as_ref().and_then(|m| value.unit_of_size(m));
+                    let value = unit.unwrap_or(value);
                     let (left, value) = self.aligned(sum, value);
                     sum = left
                         .joined(value, term.negative)

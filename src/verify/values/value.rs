@@ -169,9 +169,12 @@ impl Value {
         }
     }
 
-    /// A multiple of the unit matrix, which is written without its size, in the size of another matrix.
-    fn unit_of_size(&self, other: &Self) -> Option<Self> {
+    /// A multiple of the unit matrix, which is written without its size or as 1, in the size of another matrix.
+    pub(crate) fn unit_of_size(&self, other: &Self) -> Option<Self> {
         let square = |value: &Self| value.rows == value.columns && value.rows > 1;
+        if self.is_scalar() && self.entries[0].is_one() && square(other) {
+            return Some(Self::identity(other.rows));
+        }
         let factor = self.entries.first()?;
         let multiple = |(i, entry): (usize, &Fraction)| match i % (self.rows + 1) {
             0 => entry == factor,
