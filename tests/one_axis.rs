@@ -210,3 +210,18 @@ fn plain_text_crosses_the_letter_of_a_number() {
     assert_eq!(text("−"), "aappppppp");
     assert_eq!(text(""), "aappppprp");
 }
+
+#[test]
+fn a_rate_that_is_said_to_be_a_component_is_all_of_a_turn_about_its_axis() {
+    let text = |sign: &str, moment: &str| {
+        format!(
+            "A rotor turns about the fixed $z$ axis with angular velocity $\\Omega$ and angular acceleration $\\alpha = \\dot\\Omega$. Only $\\Omega_z = \\Omega$ is different from zero, so\n\n\
+             $$ L_x = {sign}I_{{xz}}\\Omega $$\n\n\
+             **Speed.** At constant speed the moment across the axis is\n\n$$ M_y = -I_{{xz}}\\Omega^2 $$\n\n\
+             **Start.** To start with $\\alpha = 20\\text{{ rad/s}}^2$ the motor has to supply\n\n$$ M_z = {moment} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-", r"20\,I_{zz}")), "ppppap");
+    assert_eq!(verdicts(&text("", r"20\,I_{zz}")), "pprpap");
+    assert_eq!(verdicts(&text("-", r"10\,I_{zz}")), "ppppar");
+}

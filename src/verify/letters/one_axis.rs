@@ -29,11 +29,12 @@ impl Reading {
                 .any(|name| self.has_bare(name))
     }
 
-    /// "The rotor turns about the fixed ⟨z⟩ axis": a bare ω of which no component is written is the one about that axis.
+    /// "The rotor turns about the fixed ⟨z⟩ axis": a bare ω of which no component is written, but the one that it is said
+    /// to be, is the one about that axis.
     pub(crate) fn about_fixed_axis(&mut self, document: &Text) {
         let letter = self.quantities.iter().find_map(|(letter, quantity)| {
             let used = self.usage.get(letter);
-            let bare = used.bare > 0 && used.component == 0;
+            let bare = used.bare > 0 && (used.component == 0 || self.only_named_component(letter));
             (*quantity == Quantity::AngularVelocity && bare).then(|| letter.clone())
         });
         // In plain text ω × L is written in the letter of the number.
@@ -60,6 +61,9 @@ impl Reading {
                     .filter(|_| number)
                     .and_then(|l| self.axis_of_moment(document, l))
             });
+        let named = letter.as_ref();
+        let named = named.and_then(|letter| self.usage.components_named.get(letter));
+        let axis = axis.filter(|axis| named.is_none_or(|named| named == axis));
         if let (Some(letter), Some(axis), false) = (letter, axis, others || self.plane) {
             self.usage.components_named.insert(letter, axis);
             self.fixed_axis = Some(axis);
@@ -79,6 +83,15 @@ impl Reading {
                     .insert(rate, (Quantity::AngularAcceleration, axis));
             }
         }
+    }
+
+    /// Whether the only component written of a letter is the one that a line says it to be: `ω_z = ω`.
+    fn only_named_component(&self, letter: &Letter) -> bool {
+        let Some(named) = self.usage.components_named.get(letter) else {
+            return false;
+        };
+        let met = self.usage.subscripts.get(letter);
+        met.is_some_and(|met| met.iter().all(|index| axis(index) == Some(*named)))
     }
 
     /// "The rotor turns about the ⟨z⟩ axis through the angle ⟨φ⟩", where no ω is written before.

@@ -73,7 +73,7 @@ impl Checker<'_> {
     /// A heading ends the assumptions made under headings of its level and below; the title of a paragraph opens a case.
     pub(crate) fn heading(&mut self, level: u8, text: &str, span: Span) {
         if level >= RUN_IN {
-            self.cases.now += 1;
+            self.open_case();
         } else {
             self.end_section(level, span);
         }
@@ -204,9 +204,14 @@ impl Checker<'_> {
         let turned = has_any(text, TURNS);
         let opens = opens_paragraph && (title || counted);
         if opens || turned {
-            self.cases.now += 1;
+            self.open_case();
         }
         opens
+    }
+
+    fn open_case(&mut self) {
+        self.leave_steady_case();
+        self.cases.now += 1;
     }
 
     /// Notes that the axes are attached to the body in the case at hand.
@@ -276,7 +281,8 @@ impl Checker<'_> {
         }
         let kept = self.cases.kept.iter();
         let before = kept.filter(|&(_, &case)| case < self.cases.now);
-        let ended: BTreeSet<Name> = before.map(|(name, _)| name.clone()).collect();
+        let mut ended: BTreeSet<Name> = before.map(|(name, _)| name.clone()).collect();
+        ended.retain(|name| !self.weighs_something_else(name, &variables));
         if passed_on {
             self.small_across(first);
         } else if self.set_the_spin(&ended) {
@@ -284,15 +290,6 @@ impl Checker<'_> {
         }
         self.cases.kept.retain(|name, _| !ended.contains(name));
         self.end_premises(&ended);
-    }
-
-    /// Whether premises say what a component of ω is.
-    fn set_the_spin(&mut self, names: &BTreeSet<Name>) -> bool {
-        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
-        let of_omega = |&v: &Variable| self.theory.atoms.entity_of(v) == Some(omega);
-        let premises = self.theory.premises().iter();
-        let mut ended = premises.filter(|p| names.contains(&p.name));
-        ended.any(|p| p.preferred.iter().any(of_omega))
     }
 
     /// Whether an assumption of an earlier case said what a lone symbol is.

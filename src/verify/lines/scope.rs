@@ -4,6 +4,8 @@ use crate::algebra::{Fraction, Variable};
 use crate::verify::check::Checker;
 use crate::verify::lines::laws_in_words::is_of_swings;
 use crate::verify::theory::{Name, Premise};
+use crate::verify::values::atoms::Owner;
+use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::{has_any, lowered};
 use std::collections::BTreeSet;
 
@@ -72,5 +74,25 @@ impl Checker<'_> {
                 self.theory.assume(premise);
             }
         }
+    }
+
+    /// Whether a premise is the number of a mass, which goes on where a case is about something else.
+    pub(crate) fn weighs_something_else(&self, name: &Name, of_case: &BTreeSet<Variable>) -> bool {
+        let mass = |v: Variable| {
+            let owner = self.theory.atoms.owner(v);
+            matches!(owner, Some(Owner::Quantity(Quantity::Mass, _))) && !of_case.contains(&v)
+        };
+        let weighs = |r: &Fraction| matches!(r.variables()[..], [one] if mass(one));
+        let mut premises = self.theory.premises().iter().filter(|p| p.name == *name);
+        premises.any(|p| p.residuals.iter().all(weighs))
+    }
+
+    /// Whether premises say what a component of ω is.
+    pub(crate) fn set_the_spin(&mut self, names: &BTreeSet<Name>) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let of_omega = |&v: &Variable| self.theory.atoms.entity_of(v) == Some(omega);
+        let premises = self.theory.premises().iter();
+        let mut ended = premises.filter(|p| names.contains(&p.name));
+        ended.any(|p| p.preferred.iter().any(of_omega))
     }
 }

@@ -12,10 +12,11 @@ use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
-use crate::verify::verdict::FromProse;
+use crate::verify::verdict::{FromProse, Role};
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::role::Words;
 use crate::verify::words::running_sentence::keep_end;
+use std::collections::BTreeSet;
 
 /// Words behind a list of symbols.
 const BEHIND: &[&str] = &[
@@ -95,6 +96,9 @@ const SPEED: &[&str] = &[
     "if the speed is constant",
 ];
 
+/// The name of a premise.
+const STEADY: &str = "constant speed";
+
 /// Words of a supposition: what it calls constant may change elsewhere.
 const SUPPOSED: &[&str] = &["suppose", "assume", "while", "when", "if"];
 
@@ -152,7 +156,7 @@ impl Checker<'_> {
     pub(crate) fn constants_in_words(&mut self, text: &str, span: Span) {
         let text = text.trim_start();
         if self.is_steady(text) {
-            self.turns_steadily(span);
+            self.turns_steadily(text, span);
         }
         self.wheels_turn_steadily(text, span);
         let rest = text.trim_start_matches(',').trim_start();
@@ -185,13 +189,25 @@ impl Checker<'_> {
         about_axis && has_any(text, SPEED) || unnamed && supposes(text) && of_body()
     }
 
-    fn turns_steadily(&mut self, span: Span) {
+    fn turns_steadily(&mut self, text: &str, span: Span) {
         let axis = self.reading.fixed_axis;
         let axes = match axis.or(self.reading.plane.then_some(2)) {
             Some(axis) => vec![axis],
             None => vec![0, 1, 2],
         };
-        self.stay_in_words("constant speed", Quantity::AngularVelocity, &axes, span);
+        self.stay_in_words(STEADY, Quantity::AngularVelocity, &axes, span);
+        // "At constant speed, …": the condition of one case.
+        let mut clauses = text.split(['.', ';', ':']).map(str::trim_start);
+        if clauses.any(|clause| SPEED.iter().any(|words| clause.starts_with(words))) {
+            self.note_assumption(STEADY, Role::Assume);
+        }
+    }
+
+    /// Ends the condition of a case that is over.
+    pub(crate) fn leave_steady_case(&mut self) {
+        if self.is_supposed(&STEADY.to_owned()) {
+            self.end_premises(&BTreeSet::from([STEADY.to_owned()]));
+        }
     }
 
     /// Takes in that components of a quantity do not change, as the words in a place say.

@@ -3,8 +3,8 @@
 use crate::verify::verdict::Role;
 use crate::verify::words::book::{Book, has_any, lowered};
 use crate::verify::words::role_words::{
-    ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, SHORTER, SOURCES,
-    SUBJECTS, SUPPOSE,
+    ASSUME, CLAIM, CONDITION, CONSTRAINT, DEFINE, DEFINITION, GIVEN, NO_ROLE, PREDICATES, SHORTER,
+    SOURCES, SUBJECTS, SUPPOSE,
 };
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -45,16 +45,6 @@ fn phrases() -> impl Iterator<Item = (Kind, &'static str)> {
 
 static LISTED: LazyLock<Vec<(Kind, &str)>> = LazyLock::new(|| phrases().collect());
 static BOOK: LazyLock<Book> = LazyLock::new(|| Book::of_words(phrases().map(|(_, phrase)| phrase)));
-
-/// What a main clause ends with before the formula that it claims.
-const PREDICATES: [&str; 6] = [
-    " is ",
-    " are ",
-    " satisfies ",
-    " satisfy ",
-    " obeys ",
-    " obey ",
-];
 
 /// "With ⟨ω = Ω⟩ the spin is": the condition has ended, for what stands there and for further formulas behind it.
 fn has_left_its_condition(text: &str) -> bool {

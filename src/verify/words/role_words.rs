@@ -323,3 +323,25 @@ pub(super) const NO_ROLE: &[&str] = &[
     "as defined",
     "where the",
 ];
+
+/// What a main clause ends with before the formula that it claims.
+pub(super) const PREDICATES: [&str; 18] = [
+    " is ",
+    " are ",
+    " satisfies ",
+    " satisfy ",
+    " obeys ",
+    " obey ",
+    " needs ",
+    " need ",
+    " requires ",
+    " has to supply ",
+    " have to supply ",
+    " must supply ",
+    " supplies ",
+    " has to provide ",
+    " must provide ",
+    " provides ",
+    " has to exert ",
+    " must exert ",
+];
