@@ -91,3 +91,59 @@ $$ \Omega = \frac{{mg\ell}}{{{turn}}} $$
     assert_eq!(verdicts(&text("", "Js")), "paprppp");
     assert_eq!(verdicts(&text("-", "2Js")), "pappppr");
 }
+
+#[test]
+fn a_spin_that_is_carried_round_needs_no_axes() {
+    let text = |rate: &str, turn: &str| {
+        verdicts(&format!(
+            r"A flywheel of mass $M$ with the moment of inertia $J$ about its axle turns at the rate $\omega$. The axle is horizontal and is held at one end, the distance $b$ from the flywheel. The spin angular momentum has the size
+
+$$ H = J\omega $$
+
+The weight has a torque about the support of the size
+
+$$ N = Mgb $$
+
+The gyroscope precesses with the angular velocity $\vec\Omega$ about the vertical, and
+
+$$ \vec N = \frac{{d\vec H}}{{dt}} = {rate} $$
+
+The sizes give
+
+$$ N = \Omega H $$
+
+$$ \Omega = {turn} $$
+"
+        ))
+    };
+    let right = r"\frac{Mgb}{J\omega}";
+    assert_eq!(text(r"\vec\Omega\times\vec H", right), "pappp");
+    assert_eq!(text(r"\vec H\times\vec\Omega", right), "parpp");
+    let wrong = r"\frac{Mgb}{2J\omega}";
+    assert_eq!(text(r"\vec\Omega\times\vec H", wrong), "pappr");
+}
+
+#[test]
+fn the_spin_and_what_carries_it_may_have_one_letter() {
+    let text = |cross: &str, couple: &str| {
+        verdicts(&format!(
+            r"A rotor has the moment of inertia $I = 36$ and the spin $\omega_s = 250$. With the spin vector $\boldsymbol\omega_s$ its angular momentum is $\mathbf L = I\boldsymbol\omega_s$. The gyroscopic couple in a turn with the angular velocity $\boldsymbol\omega_p$ is
+
+$$ \mathbf M = {cross} $$
+
+and at right angles
+
+$$ M = {couple} $$
+
+The rate is $\omega_p = 0.2$. In numbers
+
+$$ M = 36\cdot 250\cdot 0.2 = 1800 $$
+"
+        ))
+    };
+    let (right, size) = (r"\boldsymbol\omega_p\times\mathbf L", r"I\omega_s\omega_p");
+    assert_eq!(text(right, size), "aapppap");
+    let swapped = r"\mathbf L\times\boldsymbol\omega_p";
+    assert!(text(swapped, size).starts_with("aaprp"));
+    assert!(text(right, r"2 I\omega_s\omega_p").starts_with("aappr"));
+}

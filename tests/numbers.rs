@@ -207,3 +207,18 @@ $$ n = \frac{v}{R} = \frac{20}{100} = 0.2\ \text{rad/s} $$
     assert_eq!(verdicts(text), ["proved", "refuted"]);
     assert_eq!(verdicts(&text.replace("= 0.1", "= 0.3"))[0], "refuted");
 }
+
+#[test]
+fn behind_a_sign_of_approximation_zeros_at_the_end_are_no_digits() {
+    let text = |shown: &str| {
+        let text = r"The arm is $a = 320$ and the force $b = 15.71$. So
+
+$$ a b \approx SHOWN $$
+";
+        verdicts(&text.replace("SHOWN", shown)).pop()
+    };
+    assert_eq!(text("5030"), Some("proved"));
+    assert_eq!(text("5000"), Some("proved"));
+    assert_eq!(text("5040"), Some("refuted"));
+    assert_eq!(text("5100"), Some("refuted"));
+}

@@ -170,7 +170,7 @@ impl<'a> Checker<'a> {
         let axes = match document.front_matter.axes.as_deref() {
             Some("body") => Axes::Body,
             Some("turning") => Axes::Turning,
-            _ if own_rate => Axes::Turning,
+            _ if own_rate || reading.carried_spin.is_some() => Axes::Turning,
             _ => Axes::Body,
         };
         let setting = Setting {
@@ -269,6 +269,7 @@ impl<'a> Checker<'a> {
         }
         checker.wheel_lies_along_axis();
         checker.rotor_is_alone();
+        checker.carries_a_spin();
         checker.turns_at_its_number();
         checker.turns_round();
         checker.note_parallel_axes();

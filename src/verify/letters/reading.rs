@@ -6,6 +6,7 @@
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::Format;
 use crate::verify::letters::attitude_reading::AttitudeReading;
+use crate::verify::letters::carried_spin::CarriedSpin;
 use crate::verify::letters::frame::Frames;
 use crate::verify::letters::imaginary::has_imaginary_unit;
 use crate::verify::letters::labelled_wheel::LabelledWheel;
@@ -86,6 +87,8 @@ pub(crate) struct Reading {
     pub(crate) spin_alone: bool,
     /// The moment of inertia in it.
     pub(crate) moment_of_spin: Option<Symbol>,
+    /// A spin that is carried round, where all that is written of it are vectors and their sizes.
+    pub(crate) carried_spin: Option<CarriedSpin>,
     /// Whether the plain letter i is the imaginary unit.
     pub(crate) imaginary: bool,
     /// Lines that say what something is at the beginning, and how it goes on another line says.
@@ -173,6 +176,7 @@ impl Reading {
         reading.by_points();
         reading.by_labels(document);
         reading.note_spin_alone(document);
+        reading.note_carried_spin(document);
         reading.note_own_point(document);
         reading.in_a_plane();
         reading.about_fixed_axis(document);

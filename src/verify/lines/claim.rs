@@ -75,7 +75,7 @@ impl Checker<'_> {
             if self.settled_by_squares(&read, open, finding) {
                 return;
             }
-            if self.names_and_claims(sides, finding) {
+            if self.loads_the_axle(sides, finding) || self.names_and_claims(sides, finding) {
                 return;
             }
             let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));

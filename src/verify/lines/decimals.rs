@@ -13,6 +13,9 @@ pub(crate) enum Part {
     Decimals,
     /// Half a unit of an integer.
     Integers,
+    /// The same behind a sign of approximation, where zeros at the end are no digits: of 5030 ± 5, and of 100 ± 5, as two
+    /// digits are shown at least.
+    Rounded,
     /// Half a unit of the last digit that is not zero, or a whole unit of the last one shown: a number that agrees so
     /// far is not surely wrong.
     Doubt,
@@ -45,6 +48,16 @@ fn part_of(number: &Number, part: Part) -> BigRational {
         _ if number.value.is_zero() && !is_decimal(number) => BigRational::zero(),
         Part::Decimals if is_decimal(number) => last * half(),
         Part::Integers if !is_decimal(number) => last * half(),
+        Part::Rounded if !is_decimal(number) => {
+            let ten = power_of_ten(1);
+            let mut unit = last;
+            while (&number.value / (&unit * &ten)).is_integer()
+                && &unit * &ten * &ten <= number.value
+            {
+                unit *= &ten;
+            }
+            unit * half()
+        }
         Part::Doubt => {
             let mut zeros = last.clone();
             let ten = power_of_ten(1);

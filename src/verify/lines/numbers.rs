@@ -97,7 +97,11 @@ impl Checker<'_> {
             return vec![];
         }
         let approximate = self.approximate(from_end);
-        let parts = [Part::Decimals, Part::Integers, Part::Doubt];
+        let integers = match approximate {
+            true => Part::Rounded,
+            false => Part::Integers,
+        };
+        let parts = [Part::Decimals, integers, Part::Doubt];
         let values: Option<Vec<Value>> = parts
             .iter()
             .map(|part| self.lowering(unlabelled).value(&with(side, *part)).ok())

@@ -95,6 +95,7 @@ impl Checker<'_> {
             return true;
         }
         self.claim(&[left.clone(), right.clone()], finding);
+        finding.follows_from = None;
         true
     }
 

@@ -91,6 +91,11 @@ fn as_written(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning 
 }
 
 fn by_marks(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
+    if let Some(spin) = &reading.carried_spin
+        && let Some(meaning) = spin.meaning(symbol, atoms)
+    {
+        return meaning;
+    }
     if let Some(part) = reading.attitude.part(symbol) {
         let entity = atoms.quantity(Quantity::Quaternion);
         return match part {
