@@ -61,7 +61,7 @@ impl CarriedSpin {
             return None;
         };
         let bare = symbol.superscripts.is_empty() && symbol.primes == 0 && !symbol.style.hat;
-        bare.then(|| match symbol.style.vector {
+        bare.then_some(match symbol.style.vector {
             true => Meaning::Whole(entity),
             false => Meaning::Component(entity, along),
         })
