@@ -86,3 +86,31 @@ $$ \dot E = {rate}\boldsymbol\omega^T\mathbf D\boldsymbol\omega $$
     assert_eq!(text("-"), "aap");
     assert!(!text("-2").ends_with(['p', 'a']));
 }
+
+#[test]
+fn letters_beside_the_diagonal_of_a_tensor_are_no_energies() {
+    let text = |sign: &str| {
+        format!(
+            "The kinetic energy is the same on both sets of axes. The inertia matrix about $O$ is\n\n\
+             $$ \\mathbf J_O = \\mathbf J_G + m(\\mathbf d^T\\mathbf d\\,\\mathbf 1 - \\mathbf d\\,\\mathbf d^T) $$\n\n\
+             For a body that is symmetric with respect to the $xz$ plane we write\n\n\
+             $$ \\mathbf J = \\begin{{pmatrix}} P & 0 & -E \\\\ 0 & Q & 0 \\\\ -E & 0 & R \\end{{pmatrix}} $$\n\n\
+             The determinant is\n\n$$ \\det\\mathbf J = Q\\,(PR {sign} E^2) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "pap");
+    assert_eq!(verdicts(&text("+")), "par");
+}
+
+#[test]
+fn a_matrix_that_takes_components_to_other_axes_turns_them() {
+    let text = |trace: &str| {
+        format!(
+            "The inertia matrix is $\\mathbf I$. Let $\\mathbf Q$ carry the components on the old axes to those on the new axes, so that \
+             $\\boldsymbol\\omega' = \\mathbf Q\\boldsymbol\\omega$ and $\\mathbf L' = \\mathbf Q\\mathbf L$. On the new axes\n\n\
+             $$ \\mathbf I' = \\mathbf Q\\,\\mathbf I\\,\\mathbf Q^T $$\n\nand the trace is\n\n$$ \\operatorname{{tr}}\\mathbf I' = {trace} $$\n"
+        )
+    };
+    assert!(verdicts(&text(r"\operatorname{tr}\mathbf I")).ends_with('p'));
+    assert!(verdicts(&text(r"2\operatorname{tr}\mathbf I")).ends_with('r'));
+}

@@ -58,7 +58,7 @@ impl AttitudeReading {
         let goes = |text: &str| text.contains("matrix ⟨") && way(text).is_some();
         let spoken = said
             .iter()
-            .filter(|s| has_any(&s.text, MATRIX_WORDS) || goes(&s.text));
+            .filter(|s| has_any(&s.text, MATRIX_WORDS) || goes(&s.text) || changes_axes(&s.text));
         found.extend(
             spoken
                 .flat_map(|s| &s.letters)
@@ -85,6 +85,35 @@ impl AttitudeReading {
         };
         written && !of_quaternion
     }
+}
+
+/// "⟨R⟩ takes components on the old axes to components on the new axes."
+fn changes_axes(sentence: &str) -> bool {
+    let takes = [
+        "take",
+        "takes",
+        "carry",
+        "carries",
+        "convert",
+        "converts",
+        "transform",
+        "transforms",
+        "map",
+        "maps",
+    ];
+    let mut behind = sentence.split('⟩').skip(1);
+    behind.any(|text| {
+        let mut words = text.split_whitespace();
+        let takes = words.next().is_some_and(|word| takes.contains(&word));
+        let mut parts = words.filter(|word| !matches!(*word, "the" | "vector" | "a" | "any"));
+        let parts = parts.next();
+        let of_vector = |word: &str| {
+            ["component", "coordinate"]
+                .iter()
+                .any(|w| word.starts_with(w))
+        };
+        takes && parts.is_some_and(of_vector) && has_any(text, &["axes", "frame", "basis"])
+    })
 }
 
 /// The matrix of `\dot{\mathbf R} = \mathbf R\,[\boldsymbol\omega]_\times`, which no vector can be.

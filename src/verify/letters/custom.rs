@@ -36,7 +36,7 @@ impl Reading {
     }
 
     /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, or with a term beside
-    /// that of a rate in which nothing moves but the angle, are no kinetic energies.
+    /// that of a rate in which nothing moves but the angle, are no kinetic energies; nor are products of inertia.
     pub(crate) fn note_totals(&mut self, document: &Document) {
         for line in lines(document) {
             let [left, rest @ ..] = line.sides.as_slice() else {
@@ -49,6 +49,8 @@ impl Reading {
             {
                 self.totals.insert(Letter::of(symbol));
             }
+            let mirrored = line.sides.iter().flat_map(mirrored_entries);
+            self.totals.extend(mirrored.map(Letter::of));
         }
     }
 
@@ -352,4 +354,25 @@ fn rates(node: &Node) -> impl Iterator<Item = Symbol> {
 fn has_turn(node: &Node) -> bool {
     matches!(node.kind, Kind::Function(Function::Sin | Function::Cos, _))
         || node.children().any(has_turn)
+}
+
+/// Symbols on both sides of the diagonal of a matrix of three rows, as products of inertia stand.
+fn mirrored_entries(side: &Node) -> Vec<&Symbol> {
+    let Kind::Matrix(rows) = &inner(side).kind else {
+        return vec![];
+    };
+    if rows.len() != 3 || rows.iter().any(|row| row.len() != 3) {
+        return vec![];
+    }
+    let entry = |r: usize, c: usize| match &inner(&rows[r][c]).kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        Kind::Negate(inside) => match &inner(inside).kind {
+            Kind::Symbol(symbol) => Some(symbol),
+            _ => None,
+        },
+        _ => None,
+    };
+    let pairs = [(0, 1), (0, 2), (1, 2)];
+    let both = pairs.map(|(r, c)| entry(r, c).filter(|_| entry(r, c) == entry(c, r)));
+    both.into_iter().flatten().collect()
 }

@@ -68,6 +68,7 @@ impl Checker<'_> {
             || self.gives_momentum(sides)
             || self.narrows_the_body(sides, read)
             || self.fills_in_inertia(sides, read)
+            || self.names_entries_anew(sides, read)
             || self.writes_load_out(read)
         {
             return true;

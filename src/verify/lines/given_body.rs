@@ -11,6 +11,7 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 impl Checker<'_> {
     /// `J = [[J_x, 0, …], …]`: the entries are its own, or a zero in the place of a product.
@@ -31,6 +32,32 @@ impl Checker<'_> {
             && left.zip(&equation.right.entries).all(|(own, written)| {
                 written.is_zero() || (own.clone() - written.clone()).is_zero()
             })
+    }
+
+    /// `J = [[A, 0, -E], …]` in symbols that nothing is said of before: it names the entries, whatever they are made of.
+    pub(crate) fn names_entries_anew(&mut self, sides: &[Node], read: &Read) -> bool {
+        let ([left, _], [equation]) = (sides, read.equations.as_slice()) else {
+            return false;
+        };
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let right = &equation.right.entries;
+        if self.entities([left]) != [inertia] || right.len() != 9 {
+            return false;
+        }
+        let entries = (0..9).map(|at| (&right[at], &right[at % 3 * 3 + at / 3]));
+        let mut named = BTreeSet::new();
+        let new = entries.into_iter().all(|(entry, mirrored)| {
+            let symbol = entry
+                .as_variable()
+                .or_else(|| (-entry.clone()).as_variable());
+            named.extend(symbol);
+            let owner = symbol.and_then(|v| self.theory.atoms.owner(v));
+            let entity = symbol.and_then(|v| self.theory.atoms.entity_of(v));
+            let new = matches!(owner, Some(Owner::Symbol(_)))
+                && entity.is_some_and(|entity| !self.theory.mentions_entity(entity));
+            entry == mirrored && (entry.is_zero() || new)
+        });
+        new && named.len() > 2
     }
 
     /// `I = μ[[8, -3, -3], …]` where lines before give some of the entries: these agree, and the rest is handed over.
