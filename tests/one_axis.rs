@@ -225,3 +225,28 @@ fn a_rate_that_is_said_to_be_a_component_is_all_of_a_turn_about_its_axis() {
     assert_eq!(verdicts(&text("", r"20\,I_{zz}")), "pprpap");
     assert_eq!(verdicts(&text("-", r"10\,I_{zz}")), "ppppar");
 }
+
+#[test]
+fn a_torque_that_brakes_is_against_the_turn() {
+    let text = |words: &str, sign: &str| {
+        format!(
+            "A flywheel with the moment of inertia $I$ {words} $\\tau$. Then\n\n$$ I\\dot\\omega = {sign}\\tau $$\n"
+        )
+    };
+    for words in [
+        "is slowed down by the constant torque",
+        "turns at $\\omega$ against the friction torque",
+        "is brought to rest by the braking torque",
+    ] {
+        assert_eq!(verdicts(&text(words, "-")), "p", "{words}");
+        assert_eq!(verdicts(&text(words, "")), "r", "{words}");
+    }
+    for words in [
+        "is driven by the torque",
+        "turns without friction under the torque",
+        "is accelerated against friction by the net torque",
+    ] {
+        assert_eq!(verdicts(&text(words, "")), "p", "{words}");
+        assert_eq!(verdicts(&text(words, "-")), "r", "{words}");
+    }
+}

@@ -270,6 +270,7 @@ impl<'a> Checker<'a> {
         checker.wheel_lies_along_axis();
         checker.rotor_is_alone();
         checker.carries_a_spin();
+        checker.brake_acts();
         checker.turns_at_its_number();
         checker.turns_round();
         checker.note_parallel_axes();

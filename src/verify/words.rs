@@ -2,6 +2,7 @@
 
 pub(super) mod attitude_words;
 pub(super) mod book;
+mod braking;
 pub(super) mod carried_spin;
 pub(super) mod central_axes;
 pub(super) mod component_names;

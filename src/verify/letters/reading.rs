@@ -5,6 +5,7 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::Format;
+use crate::source::Span;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::carried_spin::CarriedSpin;
 use crate::verify::letters::frame::Frames;
@@ -81,6 +82,8 @@ pub(crate) struct Reading {
     pub(crate) labelled_wheel: Option<LabelledWheel>,
     /// Whether a rotor is all that has inertia here: of what carries it, none is written.
     pub(crate) rotor_alone: bool,
+    /// The only torque of a turn about one axis, where words say that it brakes: its axis, and where they name it.
+    pub(crate) brake: Option<(Symbol, u8, Span)>,
     /// Unit vectors along, around and up.
     pub(crate) round_axes: Option<RoundAxes>,
     /// Whether a line gives the momentum as that of a spin alone: with a label the letter is another rotor's.
@@ -182,6 +185,7 @@ impl Reading {
         reading.about_fixed_axis(document);
         reading.wheel_along_axis(document);
         reading.part_rotor();
+        reading.part_brake(document);
         reading.part_labelled_wheel();
         reading.typed_w(document.format == Format::Text);
         reading.note_moving_point(document);

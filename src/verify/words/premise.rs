@@ -167,7 +167,8 @@ impl Checker<'_> {
         let acts = |q: &Quantity| matches!(q, Quantity::Moment | Quantity::Force);
         let parts = self.reading.components.values().map(|(q, _)| q);
         let all: BTreeSet<&Quantity> = self.reading.quantities.values().chain(parts).collect();
-        if all.iter().any(|&q| acts(q)) || !all.contains(&Quantity::Inertia) {
+        let acts = all.iter().any(|&q| acts(q)) || self.reading.brake.is_some();
+        if acts || !all.contains(&Quantity::Inertia) {
             return None;
         }
         let name = "no moment is written anywhere: ΣM = 0".to_owned();
