@@ -1,6 +1,6 @@
 //! A world: a value for every variable, the free ones drawn, the others had from the laws and premises.
 
-use crate::algebra::{Fraction, Rational, Variable};
+use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::notation::ast::Function;
 use crate::scalar::Field;
 use crate::verify::theory::Theory;
@@ -10,6 +10,9 @@ use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::figures::is_pi;
 use crate::verify::values::quantity::{Quantity, Shape};
 use std::collections::BTreeSet;
+
+/// Whole multiples of an angle whose sines and cosines are had from those of the angle.
+const MOST_TURNS: i64 = 16;
 
 /// A scalar that worlds are made of.
 pub(crate) trait Substance: Field {
@@ -109,7 +112,7 @@ impl<'a, T: Substance> World<'a, T> {
         Some(if bottom.is_one() { top } else { top / bottom })
     }
 
-    pub(crate) fn polynomial(&mut self, polynomial: &crate::algebra::Polynomial) -> Option<T> {
+    pub(crate) fn polynomial(&mut self, polynomial: &Polynomial) -> Option<T> {
         let mut sum = T::zero();
         for (monomial, coefficient) in polynomial.terms() {
             let mut product = T::lift(coefficient)?;
@@ -229,6 +232,9 @@ impl<'a, T: Substance> World<'a, T> {
 
     /// A point of the unit circle, (2u, 1 − u²)/(1 + u²), for the sine and cosine of one angle.
     fn circle(&mut self, argument: Fraction) {
+        if let Some((turns, angle)) = turns_of(&argument) {
+            return self.turned_circle(argument, turns, angle);
+        }
         let time = Owner::Quantity(Quantity::Time, String::new());
         let moves = |v: Variable| {
             let info = self
@@ -248,20 +254,39 @@ impl<'a, T: Substance> World<'a, T> {
         if whole.is_zero() {
             return;
         }
-        let sin = Atom::Kernel {
-            function: Function::Sin,
-            argument: argument.clone(),
-        };
-        let cos = Atom::Kernel {
-            function: Function::Cos,
-            argument,
-        };
-        let (sin, cos) = (
-            self.theory.atoms.special(sin),
-            self.theory.atoms.special(cos),
-        );
+        let [sin, cos] = self.sine_and_cosine(&argument);
         self.keep(sin, (u.clone() + u) / whole.clone());
         self.keep(cos, (T::one() - square) / whole);
+    }
+
+    /// The sine and cosine of 2x by those of x, which may stand beside them.
+    fn turned_circle(&mut self, argument: Fraction, turns: i64, angle: Fraction) {
+        let [sin, cos] = self.sine_and_cosine(&angle);
+        if self.value(sin).is_none() {
+            self.circle(angle);
+        }
+        let (Some(sine), Some(cosine)) = (self.value(sin), self.value(cos)) else {
+            return;
+        };
+        let (mut s, mut c) = (T::zero(), T::one());
+        for _ in 0..turns.unsigned_abs() {
+            (s, c) = (
+                s.clone() * cosine.clone() + c.clone() * sine.clone(),
+                c * cosine.clone() - s * sine.clone(),
+            );
+        }
+        let [sin, cos] = self.sine_and_cosine(&argument);
+        self.keep(sin, if turns < 0 { T::zero() - s } else { s });
+        self.keep(cos, c);
+    }
+
+    fn sine_and_cosine(&mut self, argument: &Fraction) -> [Variable; 2] {
+        [Function::Sin, Function::Cos].map(|function| {
+            let argument = argument.clone();
+            self.theory
+                .atoms
+                .special(Atom::Kernel { function, argument })
+        })
     }
 
     /// Whether a variable belongs to a unit quaternion that is drawn as a whole; where premises rule some of its numbers,
@@ -331,4 +356,16 @@ impl<'a, T: Substance> World<'a, T> {
             T::remember_world(&mut self.theory.solution.relations, self.seed, self.drawn);
         }
     }
+}
+
+/// The whole number of times that an angle goes into an argument, if that is more than one, and the angle.
+fn turns_of(argument: &Fraction) -> Option<(i64, Fraction)> {
+    let content = argument.numerator().content();
+    let turns = content
+        .to_integer()
+        .filter(|n| n.abs() > 1 && n.abs() <= MOST_TURNS)?;
+    Some((
+        turns,
+        argument.clone() / Fraction::from(Polynomial::constant(content)),
+    ))
 }

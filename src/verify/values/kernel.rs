@@ -14,6 +14,8 @@ use num_traits::{One, Zero};
 
 /// The most that an angle is multiplied out: sin 8x and no more.
 const MOST_TURNS: i64 = 8;
+/// Angles of a sum that the addition theorem takes apart: each doubles the terms.
+const MOST_ANGLES: usize = 5;
 /// Terms above times terms below of a fraction that is differentiated.
 const MOST_TERMS: usize = 4_000;
 
@@ -62,7 +64,8 @@ impl Lowering<'_> {
         // A function of a function stays as it is: taken apart, each one inside would double the work.
         let inside = argument.variables();
         let nested = |&v: &u32| matches!(self.theory.atoms.atom(v), Atom::Kernel { .. });
-        if inside.iter().any(nested) && self.theory.known_angle(argument).is_none() {
+        let apart = argument.numerator().len() > MOST_ANGLES || inside.iter().any(nested);
+        if apart && self.theory.known_angle(argument).is_none() {
             return Some(self.one_angle(argument.clone()));
         }
         let mut total = (Fraction::zero(), Fraction::one());
