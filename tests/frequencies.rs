@@ -71,3 +71,31 @@ $$ \ddot\theta + \omega_p^2\theta = 0,\qquad \omega_p = \sqrt{\frac{k}{I}} $$
 ";
     assert!(!verdicts(text).contains('r'));
 }
+
+#[test]
+fn a_frequency_that_is_a_multiple_makes_no_rate_false() {
+    for value in ["2k", r"3k", r"2\pi/T", r"2\pi/P"] {
+        let text = format!(
+            r"The angle is $\theta = A\sin\nu t$ with $\nu = {value}$. Then
+
+$$ \dot\theta = A\nu\cos\nu t $$
+
+$$ \dot\theta = 2A\nu\cos\nu t $$
+"
+        );
+        let found = verdicts(&text);
+        assert!(
+            !found[..3].contains('r') && !found.ends_with('p'),
+            "{value}: {found}"
+        );
+    }
+}
+
+#[test]
+fn a_sine_of_a_long_sum_ends() {
+    let sum: String = ('a'..='l').map(|c| format!("+ {c}_1 ")).collect();
+    let text = format!(
+        "The angle is $\\theta = \\sin(8(u_1 {sum}) t)$. Then\n\n$$ \\dot\\theta = 2\\theta $$\n"
+    );
+    assert_eq!(verdicts(&text).len(), 2);
+}

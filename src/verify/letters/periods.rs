@@ -33,6 +33,11 @@ impl Reading {
             {
                 self.periods.insert(Letter::of(symbol));
             }
+            // `\nu = 2\pi/T`.
+            let turned = rest.iter().filter(|side| is_time_of_a_turn(side));
+            let letters = turned.filter_map(below).map(Letter::of);
+            let named = letters.filter(|letter| LETTERS.contains(&letter.name.as_str()));
+            self.periods.extend(named);
         }
     }
 }
@@ -57,12 +62,30 @@ impl Reading {
     }
 }
 
+/// The number below the line of a side.
+fn below(side: &Node) -> Option<&Symbol> {
+    match &inner(side).kind {
+        Kind::Quotient(_, below) => match &inner(below).kind {
+            Kind::Symbol(symbol) if !symbol.style.vector => Some(symbol),
+            _ => None,
+        },
+        Kind::Product(factors) => factors.iter().find_map(|factor| below(&factor.node)),
+        _ => None,
+    }
+}
+
 /// Whether a side is `2\pi\sqrt{…}` or `2\pi/…`.
 fn is_time_of_a_turn(side: &Node) -> bool {
     match &inner(side).kind {
         Kind::Product(factors) => {
             let nodes: Vec<&Node> = factors.iter().map(|factor| &factor.node).collect();
             let root = |node: &&Node| matches!(inner(node).kind, Kind::Function(Function::Sqrt, _));
+            // `2\pi/T` is read as 2 · (π/T).
+            if let [two, last] = nodes[..]
+                && let Kind::Quotient(pi, _) = &inner(last).kind
+            {
+                return is_turn(&[two, &**pi]);
+            }
             is_turn(&nodes[..nodes.len().min(2)])
                 && (nodes.iter().any(root) || nodes.iter().any(|node| is_inverse(node)))
         }

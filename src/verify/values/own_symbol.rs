@@ -88,7 +88,7 @@ pub(crate) fn of_symbol(
     let entity = atoms.entity(
         &Owner::Symbol(format!("{key} {shape:?}")),
         shape,
-        if named || reading.usage.is_labelled(letter) {
+        if named || reading.usage.is_labelled(letter) || is_value(&sorted.variant) {
             !reading.usage.moves(symbol)
         } else {
             !used.moving
@@ -103,4 +103,9 @@ pub(crate) fn of_symbol(
         }
         _ => Meaning::Whole(entity),
     }
+}
+
+/// Whether a label makes of what moves one of its values: the amplitude φ₀ of φ.
+fn is_value(label: &str) -> bool {
+    matches!(label, "0" | "m" | "max" | "min" | "eq")
 }
