@@ -147,3 +147,17 @@ $$ M = 36\cdot 250\cdot 0.2 = 1800 $$
     assert!(text(swapped, size).starts_with("aaprp"));
     assert!(text(right, r"2 I\omega_s\omega_p").starts_with("aappr"));
 }
+
+#[test]
+fn a_spin_alone_is_carried_at_omega_where_its_rate_has_another_letter() {
+    let text = |sign: &str| {
+        format!(
+            r"The propeller of a plane (moment of inertia $J$) turns at $n$ about the $x$ axis, $\mathbf h = Jn\,\hat{{\mathbf i}}$, $n$ constant. In a yaw at the rate $r$, $\boldsymbol\omega = r\hat{{\mathbf k}}$, the moment on the propeller is
+
+$$ \mathbf M = \boldsymbol\omega\times\mathbf h = {sign}Jnr\,\hat{{\mathbf j}} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&text("")), "aap");
+    assert_eq!(verdicts(&text("-")), "aar");
+}

@@ -18,8 +18,8 @@ use crate::verify::values::quantity::Quantity;
 const TURN: &str = "the angular velocity of the axes by its number";
 
 impl Reading {
-    /// Takes the momentum for that of a rotor where a line gives it by a moment of inertia, one rate and a unit vector, the
-    /// axes turn at a vector Ω, and no ω is a vector.
+    /// Takes the momentum for that of a rotor where a line gives it by a moment of inertia, one rate and a unit vector, and
+    /// the axes turn at a vector Ω, or at ω where the rate has another letter.
     pub(crate) fn note_spin_alone(&mut self, document: &Document) {
         let directed = |letter: &Letter| {
             let used = self.usage.get(letter);
@@ -29,12 +29,18 @@ impl Reading {
             let all = self.quantities.iter();
             all.filter(move |(_, q)| **q == quantity).map(|(l, _)| l)
         };
-        let turns = self.usage.get(&Letter::plain("Omega")).vector > 0;
-        let rates =
-            |(q, _): &(Quantity, u8)| matches!(q, Quantity::AngularVelocity | Quantity::Momentum);
+        let [turn, omega] = ["Omega", "omega"].map(Letter::plain);
+        let turns_at_omega = self.usage.get(&turn).vector == 0;
+        let rates = |(q, _): &(Quantity, u8)| match q {
+            Quantity::AngularVelocity => !turns_at_omega,
+            q => *q == Quantity::Momentum,
+        };
         let by_parts = self.components.values().any(rates);
-        let omega = directed(&Letter::plain("omega"));
-        if !turns || by_parts || omega || of(Quantity::Inertia).any(directed) {
+        let turns = match turns_at_omega {
+            true => self.usage.get(&omega).vector > 0,
+            false => !directed(&omega),
+        };
+        if !turns || by_parts || of(Quantity::Inertia).any(directed) {
             return;
         }
         let momentum = |symbol: &Symbol| {
@@ -56,6 +62,17 @@ impl Reading {
         let [(letter, Some((moment, rate)))] = given.as_slice() else {
             return;
         };
+        if turns_at_omega {
+            if Letter::of(rate) == omega {
+                return;
+            }
+            self.quantities.insert(omega, Quantity::FrameRate);
+            for (quantity, _) in self.components.values_mut() {
+                if *quantity == Quantity::AngularVelocity {
+                    *quantity = Quantity::FrameRate;
+                }
+            }
+        }
         // The ω of the spin is a number.
         if rate.subscripts.is_empty() {
             self.quantities.remove(&Letter::of(rate));

@@ -100,6 +100,8 @@ const TRANSVERSE: &[&str] = &[
     "every other",
     "any other",
 ];
+/// Words before the letter of a rate: "turns at ⟨n⟩ about the x axis".
+const RATES: &[&str] = &[" at", " rate", " speed", " velocity"];
 /// Words that may stand between a letter and what it is called.
 const BETWEEN: &[&str] = &[
     "be",
@@ -206,6 +208,10 @@ impl Numbered<'_> {
         let text = &self.text[..at];
         let open = text.rfind('⟨')?;
         let (number, words) = text[open + '⟨'.len_utf8()..].split_once('⟩')?;
+        let lead = text[..open].trim_end();
+        if RATES.iter().any(|word| lead.ends_with(word)) {
+            return None;
+        }
         let words = words
             .replace(" of inertia", "")
             .replace("moments", "")
