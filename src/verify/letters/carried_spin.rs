@@ -9,7 +9,7 @@ use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
 use crate::verify::repair::lines;
-use crate::verify::values::atoms::{Atoms, Owner};
+use crate::verify::values::atoms::{Atoms, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::text::Text;
@@ -38,9 +38,18 @@ pub(crate) struct CarriedSpin {
     pub(crate) law: [Node; 2],
 }
 
-/// The owner of the vector of the spin.
-pub(crate) fn spin_owner() -> Owner {
-    Owner::Symbol("the spin of the rotor".to_owned())
+/// The vector of the spin.
+pub(crate) fn vector_of_spin(atoms: &mut Atoms) -> Entity {
+    let owner = Owner::Symbol("the spin of the rotor".to_owned());
+    atoms.entity(&owner, Shape::Vector, true, "\\omega_s")
+}
+
+/// Whether a quantity is how a body turns, or the momentum of that.
+fn is_of_turning(quantity: Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Momentum | Quantity::AngularVelocity | Quantity::FrameRate
+    )
 }
 
 impl CarriedSpin {
@@ -51,10 +60,7 @@ impl CarriedSpin {
         } else if same(symbol, &self.turn) {
             (atoms.quantity(Quantity::FrameRate), 2)
         } else if same(symbol, &self.spin) {
-            (
-                atoms.entity(&spin_owner(), Shape::Vector, true, "\\omega_s"),
-                0,
-            )
+            (vector_of_spin(atoms), 0)
         } else if symbol.subscripts.is_empty() && Some(Letter::of(symbol)) == self.moment {
             (atoms.quantity(Quantity::Moment), 1)
         } else {
@@ -117,14 +123,9 @@ impl Reading {
             moment,
             law: law.map(Node::clone),
         });
-        let directed = |q: &Quantity| {
-            matches!(
-                q,
-                Quantity::Momentum | Quantity::AngularVelocity | Quantity::FrameRate
-            )
-        };
-        self.quantities
-            .retain(|letter, q| !own.contains(letter) && !directed(q) && *q != Quantity::Inertia);
+        self.quantities.retain(|letter, q| {
+            !own.contains(letter) && !is_of_turning(*q) && *q != Quantity::Inertia
+        });
         self.quantities
             .insert(own[0].clone(), Quantity::RelativeMomentum);
         self.components.retain(|_, (q, _)| *q != Quantity::Inertia);
@@ -134,18 +135,12 @@ impl Reading {
 
     /// Whether what turns or its inertia has more than one number: components, a tensor, unit vectors.
     fn writes_components_or_tensors(&self) -> bool {
-        let turning = |q: Quantity| {
-            matches!(
-                q,
-                Quantity::Momentum | Quantity::AngularVelocity | Quantity::FrameRate
-            )
-        };
-        let by_parts = self.components.values().any(|(q, _)| turning(*q));
+        let by_parts = self.components.values().any(|(q, _)| is_of_turning(*q));
         let mut whole = self.quantities.iter();
         let directed = whole.any(|(letter, &q)| {
             let used = self.usage.get(letter);
             let parts = used.tensor + used.component + used.double;
-            turning(q) && parts > 0 || q == Quantity::Inertia && parts + used.vector > 0
+            is_of_turning(q) && parts > 0 || q == Quantity::Inertia && parts + used.vector > 0
         });
         let mut letters = self.usage.letters();
         by_parts || directed || letters.any(|(_, used)| used.hats + used.hatted > 0)

@@ -108,7 +108,7 @@ fn by_other_letter(line: &Line, integrals: &[(Letter, bool)], reading: &Reading)
 }
 
 /// A node without the sign before it, and whether there is one.
-fn signed(node: &Node) -> (bool, &Node) {
+pub(crate) fn signed(node: &Node) -> (bool, &Node) {
     match &node.kind {
         Kind::Negate(inside) => (true, inside),
         _ => (false, node),

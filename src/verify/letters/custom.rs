@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Function, Kind, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::convention::signed;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
 use crate::verify::repair::lines;
@@ -364,12 +365,8 @@ fn mirrored_entries(side: &Node) -> Vec<&Symbol> {
     if rows.len() != 3 || rows.iter().any(|row| row.len() != 3) {
         return vec![];
     }
-    let entry = |r: usize, c: usize| match &inner(&rows[r][c]).kind {
+    let entry = |r: usize, c: usize| match &inner(signed(inner(&rows[r][c])).1).kind {
         Kind::Symbol(symbol) => Some(symbol),
-        Kind::Negate(inside) => match &inner(inside).kind {
-            Kind::Symbol(symbol) => Some(symbol),
-            _ => None,
-        },
         _ => None,
     };
     let pairs = [(0, 1), (0, 2), (1, 2)];

@@ -15,10 +15,7 @@ const CASES: &[&str] = &["consider", "now", "suppose", "let", "for", "in the cas
 impl Reading {
     /// Whether the inertia and the rate of turning are only ever numbers, as of a turn about one fixed axis.
     pub(crate) fn is_flat(&self) -> bool {
-        let number = |name: &str| {
-            let used = self.usage.get(&Letter::plain(name));
-            used.vector + used.tensor + used.component + used.double == 0
-        };
+        let number = |name: &str| !self.usage.get(&Letter::plain(name)).is_directed();
         let letters = ["omega", "Omega", "I", "J", "Theta", "L", "H", "h", "M"];
         let inertia = ["I", "J", "Theta"];
         self.components.is_empty()
@@ -178,10 +175,7 @@ impl Reading {
     /// the letter of that is no tensor.
     pub(crate) fn part_rotor(&mut self) {
         let of = |quantity: Quantity| move |(_, q): &(&Letter, &Quantity)| **q == quantity;
-        let directed = |letter: &Letter| {
-            let used = self.usage.get(letter);
-            used.vector + used.tensor + used.component + used.double > 0
-        };
+        let directed = |letter: &Letter| self.usage.get(letter).is_directed();
         let rotor = self
             .quantities
             .iter()
@@ -210,8 +204,7 @@ impl Reading {
     pub(crate) fn part_labelled_wheel(&mut self) {
         let labelled = |letter: &Letter| {
             let used = self.usage.get(letter);
-            let marked = used.vector + used.tensor + used.component + used.double;
-            marked + used.naked == 0 && used.bare > 0
+            !used.is_directed() && used.naked == 0 && used.bare > 0
         };
         let is =
             |quantity: &Quantity| matches!(quantity, Quantity::AngularVelocity | Quantity::Inertia);
@@ -252,7 +245,7 @@ impl Reading {
             let used = self.usage.get(letter);
             let indices = self.usage.subscripts.get(letter);
             let points = indices.is_none_or(|all| !all.iter().any(|s| runs(s)));
-            points && used.vector + used.tensor + used.component + used.double == 0
+            points && !used.is_directed()
         };
         let spins = |(_, q): &(Letter, Quantity)| *q == Quantity::AngularVelocity;
         let turns = self.usage.only_angle().is_some() || letters.iter().any(spins);

@@ -21,10 +21,7 @@ impl Reading {
     /// Takes the momentum for that of a rotor where a line gives it by a moment of inertia, one rate and a unit vector, and
     /// the axes turn at a vector Ω, or at ω where the rate has another letter.
     pub(crate) fn note_spin_alone(&mut self, document: &Document) {
-        let directed = |letter: &Letter| {
-            let used = self.usage.get(letter);
-            used.vector + used.tensor + used.component + used.double > 0
-        };
+        let directed = |letter: &Letter| self.usage.get(letter).is_directed();
         let of = |quantity: Quantity| {
             let all = self.quantities.iter();
             all.filter(move |(_, q)| **q == quantity).map(|(l, _)| l)

@@ -60,6 +60,13 @@ pub(crate) struct Use {
     pub moving: bool,
 }
 
+impl Use {
+    /// Whether it is a vector or a tensor anywhere, or a component of one.
+    pub(crate) fn is_directed(&self) -> bool {
+        self.vector + self.tensor + self.component + self.double > 0
+    }
+}
+
 /// The uses of all letters.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Usage {

@@ -31,9 +31,7 @@ impl Checker<'_> {
         let number = |letter: &&Letter| {
             let used = self.reading.usage.get(letter);
             match quantity(letter) {
-                Some(Quantity::Inertia) => {
-                    !vector && used.vector + used.tensor + used.component + used.double == 0
-                }
+                Some(Quantity::Inertia) => !vector && !used.is_directed(),
                 Some(q) => {
                     let marked = used.vector > 0 && used.crossed_bare == 0;
                     vector && q.shape() == Shape::Vector && marked

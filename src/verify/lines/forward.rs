@@ -65,11 +65,8 @@ impl<'a> Checker<'a> {
             return;
         }
         let supposed = SUPPOSED_BEHIND.iter().any(|words| text.starts_with(words));
-        let behind = match text {
-            "and" | ", and" | "," => self.formula_and_text(at + 2).map(|(_, text)| text),
-            _ => Some(text),
-        };
-        let main = behind.and_then(|text| text.strip_prefix(", "));
+        let behind = self.behind_list(at);
+        let main = behind.and_then(|(_, text)| text.strip_prefix(", "));
         let main =
             main.is_some_and(|main| MAIN_CLAUSES.iter().any(|words| main.starts_with(words)));
         let sentence = self.sentence.trim_start();
@@ -79,8 +76,17 @@ impl<'a> Checker<'a> {
         }
     }
 
+    /// The prose behind a formula, or behind the next one of its list, and where that formula stands: "⟨a⟩ and ⟨b⟩ at".
+    pub(crate) fn behind_list(&self, at: usize) -> Option<(usize, &'a str)> {
+        let text = |at| Some((at, self.formula_and_text(at)?.1));
+        match text(at)? {
+            (_, "and" | ", and" | ",") => text(at + 2),
+            behind => Some(behind),
+        }
+    }
+
     /// A formula, and the prose right behind it.
-    pub(crate) fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
+    fn formula_and_text(&self, at: usize) -> Option<(&'a Formula, &'a str)> {
         match (
             self.document.items.get(at)?,
             self.document.items.get(at + 1)?,

@@ -34,7 +34,7 @@ const AT_ONCE: &[&str] = &[
 /// Words between a formula and one that names a moment.
 const AT: &[&str] = &["at", "at time", "when"];
 
-impl<'a> Checker<'a> {
+impl Checker<'_> {
     /// Whether the words before a formula or behind it are of one instant.
     fn tells_an_instant(&self) -> bool {
         self.instant_behind || has_any(&lowered(&self.sentence), AT_ONCE) || self.names_start()
@@ -52,12 +52,7 @@ impl<'a> Checker<'a> {
 
     /// Hears that a formula speaks of one instant: "⟨ω_1 = 0⟩ and ⟨ω_2 = n⟩ at the start", "⟨ω_1 = 0⟩ at ⟨t = 0⟩".
     pub(crate) fn hear_instant(&mut self, at: usize) {
-        let text = |at| self.formula_and_text(at).map(|(_, text)| text);
-        let behind = match text(at) {
-            Some("and" | ", and" | ",") => text(at + 2).map(|text| (at + 2, text)),
-            behind => behind.map(|text| (at, text)),
-        };
-        self.instant_behind = behind.is_some_and(|(at, text)| {
+        self.instant_behind = self.behind_list(at).is_some_and(|(at, text)| {
             let said = AT_ONCE.iter().any(|words| text.starts_with(words));
             said || AT.contains(&text) && self.is_start(at + 2)
         });

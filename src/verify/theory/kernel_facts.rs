@@ -11,6 +11,7 @@ use crate::verify::theory::ledger::{Relation, ratio};
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::figures::is_pi;
 use num_traits::{One, Zero};
+use std::ops::{Add, Mul, Neg, Sub};
 
 /// Products of terms for which the powers of a kernel are still put in.
 const MOST_PRODUCTS: usize = 20_000;
@@ -240,4 +241,22 @@ impl Theory {
             }
         }
     }
+}
+
+/// Sine and cosine of an angle and so many times another, by the addition theorem.
+pub(crate) fn turned<T>(total: (T, T), one: &(T, T), turns: i64) -> (T, T)
+where
+    T: Clone + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Neg<Output = T>,
+{
+    let sin = if turns < 0 {
+        -one.0.clone()
+    } else {
+        one.0.clone()
+    };
+    (0..turns.unsigned_abs()).fold(total, |(s, c), _| {
+        (
+            s.clone() * one.1.clone() + c.clone() * sin.clone(),
+            c * one.1.clone() - s * sin.clone(),
+        )
+    })
 }

@@ -6,6 +6,7 @@ use crate::scalar::Field;
 use crate::verify::theory::Theory;
 use crate::verify::theory::attitude_law::{UNIT, number_of_quaternion, square_of_scalar_part};
 use crate::verify::theory::kept::{Point, Relations};
+use crate::verify::theory::kernel_facts::turned;
 use crate::verify::values::atoms::{Atom, Entity, Owner};
 use crate::verify::values::figures::is_pi;
 use crate::verify::values::quantity::{Quantity, Shape};
@@ -265,19 +266,13 @@ impl<'a, T: Substance> World<'a, T> {
         if self.value(sin).is_none() {
             self.circle(angle);
         }
-        let (Some(sine), Some(cosine)) = (self.value(sin), self.value(cos)) else {
+        let Some(one) = self.value(sin).zip(self.value(cos)) else {
             return;
         };
-        let (mut s, mut c) = (T::zero(), T::one());
-        for _ in 0..turns.unsigned_abs() {
-            (s, c) = (
-                s.clone() * cosine.clone() + c.clone() * sine.clone(),
-                c * cosine.clone() - s * sine.clone(),
-            );
-        }
+        let (sine, cosine) = turned((T::zero(), T::one()), &one, turns);
         let [sin, cos] = self.sine_and_cosine(&argument);
-        self.keep(sin, if turns < 0 { T::zero() - s } else { s });
-        self.keep(cos, c);
+        self.keep(sin, sine);
+        self.keep(cos, cosine);
     }
 
     fn sine_and_cosine(&mut self, argument: &Fraction) -> [Variable; 2] {

@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Rational};
 use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::letters::usage::inner;
 use crate::verify::reason;
+use crate::verify::theory::kernel_facts::turned;
 use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::Atom;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind, constant};
@@ -259,23 +260,4 @@ impl Lowering<'_> {
         }
         slope
     }
-}
-
-/// Sine and cosine of an angle and so many times another, by the addition theorem.
-fn turned(
-    total: (Fraction, Fraction),
-    one: &(Fraction, Fraction),
-    turns: i64,
-) -> (Fraction, Fraction) {
-    let sin = if turns < 0 {
-        -one.0.clone()
-    } else {
-        one.0.clone()
-    };
-    (0..turns.unsigned_abs()).fold(total, |(s, c), _| {
-        (
-            s.clone() * one.1.clone() + c.clone() * sin.clone(),
-            c * one.1.clone() - s * sin.clone(),
-        )
-    })
 }

@@ -6,7 +6,7 @@ use crate::verify::letters::usage::Letter;
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
-use crate::verify::words::book::has_any;
+use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::text::Text;
 
 /// Words for what works against the turn.
@@ -55,7 +55,7 @@ impl Reading {
             .sentences()
             .iter()
             .filter(|sentence| {
-                let text = sentence.named().to_lowercase();
+                let text = lowered(&sentence.named());
                 has_any(&text, AGAINST) && !has_any(&text, ALONG)
             })
             .find_map(|sentence| {

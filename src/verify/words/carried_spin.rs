@@ -3,13 +3,13 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
-use crate::verify::letters::carried_spin::spin_owner;
+use crate::verify::letters::carried_spin::vector_of_spin;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::line::Read;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Entity;
-use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
 /// The name of a premise.
@@ -26,10 +26,7 @@ impl Checker<'_> {
         };
         let momentum = self.theory.atoms.quantity(Quantity::RelativeMomentum);
         let turn = self.theory.atoms.quantity(Quantity::FrameRate);
-        let spin = self
-            .theory
-            .atoms
-            .entity(&spin_owner(), Shape::Vector, true, "\\omega_s");
+        let spin = vector_of_spin(&mut self.theory.atoms);
         self.known.extend([momentum, turn, spin]);
         let across = |entity: Entity, along: u8| {
             (0..3)
@@ -77,10 +74,7 @@ impl Checker<'_> {
             Quantity::RelativeMomentum,
         ]
         .map(|quantity| self.theory.atoms.quantity(quantity));
-        let spin = self
-            .theory
-            .atoms
-            .entity(&spin_owner(), Shape::Vector, true, "\\omega_s");
+        let spin = vector_of_spin(&mut self.theory.atoms);
         let speed = self.theory.atoms.part(turn, 2, 0);
         let met = self.entities([right]);
         let of_spin = [moment, turn, momentum, spin];
