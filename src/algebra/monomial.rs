@@ -150,6 +150,12 @@ impl Monomial {
                 return Self(Form::Packed(sum.into()));
             }
         }
+        self.times_in_any_form(other)
+    }
+
+    /// Apart from the packed product, which is short enough to stand in line without it.
+    #[cold]
+    fn times_in_any_form(&self, other: &Self) -> Self {
         if let Form::Packed(Word([0, 0])) = other.0 {
             return self.clone();
         }
@@ -166,7 +172,7 @@ impl Monomial {
                 return;
             }
         }
-        *self = self.times(other);
+        *self = self.times_in_any_form(other);
     }
 
     /// The quotient, where every power is there.

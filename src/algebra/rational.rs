@@ -159,11 +159,18 @@ impl Rational {
     pub(super) fn negate(&mut self) {
         match &mut self.0 {
             Form::Small(n, _) if *n != i64::MIN => *n = -*n,
-            _ => *self = Self::from(-self.to_big()),
+            _ => self.negate_big(),
         }
     }
 
-    /// An operation on numerators and denominators a/b and c/d, by machine words where they do.
+    #[cold]
+    fn negate_big(&mut self) {
+        *self = Self::from(-self.to_big());
+    }
+
+    /// An operation on numerators and denominators a/b and c/d, by machine words where they do. Whole numbers have come
+    /// through before, in line.
+    #[inline(never)]
     fn joined(
         &self,
         other: &Self,
