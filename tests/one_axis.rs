@@ -250,3 +250,22 @@ fn a_torque_that_brakes_is_against_the_turn() {
         assert_eq!(verdicts(&text(words, "-")), "r", "{words}");
     }
 }
+
+#[test]
+fn a_constant_torque_speeds_up_from_rest_and_a_brake_stops() {
+    let from_rest = |speed: &str| {
+        verdicts(&format!(
+            "A wheel of moment of inertia $I$ starts from rest under a constant torque $\\tau$. Then\n\n$$ {speed} $$\n"
+        ))
+    };
+    assert_eq!(from_rest(r"\omega = \frac{\tau}{I} t"), "a");
+    assert_eq!(from_rest(r"\omega = 2\frac{\tau}{I} t"), "r");
+    let stops = |time: &str| {
+        verdicts(&format!(
+            "A wheel of moment of inertia $I$ has the speed $\\omega_0$ when a brake with the constant torque $\\tau$ is \
+             applied. Then\n\n$$ \\omega = \\omega_0 - \\frac{{\\tau}}{{I}} t $$\n\nIt comes to rest after\n\n$$ {time} $$\n"
+        ))
+    };
+    assert_eq!(stops(r"t = \frac{I\omega_0}{\tau}"), "aa");
+    assert_eq!(stops(r"t = \frac{2I\omega_0}{\tau}"), "ar");
+}

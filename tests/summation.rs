@@ -125,8 +125,8 @@ $$ \Theta_n = \sum_{{i,j}}\Theta_{{ij}}\,n_i n_j $$
         )
     };
     for unit in [r"r^2\delta_{ij}", r"\delta_{ij}\,r^2"] {
-        assert_eq!(verdicts(&text(unit, "+")), "aapppa", "{unit}");
-        assert_eq!(verdicts(&text(unit, "-")), "aappra", "{unit}");
+        assert_eq!(verdicts(&text(unit, "+")), "papppa", "{unit}");
+        assert_eq!(verdicts(&text(unit, "-")), "pappra", "{unit}");
     }
 }
 

@@ -42,3 +42,34 @@ fn an_element_of_a_body_turns_about_the_fixed_point() {
     assert_eq!(text("\\vec\\omega\\times\\vec r"), "ppa");
     assert!(text("\\vec r\\times\\vec\\omega").starts_with('r'));
 }
+
+#[test]
+fn a_place_that_a_line_has_turn_is_fixed_in_the_body() {
+    let acceleration = |sign: &str| {
+        verdicts(&format!(
+            "For a rigid body with angular velocity $\\vec\\omega$, a point at $\\vec r$ from the fixed point $O$ has the \
+             velocity $\\vec v = \\vec\\omega\\times\\vec r$. Its acceleration is\n\n\
+             $$ \\vec a = \\dot{{\\vec\\omega}}\\times\\vec r {sign} \\vec\\omega\\times(\\vec\\omega\\times\\vec r) $$\n"
+        ))
+    };
+    assert_eq!(acceleration("+"), "pp");
+    assert_eq!(acceleration("-"), "pr");
+    let rate = |sides: &str| {
+        verdicts(&format!(
+            "Let $\\mathbf b$ be a vector fixed in the body. Then $\\dot{{\\mathbf b}} = \\boldsymbol\\omega\\times\\mathbf b$ and\n\n\
+             $$ {sides} $$\n"
+        ))
+    };
+    assert_eq!(rate(r"\frac{d}{dt}(\mathbf b\cdot\mathbf b) = 0"), "pp");
+    assert_eq!(
+        rate(r"\ddot{\mathbf b} = \dot{\boldsymbol\omega}\times\mathbf b"),
+        "pr"
+    );
+}
+
+#[test]
+fn a_point_that_moves_in_the_frame_is_not_fixed_there() {
+    let document = "A particle moves relative to a frame that turns at $\\boldsymbol\\omega$ with the body.\n\n\
+                    $$ \\mathbf v = \\boldsymbol\\omega\\times\\mathbf r $$\n";
+    assert_ne!(verdicts(document), "p");
+}

@@ -9,6 +9,7 @@ pub(super) mod attitude_reading;
 pub(super) mod axes_by_label;
 pub(super) mod beginnings;
 pub(super) mod body;
+pub(super) mod carried_place;
 pub(super) mod carried_spin;
 pub(super) mod columns;
 pub(super) mod convention;

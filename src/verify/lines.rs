@@ -77,6 +77,7 @@ pub(super) mod signs;
 pub(super) mod small;
 pub(super) mod space_line;
 pub(super) mod squares;
+pub(super) mod standstill;
 pub(super) mod steps;
 pub(super) mod summation;
 mod tied;

@@ -189,7 +189,8 @@ impl Reading {
         reading.part_labelled_wheel();
         reading.typed_w(document.format == Format::Text);
         reading.note_moving_point(document);
-        reading.particle = place_in_rigid_body(document);
+        reading.particle =
+            place_in_rigid_body(document).or_else(|| reading.place_carried_round(document));
         reading.measures_from_centre = measures_from_centre(document);
         let matrix = reading.attitude.matrix.as_ref();
         let to_body = reading.attitude.convention.matrix_to_body;

@@ -6,18 +6,27 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, undotted};
-use crate::verify::lines::growth::LONGEST;
+use crate::verify::lines::growth::{LONGEST, lasts};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::Theory;
-use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
 use crate::verify::values::lower::put_in;
+use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 use std::collections::HashMap;
 
 /// Terms that the rate of a difference may come to.
 const MOST_TERMS: usize = 2_000;
+
+/// Words for a body that does not turn at the beginning.
+const STARTS_FROM_REST: &[&str] = &[
+    "from rest",
+    "starts at rest",
+    "initially at rest",
+    "at rest initially",
+];
 
 /// Whether a difference does not change in time.
 fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {
@@ -159,11 +168,29 @@ impl Checker<'_> {
             if order == 0 && self.theory.atoms.info(entity).constant {
                 continue;
             }
+            if self.is_time(variable) || self.starts_at_rest(entity, order) {
+                images.insert(variable, Fraction::zero());
+                moved = true;
+                continue;
+            }
+            if lasts(&mut self.theory, &variable_fraction(variable)) {
+                continue;
+            }
             let start = names::at_instant(&mut self.theory.atoms, variable, "0");
             self.theory.mentions_entity(start).then_some(())?;
             images.insert(variable, self.theory.atoms.value(start, 0, 0));
             moved = true;
         }
         moved.then(|| put_in(&value, &images))
+    }
+
+    /// Whether something is a rate of turning, and words say that the body starts from rest.
+    fn starts_at_rest(&self, entity: Entity, order: u8) -> bool {
+        let rate = match self.theory.atoms.info(entity).owner {
+            Owner::Quantity(Quantity::AngularVelocity, _) => order == 0,
+            Owner::Symbol(_) => order == 1,
+            _ => false,
+        };
+        rate && self.text.says(STARTS_FROM_REST)
     }
 }

@@ -210,6 +210,7 @@ impl Checker<'_> {
             || self.is_law_of_labelled_body(&sides, finding)
             || self.brings_wheels(&sides, finding)
             || self.brings_parts(&sides, finding)
+            || self.tells_when_it_stops(&sides, finding)
             || self.says_by_use(&sides, finding)
             || role == Role::Claim && self.gives_a_turn(&sides, finding)
             || self.is_angle_of_momentum(&sides, finding)

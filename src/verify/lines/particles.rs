@@ -1,5 +1,5 @@
-//! The particles of a rigid body, over which a document sums: their places are fixed in the body, so that
-//! dr_i/dt = ω × r_i.
+//! The particles of a rigid body, over which a document sums, and a point that it carries round: their places are fixed
+//! in the body, so that dr_i/dt = ω × r_i.
 
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
