@@ -136,3 +136,22 @@ $$ \ddot q = {last} \frac{{(A - B)(A - C)}}{{BC}}\,p^2 q $$
     assert_eq!(text("-").chars().last(), Some('p'));
     assert_eq!(text("+").chars().last(), Some('r'));
 }
+
+#[test]
+fn a_disturbance_ends_the_steady_spin_that_it_disturbs() {
+    let text = |given: &str, rate: &str| {
+        format!(
+            "A torque-free body is looked at on its principal axes. We linearise about a steady spin, {given}. Put \
+             $\\omega_1 = \\epsilon_1$, $\\omega_2 = \\epsilon_2$, $\\omega_3 = \\Omega + \\epsilon_3$ with all $\\epsilon$ small. Then\n\n\
+             $$ I_1\\dot\\epsilon_1 = {rate} $$\n"
+        )
+    };
+    let right = r"(I_2 - I_3)\Omega\epsilon_2";
+    let wrong = r"(I_3 - I_2)\Omega\epsilon_2";
+    let whole = r"$\omega = (0, 0, \Omega)$";
+    assert_eq!(verdicts(&text(whole, right)), "aaaap");
+    assert_eq!(verdicts(&text(whole, wrong)), "aaaar");
+    let parts = r"$\omega_1 = \omega_2 = 0$ and $\omega_3 = \Omega$";
+    assert_eq!(verdicts(&text(parts, right)), "aaaaap");
+    assert_eq!(verdicts(&text(parts, wrong)), "aaaaar");
+}

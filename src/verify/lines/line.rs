@@ -172,6 +172,7 @@ impl Checker<'_> {
             finding.place = span.1;
             return;
         }
+        let disturbs = self.is_disturbance(&sides);
         self.note_triad(&sides);
         self.note_origin(&sides);
         self.leave_axes_behind(&sides);
@@ -190,7 +191,7 @@ impl Checker<'_> {
             finding.remarks.push(reason::NAMES_A_MOMENT.to_owned());
             return;
         }
-        let role = match self.is_disturbance(&sides) {
+        let role = match disturbs {
             true => Role::Assume,
             false => role,
         };
