@@ -187,3 +187,28 @@ $$ R R^T = 1 $$
     assert_eq!(verdicts(&text("+")), "app");
     assert_eq!(verdicts(&text("-")), "arp");
 }
+
+#[test]
+fn the_slope_of_a_function_is_taken_where_the_step_is() {
+    let step = |slope: &str| {
+        verdicts(&format!(
+            "Consider $f(\\omega) = I^{{-1}}(\\tau - \\omega\\times I\\omega)$. An explicit Euler step is \
+             $\\omega_{{k+1}} = \\omega_k + h f(\\omega_k)$ and its Jacobian is\n\n\
+             $$ \\frac{{\\partial\\omega_{{k+1}}}}{{\\partial\\omega_k}} = \\mathbf 1 {slope} $$\n"
+        ))
+    };
+    for place in [
+        r"\frac{\partial f}{\partial\omega}",
+        r"\frac{\partial f}{\partial\omega_k}",
+        r"\frac{\partial f}{\partial\omega}(\omega_k)",
+        r"\left.\frac{\partial f}{\partial\omega}\right|_{\omega_k}",
+        r"\left.\frac{\partial f}{\partial\omega}\right|_{\omega = \omega_k}",
+    ] {
+        assert_eq!(step(&format!("+ h{place}")), "aap", "{place}");
+        assert_ne!(step(&format!("- h{place}")), "aap", "{place}");
+    }
+    let named = "Let $\\mathbf f(\\boldsymbol\\omega, \\mathbf u) = \\mathbf J^{-1}(\\mathbf u - \\boldsymbol\\omega\\times\\mathbf J\\boldsymbol\\omega)$. \
+                 The step $\\boldsymbol\\omega_{k+1} = \\boldsymbol\\omega_k + h\\,\\mathbf f(\\boldsymbol\\omega_k, \\mathbf u_k)$ has the Jacobian\n\n\
+                 $$ \\mathbf A_k = \\frac{\\partial\\boldsymbol\\omega_{k+1}}{\\partial\\boldsymbol\\omega_k} = \\mathbf 1 + h\\frac{\\partial\\mathbf f}{\\partial\\boldsymbol\\omega} $$\n";
+    assert!(!verdicts(named).contains('r'));
+}

@@ -1,7 +1,7 @@
 //! Functions and calls.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Function, Kind, Node};
+use crate::notation::ast::{FrameLabel, Function, Kind, Node};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::names;
 use crate::verify::theory::law::Dynamics;
@@ -264,10 +264,11 @@ impl Lowering<'_> {
         head: &Node,
         arguments: &[Node],
     ) -> Result<Option<Value>, Trouble> {
-        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+        // A derivative of the function is something else.
+        let Kind::Symbol(symbol) = &inner(head).kind else {
             return Ok(None);
         };
-        let Some(function) = self.functions.get(&name).cloned() else {
+        let Some(function) = self.functions.get(&symbol.name).cloned() else {
             return Ok(None);
         };
         let mut at = vec![];
@@ -283,6 +284,29 @@ impl Lowering<'_> {
         };
         Ok(Some(function.value.map(|entry| substituted(entry, &image))))
     }
+}
+
+/// Where `\left.\frac{\partial f}{\partial\omega}\right|_{\omega_k}` is taken: its variable with the index that the bar has.
+pub(crate) fn place_of_slope(slope: &Node, label: &FrameLabel) -> Option<Node> {
+    let Kind::Derivative { variables, .. } = &inner(slope).kind else {
+        return None;
+    };
+    let [variable] = variables.as_slice() else {
+        return None;
+    };
+    let Kind::Symbol(symbol) = &inner(variable).kind else {
+        return None;
+    };
+    let text = label.text.rsplit('=').next().unwrap_or_default().trim();
+    let index = text.strip_prefix(symbol.name.as_str()).unwrap_or(text);
+    let step = |index: &str| matches!(index, "k" | "n" | "0" | "k+1" | "n+1");
+    let mut at = symbol.clone();
+    at.subscripts.push(index.to_owned());
+    let own = symbol.subscripts.is_empty() && step(index);
+    own.then(|| Node {
+        kind: Kind::Symbol(at),
+        span: label.span,
+    })
 }
 
 /// The instant that an argument names: 0, or t with an index.

@@ -5,11 +5,12 @@ use crate::notation::ast::{FrameLabel, Function, Kind, Node};
 use crate::source::Span;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{axes, axis};
+use crate::verify::letters::usage::{axes, axis, inner};
 use crate::verify::reason;
 use crate::verify::theory::Theory;
 use crate::verify::theory::law::tensor;
 use crate::verify::values::atoms::{Atom, variable_fraction};
+use crate::verify::values::call::place_of_slope;
 use crate::verify::values::figures::Figures;
 use crate::verify::values::quantity::Shape;
 use crate::verify::values::spatial::in_space;
@@ -109,6 +110,9 @@ impl Lowering<'_> {
             }
             // `[r × v]_x` is a component.
             Kind::InFrame(a, label) => {
+                if let Some(at) = place_of_slope(a, label) {
+                    return self.call(node, inner(a), &[at]);
+                }
                 let value = self.value(a)?;
                 if (value.rows, value.columns) == (3, 3) {
                     return self.entry(&value, label);

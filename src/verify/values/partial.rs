@@ -48,8 +48,8 @@ impl Lowering<'_> {
         !bare.iter().any(|v| met.contains(v)) || met.iter().any(of_step)
     }
 
-    /// The Jacobian of a function that the document defined, in its own parameter; `None` where the operand is none, or
-    /// has in it what changes along with the parameter.
+    /// The Jacobian of a function that the document defined, in its own parameter or in the same quantity at a step, as
+    /// `\partial f/\partial\omega_k` of f(ω); `None` where the operand is none, or has in it what changes along with that.
     pub(crate) fn slope_of_function(&mut self, operand: &Node, by: &Value) -> Option<Value> {
         let Kind::Symbol(_) = &inner(operand).kind else {
             return None;
@@ -57,8 +57,24 @@ impl Lowering<'_> {
         let name = &symbols(operand).first()?.name;
         let function = self.functions.get(name)?.clone();
         let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
-        let places = places.filter(|places| *places == function.parameter)?;
-        self.slope_as_written(&function.value, by, &places)
+        let (places, from) = (places?, &function.parameter);
+        if places == *from {
+            return self.slope_as_written(&function.value, by, &places);
+        }
+        let quantity = |v: &u32| match self.theory.atoms.owner(*v) {
+            Some(Owner::Quantity(quantity, _)) => Some(*quantity),
+            _ => None,
+        };
+        let same = |(v, own): (&u32, &u32)| quantity(v).is_some() && quantity(v) == quantity(own);
+        if places.len() != from.len() || !places.iter().zip(from).all(same) {
+            return None;
+        }
+        let at_step = |v: u32| {
+            let place = from.iter().position(|&own| own == v);
+            variable_fraction(place.map_or(v, |i| places[i]))
+        };
+        let value = function.value.map(|entry| substituted(entry, &at_step));
+        self.slope_as_written(&value, by, &places)
     }
 
     /// The Jacobian of what is written, in a symbol that stands in it by itself and that a line or a law determines;
