@@ -245,3 +245,21 @@ fn a_tensor_changes_in_space_as_it_turns() {
     assert_eq!(verdicts(&text("-")), "p");
     assert_eq!(verdicts(&text("+")), "r");
 }
+
+#[test]
+fn a_moment_about_an_axis_is_expanded_in_the_components_of_its_unit_vector() {
+    let moment = |letter: &str, unit: &str, double: &str| {
+        let all = verdicts(&format!(
+            "The inertia tensor is $\\mathbf I$. About the axis along the unit vector ${unit}$ the moment of inertia is\n\n\
+             $$ {letter} = {unit}\\cdot\\mathbf I{unit} $$\n\nand, written out,\n\n\
+             $$ {letter} = I_{{xx}}n_x^2 + I_{{yy}}n_y^2 + I_{{zz}}n_z^2 - {double}I_{{xy}}n_xn_y - {double}I_{{yz}}n_yn_z - {double}I_{{zx}}n_zn_x $$\n"
+        ));
+        all.chars().last()
+    };
+    for letter in ["J", "I_n", "K"] {
+        for unit in [r"\mathbf n", r"\hat n", r"\hat{\mathbf n}"] {
+            assert_eq!(moment(letter, unit, "2"), Some('p'), "{letter} {unit}");
+            assert_eq!(moment(letter, unit, ""), Some('r'), "{letter} {unit}");
+        }
+    }
+}

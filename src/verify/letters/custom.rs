@@ -249,7 +249,11 @@ impl Reading {
                 let moments = ["1", "x", "xx"].iter().any(|i| self.usage.has_index(&j, i));
                 !self.usage.has_index(&own, "1") && (moments || beside_j())
             }
-            "I" => symbol.style.vector && beside_j(),
+            // Nobody writes the elements of the identity.
+            "I" => {
+                let elements = self.usage.get(&Letter::plain("I")).double > 0;
+                symbol.style.vector && beside_j() && !elements
+            }
             _ => false,
         }
     }

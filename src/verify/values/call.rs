@@ -303,7 +303,7 @@ pub(crate) fn place_of_slope(slope: &Node, label: &FrameLabel) -> Option<Node> {
     let mut at = symbol.clone();
     at.subscripts.push(index.to_owned());
     let own = symbol.subscripts.is_empty() && step(index);
-    own.then(|| Node {
+    own.then_some(Node {
         kind: Kind::Symbol(at),
         span: label.span,
     })

@@ -66,7 +66,7 @@ pub(crate) fn of_symbol(
         }
     );
     // The components of a unit vector ĉ are written c₁, c₂, c₃.
-    let only_hatted = marks && used.bare == 0 && used.vector == used.hatted;
+    let only_hatted = marks && used.bare == used.hats && used.vector == used.hatted;
     if (symbol.style.hat && !only_hatted) || symbol.style.tilde {
         key.push_str(if symbol.style.hat { " hat" } else { " tilde" });
     }
