@@ -231,3 +231,16 @@ fn what_changes_by_itself_times_a_skew_matrix_is_the_attitude() {
     assert_eq!(text("+"), "pp");
     assert_eq!(text("-"), "rp");
 }
+
+#[test]
+fn the_matrix_of_the_turn_may_have_a_plain_letter() {
+    let rate = |sides: &str| {
+        let text = format!(
+            "Let $R$ be the rotation matrix from body to space and $\\Omega = R^T\\dot R$. Then\n\n$$ {sides} $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    assert_eq!(rate(r"\Omega^T = -\Omega"), Some('p'));
+    assert_eq!(rate(r"\dot R = R\,\Omega"), Some('p'));
+    assert_eq!(rate(r"\dot R = \Omega R"), Some('r'));
+}

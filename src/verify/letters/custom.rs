@@ -273,6 +273,8 @@ impl Reading {
         match letter.name.as_str() {
             "omega" if self.is_frequency_beside_rates() => None,
             "omega" => Some(Quantity::AngularVelocity),
+            // The matrix Ω = RᵀṘ.
+            "Omega" if used.tensor > 0 && used.component == 0 => None,
             "Omega" if directed && (!self.has("omega") || self.is_frequency_beside_rates()) => {
                 Some(Quantity::AngularVelocity)
             }

@@ -392,7 +392,31 @@ fn columns(side: &Node) -> Option<usize> {
                 .then_some(1)
         }
         Kind::Quotient(above, _) | Kind::WithUnit(above, _) => columns(above),
+        Kind::Product(factors) if is_rate_of_turn(factors) => Some(3),
         Kind::Product(factors) => factors.last().and_then(|factor| columns(&factor.node)),
         _ => None,
     }
+}
+
+/// The matrix `R^T\dot R`, or `\dot R R^T`.
+fn is_rate_of_turn(factors: &[Factor]) -> bool {
+    let [first, second] = factors else {
+        return false;
+    };
+    let turned = |node: &Node| match &inner(node).kind {
+        Kind::Transpose(matrix) => lone(matrix).cloned(),
+        _ => None,
+    };
+    let rate = |node: &Node| match &inner(node).kind {
+        Kind::TimeDerivative {
+            operand, order: 1, ..
+        } => lone(operand).cloned(),
+        _ => None,
+    };
+    let pair = |turned: Option<Symbol>, rate: Option<Symbol>| {
+        turned
+            .zip(rate)
+            .is_some_and(|(turned, rate)| turned == rate && rate.name != "omega")
+    };
+    pair(turned(&first.node), rate(&second.node)) || pair(turned(&second.node), rate(&first.node))
 }
