@@ -155,3 +155,13 @@ fn numbered_lambdas_are_the_moments_that_words_call_principal() {
     assert_eq!(text("\\lambda_2 - \\lambda_3"), "p");
     assert_eq!(text("\\lambda_3 - \\lambda_2"), "r");
 }
+
+#[test]
+fn a_derivative_is_no_definition_of_itself() {
+    let swing = "A body of mass $m$ swings about $O$, and $\\theta$ is its angle. With the radius of gyration $k$ defined by \
+                 $I_G = m k^2$ the equation of motion is\n\n$$ \\ddot\\theta = -\\frac{g\\sin\\theta}{k^2 + d^2} $$\n";
+    assert_ne!(verdicts(swing).chars().last(), Some('a'));
+    let slope = "Write the unknown as $w$, and let\n\n$$ R(w) = J(w - u) $$\n\nThe Jacobian that you asked for is\n\n\
+                 $$ \\frac{\\partial R}{\\partial w} = 2J $$\n";
+    assert_ne!(verdicts(slope).chars().last(), Some('a'));
+}

@@ -1,6 +1,7 @@
 //! What the formulas of a document show of the letters in them.
 
 use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol};
+use crate::verify::letters::skew_marks::is_rate_of_turn;
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, worn};
 use crate::verify::letters::wholes::{is_cross, lone, terms};
 use crate::verify::values::written_out::{along_plain_units, along_vectors_xyz, plain_list};
@@ -396,27 +397,4 @@ fn columns(side: &Node) -> Option<usize> {
         Kind::Product(factors) => factors.last().and_then(|factor| columns(&factor.node)),
         _ => None,
     }
-}
-
-/// The matrix `R^T\dot R`, or `\dot R R^T`.
-fn is_rate_of_turn(factors: &[Factor]) -> bool {
-    let [first, second] = factors else {
-        return false;
-    };
-    let turned = |node: &Node| match &inner(node).kind {
-        Kind::Transpose(matrix) => lone(matrix).cloned(),
-        _ => None,
-    };
-    let rate = |node: &Node| match &inner(node).kind {
-        Kind::TimeDerivative {
-            operand, order: 1, ..
-        } => lone(operand).cloned(),
-        _ => None,
-    };
-    let pair = |turned: Option<Symbol>, rate: Option<Symbol>| {
-        turned
-            .zip(rate)
-            .is_some_and(|(turned, rate)| turned == rate && rate.name != "omega")
-    };
-    pair(turned(&first.node), rate(&second.node)) || pair(turned(&second.node), rate(&first.node))
 }

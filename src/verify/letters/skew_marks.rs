@@ -289,3 +289,26 @@ fn is_skew_matrix(node: &Node) -> bool {
         _ => false,
     }
 }
+
+/// The matrix `R^T\dot R`, or `\dot R R^T`.
+pub(crate) fn is_rate_of_turn(factors: &[Factor]) -> bool {
+    let [first, second] = factors else {
+        return false;
+    };
+    let turned = |node: &Node| match &inner(node).kind {
+        Kind::Transpose(matrix) => lone(matrix).cloned(),
+        _ => None,
+    };
+    let rate = |node: &Node| match &inner(node).kind {
+        Kind::TimeDerivative {
+            operand, order: 1, ..
+        } => lone(operand).cloned(),
+        _ => None,
+    };
+    let pair = |turned: Option<Symbol>, rate: Option<Symbol>| {
+        turned
+            .zip(rate)
+            .is_some_and(|(turned, rate)| turned == rate && rate.name != "omega")
+    };
+    pair(turned(&first.node), rate(&second.node)) || pair(turned(&second.node), rate(&first.node))
+}

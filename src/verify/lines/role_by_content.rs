@@ -57,7 +57,12 @@ impl Checker<'_> {
             return role;
         }
         // What a derivative is follows from what is differentiated.
-        if role == Role::Define && matches!(inner(left).kind, Kind::Derivative { .. }) {
+        let slope = match &inner(left).kind {
+            Kind::Derivative { .. } => !rest.last().is_some_and(is_zero),
+            Kind::TimeDerivative { order, .. } => *order > 1 && role == Role::Define,
+            _ => false,
+        };
+        if slope {
             return Role::Claim;
         }
         let alone = |side: &Node| matches!(inner(side).kind, Kind::Symbol(_));
