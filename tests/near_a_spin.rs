@@ -155,3 +155,18 @@ fn a_disturbance_ends_the_steady_spin_that_it_disturbs() {
     assert_eq!(verdicts(&text(parts, right)), "aaaaap");
     assert_eq!(verdicts(&text(parts, wrong)), "aaaaar");
 }
+
+#[test]
+fn their_product_is_dropped_in_many_ways() {
+    for words in [
+        "can be dropped, so that",
+        "is neglected, so",
+        "is left out, and",
+    ] {
+        let text = format!(
+            "Principal axes, no torque. The body rotates about the second axis; $\\omega_1$ and $\\omega_3$ are small. Their \
+             product {words} $\\dot\\omega_2 = 0$.\n"
+        );
+        assert!(!verdicts(&text).contains('r'), "{words}");
+    }
+}

@@ -112,3 +112,18 @@ With a step $h$ let $E = T + \tfrac12 h^2(I_1\dot\omega_1^2 + I_2\dot\omega_2^2 
     assert_eq!(text(r"\le"), "par");
     assert_eq!(text("<"), "par");
 }
+
+#[test]
+fn a_torque_that_acts_now_ends_that_none_did() {
+    let power = |watts: &str| {
+        let text = format!(
+            "A body has $I_x = 2$, $I_y = 3$, $I_z = 4$ about its principal axes and turns at $\\omega_x = 1$, $\\omega_y = 2$, $\\omega_z = -1$.\n\n\
+             (i) Without torque\n\n$$ \\dot\\omega_x = \\frac{{(I_y - I_z)\\omega_y\\omega_z}}{{I_x}} = 1 $$\n\n\
+             (ii) The torque now has the components $M_x = 4$, $M_y = -1$, $M_z = 0$. The power is\n\n\
+             $$ P = M_x\\omega_x + M_y\\omega_y + M_z\\omega_z = {watts} $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    assert_eq!(power("2"), Some('p'));
+    assert_eq!(power("6"), Some('r'));
+}

@@ -244,6 +244,7 @@ impl Checker<'_> {
     /// Ends the assumptions of earlier cases, where a line assumes something else of the same symbols.
     pub(crate) fn turn_to_case(&mut self, sides: &[Node], role: Role) {
         let Some(first) = sides.first() else { return };
+        self.end_freedom_from_torque(sides);
         let lone = matches!(inner(first).kind, Kind::Symbol(_));
         let says = !self.displayed && !self.asserted && lone && role != Role::Define;
         if role == Role::Assume || says {

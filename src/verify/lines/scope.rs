@@ -1,12 +1,17 @@
 //! How long premises hold: to the end of their section, or from where they are made onwards.
 
 use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
+use crate::verify::letters::usage::{inner, symbols};
+use crate::verify::lines::given::is_zero;
 use crate::verify::lines::laws_in_words::is_of_swings;
 use crate::verify::theory::{Name, Premise};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::{has_any, lowered};
+use crate::verify::words::prose::Said;
 use std::collections::BTreeSet;
 
 /// Words for what ends with no section.
@@ -19,6 +24,9 @@ const ONWARDS: &[&str] = &[
     "in everything that follows",
     "for the rest of",
 ];
+
+/// Words of a sentence that says what acts.
+const LOADS: &[&str] = &["torque", "moment", "couple"];
 
 impl Checker<'_> {
     /// Keeps a premise of the document to the end of its section; definitions stay, and what holds "from here on".
@@ -58,6 +66,21 @@ impl Checker<'_> {
         });
         let ended: BTreeSet<Name> = ended.map(|premise| premise.name.clone()).collect();
         self.end_premises(&ended);
+    }
+
+    /// Ends that no torque acts, where a sentence about one gives a component of it in numbers.
+    pub(crate) fn end_freedom_from_torque(&mut self, sides: &[Node]) {
+        let [left, right] = sides else { return };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return;
+        };
+        let moment = self.theory.atoms.quantity(Quantity::Moment);
+        let of_moment = matches!(self.meaning_of(symbol), Meaning::Component(entity, _) | Meaning::Whole(entity) if entity == moment);
+        let given = !self.displayed && symbols(right).is_empty() && !is_zero(right);
+        if of_moment && given && has_any(&lowered(&self.sentence), LOADS) {
+            let name = Said::TorqueFree.words();
+            self.end_premises(&BTreeSet::from([name]));
+        }
     }
 
     /// Ends what an earlier case said of one component alone; the others keep their values.

@@ -108,7 +108,8 @@ pub(crate) fn takes_first_order(text: &str) -> bool {
             .iter()
             .filter_map(|word| clause.find(word));
         let of_small = |at: usize| has_any(&clause[at..], SMALL_THINGS);
-        product.into_iter().any(of_small) && has_any(clause, DROPPED)
+        let theirs = clause.contains("their product") || clause.contains("their squares");
+        (theirs || product.into_iter().any(of_small)) && has_any(clause, DROPPED)
     };
     has_any(text, LINEAR) || text.split(['.', ';']).any(dropped)
 }
