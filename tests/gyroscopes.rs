@@ -161,3 +161,16 @@ $$ \mathbf M = \boldsymbol\omega\times\mathbf h = {sign}Jnr\,\hat{{\mathbf j}} $
     assert_eq!(verdicts(&text("")), "aap");
     assert_eq!(verdicts(&text("-")), "aar");
 }
+
+#[test]
+fn a_momentum_that_turns_with_its_axes_may_do_so() {
+    let rate = |side: &str| {
+        let text = format!(
+            "A rotor spins at $\\omega_s$. Its axle turns at $\\Omega$ about the vertical, with the axle horizontal. The angular \
+             momentum is $L = I_s\\omega_s$ along the axle.\n\n$$ \\frac{{dL}}{{dt}} = {side} $$\n"
+        );
+        verdicts(&text).chars().last()
+    };
+    assert_ne!(rate(r"\Omega\times L"), Some('r'));
+    assert_ne!(rate(r"L\times\Omega"), Some('p'));
+}

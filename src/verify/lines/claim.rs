@@ -186,7 +186,8 @@ impl Checker<'_> {
             Decision::False(_) => self
                 .is_between_states(read)
                 .or_else(|| self.doubt(read))
-                .or_else(|| self.on_numbered_axes(sides)),
+                .or_else(|| self.on_numbered_axes(sides))
+                .or_else(|| self.turns_with_the_axes(sides)),
             _ => None,
         };
         let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);
