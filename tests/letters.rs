@@ -256,3 +256,25 @@ $$ \mathbf H = A\,p\sin\theta\,\mathbf j + C\,p\cos\theta\,\mathbf k $$
         ["accepted", "accepted", "proved", "refuted"]
     );
 }
+
+#[test]
+fn words_call_a_bold_j_the_angular_momentum() {
+    let text = |order: &str| {
+        format!(
+            "Let $\\mathbf I$ be the inertia tensor for the fixed point, $\\mathbf J$ the angular momentum about it and \
+             $\\mathbf N$ the torque.\n\n$$ \\mathbf J = \\mathbf I\\cdot\\boldsymbol\\omega $$\n\n\
+             $$ \\left(\\frac{{d\\mathbf J}}{{dt}}\\right)_{{\\text{{space}}}} = \
+             \\left(\\frac{{d\\mathbf J}}{{dt}}\\right)_{{\\text{{body}}}} + {order} $$\n\nOn principal axes\n\n\
+             $$ T = \\frac{{J_1^2}}{{2I_1}} + \\frac{{J_2^2}}{{2I_2}} + \\frac{{J_3^2}}{{2I_3}} $$\n"
+        )
+    };
+    let verdicts = |order: &str| verdicts(&text(order)).concat();
+    assert_eq!(
+        verdicts(r"\boldsymbol\omega\times\mathbf J"),
+        "provedprovedproved"
+    );
+    assert_eq!(
+        verdicts(r"\mathbf J\times\boldsymbol\omega"),
+        "provedrefutedproved"
+    );
+}

@@ -108,3 +108,27 @@ $$ G_3 = {sign}3n^2(J_2 - J_1)\,o_1o_2 $$
     assert_eq!(verdicts(&text(unit, "")), "aaap");
     assert_eq!(verdicts(&text(unit, "-")), "aaar");
 }
+
+#[test]
+fn a_frequency_is_that_of_the_equation_near_zero() {
+    let text = |ratio: &str| {
+        verdicts(&format!(
+            r"Pitch motion under the gravity gradient. A satellite is on a circular orbit with the rate $n$. On principal axes the unit vector from the Earth is $\hat{{\mathbf e}} = (a, b, c)$, and the moment is
+
+$$ \mathbf M = 3n^2\,\hat{{\mathbf e}}\times(\mathbf I\hat{{\mathbf e}}) $$
+
+For pure pitch $a = -\sin\beta$, $b = 0$ and $c = \cos\beta$. The torque about the other two axes vanishes, and
+
+$$ I_y\ddot\beta + \tfrac32 n^2(I_x - I_z)\sin 2\beta = 0 $$
+
+## Small angles
+
+The long axis points down, so $I_x > I_z$. The libration frequency is
+
+$$ \nu = n\sqrt{{{ratio}}} $$
+"
+        ))
+    };
+    assert_eq!(text(r"\frac{3(I_x - I_z)}{I_y}"), "aaaaapaa");
+    assert_eq!(text(r"\frac{I_x - I_z}{I_y}"), "aaaaapar");
+}

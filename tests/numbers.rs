@@ -222,3 +222,18 @@ $$ a b \approx SHOWN $$
     assert_eq!(text("5040"), Some("refuted"));
     assert_eq!(text("5100"), Some("refuted"));
 }
+
+#[test]
+fn a_rounded_multiple_of_a_symbol_is_decided() {
+    let spin = "The body has $A = 2$ and $C = 3.1$, and spins at $r$. Let $\\lambda = \\frac{C - A}{A}\\,r$.";
+    assert_eq!(verdict(spin, r"\lambda = 0.55\,r"), "proved");
+    assert_eq!(verdict(spin, r"\lambda \approx 0.45\,r"), "refuted");
+    assert_eq!(verdict(spin, r"\lambda^2 \approx 0.30\,r^2"), "proved");
+    assert_eq!(verdict(spin, r"\sqrt{1.8}\,r \approx 1.34\,r"), "proved");
+    let text = format!("{spin}\n\nWe find\n\n$$ \\lambda = 1.55\\,r $$\n");
+    let found = findings(&text);
+    let repair = found
+        .last()
+        .and_then(|f| f.diagnosis.as_ref()?.suggestion.clone());
+    assert_eq!(repair.as_deref(), Some("\\lambda = 0.55\\,r"));
+}

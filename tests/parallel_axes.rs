@@ -160,3 +160,18 @@ fn away_from_an_axis_through_the_centre_a_moment_grows() {
     assert_eq!(last(back, "J = Q - m b^2"), Some('a'));
     assert_eq!(last(back, "J = Q + m b^2"), Some('u'));
 }
+
+#[test]
+fn numbers_about_one_point_give_those_about_another() {
+    let text = |moment: &str| {
+        verdicts(&format!(
+            "The link has the total mass $M = 3 + 2 = 5$. The products of inertia are positive integrals, $P_{{xz}} = \\int xz\\,dm$, and\n\n\
+             $$ I_{{xx}} = 2\\cdot 0.15^2 = 0.045 $$\n\n$$ P_{{xz}} = 2\\cdot 0.6\\cdot 0.15 = 0.18 $$\n\n\
+             The centre of mass is at\n\n$$ \\mathbf{{d}} = (0.42,\\ 0,\\ 0.06) $$\n\nThe theorem is\n\n\
+             $$ \\mathbf{{I}}_O = \\mathbf{{I}}_C + M\\left(d^2\\,\\mathbf{{E}} - \\mathbf{{d}}\\,\\mathbf{{d}}^T\\right) $$\n\n\
+             so that\n\n$$ I_{{xx}}^C = {moment} $$\n"
+        ))
+    };
+    assert_eq!(text("0.045 - 5\\cdot 0.06^2 = 0.027"), "paaaapp");
+    assert_eq!(text("0.045 + 5\\cdot 0.06^2 = 0.063"), "paaaapu");
+}

@@ -4,7 +4,7 @@
 #[path = "outcome/verdicts.rs"]
 mod outcome;
 
-use outcome::verdicts;
+use outcome::{verdicts, verdicts_in};
 use polhode::notation::{document::Format, read};
 use polhode::verify::check;
 
@@ -342,4 +342,62 @@ $$ \mathbf J\dot{\boldsymbol\omega} = -\boldsymbol\tau - \boldsymbol\omega\times
 $$ \boldsymbol\omega\cdot\mathbf J\dot{\boldsymbol\omega} = \boldsymbol\omega\cdot\boldsymbol\tau $$
 ";
     assert_eq!(verdicts(text), "ppaprp");
+}
+
+/// A log in plain text, in which words name the letters.
+fn log(days: &str) -> String {
+    let text = format!(
+        "w is the angular velocity of the satellite on body axes, I its inertia matrix and\n\
+         h the momentum of the wheels. M is the external torque.\n\n    H = I*w + h\n    Hdot + cross(w, H) = M\n\n{days}\n"
+    );
+    verdicts_in(&text, Format::Text)
+}
+
+#[test]
+fn words_of_plain_text_name_the_momentum_of_wheels_and_lock_them() {
+    let locked = |difference: &str| {
+        log(&format!(
+            "Wheels locked, h = 0. On principal axes\n\n    I1*w1dot = {difference}*w2*w3 + M1\n"
+        ))
+    };
+    assert_eq!(locked("(I2 - I3)"), "ppap");
+    assert_eq!(locked("(I3 - I2)"), "ppar");
+}
+
+#[test]
+fn a_torque_is_supposed_axis_by_axis() {
+    let damped = |rate: &str| {
+        log(&format!(
+            "Wheels off, h = 0. Thrusters damp the rates, with a gain k:\n\n    \
+             M1 = -k*w1, M2 = -k*w2, M3 = -k*w3\n\nThe energy changes by\n\n    \
+             I1*w1*w1dot + I2*w2*w2dot + I3*w3*w3dot = {rate}\n"
+        ))
+    };
+    assert_eq!(damped("-k*(w1^2 + w2^2 + w3^2)"), "ppaaaap");
+    assert_eq!(damped("-k*(w1^2 + w2^2 - w3^2)"), "ppaaaar");
+}
+
+#[test]
+fn a_feedback_ends_where_the_motors_rest() {
+    let text = |last: &str| {
+        format!(
+            "The hull has the constant inertia matrix $J$, and $\\bm h$ is the momentum of the wheels in it. \
+             On hull axes $\\bm H = J\\bm\\omega + \\bm h$, and with the external torque $\\bm\\tau$\n\n\
+             $$ \\dot{{\\bm H}} + \\bm\\omega\\times\\bm H = \\bm\\tau $$\n\n\
+             The torque of the motors is defined as the negative rate of the wheel momentum,\n\n\
+             $$ \\bm u = -\\dot{{\\bm h}} $$\n\nFrom here on $\\bm\\tau = \\bm 0$. With the feedback $\\bm u = -D\\bm\\omega$ this gives\n\n\
+             $$ J\\dot{{\\bm\\omega}} = -D\\bm\\omega - \\bm\\omega\\times(J\\bm\\omega + \\bm h) $$\n\n\
+             **Bias.** Now let the motors hold the speed, $\\bm u = \\bm 0$, and let one wheel turn about the negative $y$ \
+             axis, $\\bm h = (0,\\ -h_0,\\ 0)^\\top$. The matrix $J$ is diagonal with the entries $J_x, J_y, J_z$. \
+             To first order in the rates, the roll and yaw equations are\n\n$$ {last} $$\n"
+        )
+    };
+    assert_eq!(
+        verdicts(&text("J_x\\dot\\omega_x = -h_0\\,\\omega_z")),
+        "ppaaapaap"
+    );
+    assert_eq!(
+        verdicts(&text("J_x\\dot\\omega_x = h_0\\,\\omega_z")),
+        "ppaaapaar"
+    );
 }

@@ -24,6 +24,7 @@ pub(crate) fn tokens(
         letters,
         decimal_comma,
         spaced: false,
+        sized: None,
         brackets: vec![],
         integral: false,
         out: Vec::with_capacity(text.len() / 2),
@@ -39,6 +40,8 @@ struct Lexer<'a> {
     letters: Letters,
     decimal_comma: bool,
     spaced: bool,
+    /// Where the command stands that sizes the bracket to come, which is a part of it: `\left(`.
+    sized: Option<usize>,
     /// For each open parenthesis of plain text, whether it stands for braces.
     brackets: Vec<bool>,
     /// Whether an integral was met, under which x is a coordinate.
@@ -52,6 +55,7 @@ impl<'a> Lexer<'a> {
     }
 
     fn push(&mut self, kind: Lexeme<'a>, start: usize) {
+        let start = self.sized.take().unwrap_or(start);
         let span = Span::new(self.offset + start, self.offset + self.at);
         self.integral |= matches!(kind, Lexeme::Command("int" | "iint" | "iiint"));
         self.out.push(Token {

@@ -18,6 +18,7 @@ use crate::verify::lines::index::merged;
 use crate::verify::lines::limits::Limit;
 use crate::verify::lines::line::Read;
 use crate::verify::lines::named_roots::Sought;
+use crate::verify::lines::oscillation::Oscillation;
 use crate::verify::lines::semi_axes::Quadric;
 use crate::verify::lines::signs::Order;
 use crate::verify::names;
@@ -134,7 +135,7 @@ pub(super) struct Checker<'a> {
     /// The potential energy.
     pub(super) potential: Option<Entity>,
     /// How many findings stood before the equation of an oscillation, and the square of its frequency.
-    pub(super) oscillation: Option<(usize, Fraction)>,
+    pub(super) oscillation: Option<Oscillation>,
     /// Values that the sentence lets something go to.
     pub(super) limits: Vec<Limit>,
     /// Point masses that words have further on, and where.

@@ -3,6 +3,12 @@
 use super::Lexer;
 use crate::notation::token::{Lexeme, beginning};
 
+/// Whether a command gives the bracket behind it its size.
+fn is_size(name: &str) -> bool {
+    let size = name.trim_end_matches(['l', 'r', 'm']);
+    matches!(size, "big" | "Big" | "bigg" | "Bigg")
+}
+
 /// Whether a command only changes the look.
 fn is_silent(name: &str) -> bool {
     matches!(
@@ -14,20 +20,6 @@ fn is_silent(name: &str) -> bool {
             | "nolimits"
             | "nonumber"
             | "notag"
-            | "big"
-            | "Big"
-            | "bigg"
-            | "Bigg"
-            | "bigl"
-            | "bigr"
-            | "Bigl"
-            | "Bigr"
-            | "biggl"
-            | "biggr"
-            | "Biggl"
-            | "Biggr"
-            | "bigm"
-            | "Bigm"
             | "middle"
             | "!"
             | "mathstrut"
@@ -199,6 +191,7 @@ impl<'a> Lexer<'a> {
                 let text = self.braced();
                 self.push(Lexeme::Text(text), start);
             }
+            _ if is_size(name) => self.sized = Some(start),
             _ if is_silent(name) => {}
             _ if says_nothing(name) => {
                 self.starred();
@@ -298,7 +291,10 @@ impl<'a> Lexer<'a> {
                 }
             }
             // Any other bracket is read as itself.
-            _ => return,
+            _ => {
+                self.sized = Some(start);
+                return;
+            }
         };
         self.at += skip;
         self.push(kind, start);

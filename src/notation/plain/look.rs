@@ -276,24 +276,38 @@ fn unbracketed(text: &str, start: usize, end: usize) -> Vec<(usize, usize)> {
 }
 
 /// Whether the words behind a lone letter say that it is a symbol: "suppose p constant", "C is the moment of inertia about
-/// the axis and A the one about any diameter".
+/// the axis and A the one about any diameter", "h the momentum of the wheels".
 fn is_held(word: &str, behind: &str) -> bool {
     let lone = |of: fn(&u8) -> bool| word.len() == 1 && word.bytes().all(|b| of(&b));
     let starts = |words: &[&str]| words.iter().any(|words| behind.starts_with(words));
-    lone(u8::is_ascii_lowercase) && starts(HELD) || lone(u8::is_ascii_alphabetic) && starts(NAMED)
+    lone(u8::is_ascii_lowercase) && starts(HELD)
+        || lone(u8::is_ascii_alphabetic) && (starts(NAMED) || is_given_a_name(behind))
 }
 
 /// Words behind a letter of what keeps its value.
 const HELD: &[&str] = &["constant", "is constant", "stays constant", "held constant"];
 /// Words behind a letter that say which moment of inertia it is; no article has them behind it.
 const NAMED: &[&str] = &[
-    "is the moment of inertia",
-    "the moment of inertia",
     "is the one about",
     "the one about",
     "is that about",
     "that about",
 ];
+
+/// Whether words behind a letter say which quantity it is: "the external torque", "is its inertia matrix". No article of
+/// English has another behind it.
+fn is_given_a_name(behind: &str) -> bool {
+    let named = ["is the ", "the ", "is its ", "its "];
+    let named = named.iter().find_map(|lead| behind.strip_prefix(lead));
+    let nouns = [
+        "moment", "moments", "momentum", "inertia", "torque", "velocity", "energy", "mass",
+        "couple",
+    ];
+    named.is_some_and(|words| {
+        let mut first = words.split_whitespace().take(3);
+        first.any(|word| nouns.contains(&word.trim_end_matches(['.', ',', ';', ':'])))
+    })
+}
 
 /// A text without a bracket that words go on from: `N = 0 (T` of "N = 0 (T may act)".
 fn closed(text: &str) -> &str {

@@ -180,6 +180,14 @@ impl Reading {
             || self.is_directed("tau")
     }
 
+    /// Whether the letter of the momentum is a vector without a mark: `cross(w, H)`. What wheels add to it is one too.
+    pub(crate) fn crosses_bare_momentum(&self) -> bool {
+        let mut whole = self.quantities.iter();
+        whole.any(|(letter, quantity)| {
+            *quantity == Quantity::Momentum && self.usage.get(letter).crossed_bare > 0
+        })
+    }
+
     /// Whether an i, j or k without a mark is a unit vector: where sums along them are, other than those of a quaternion.
     pub(crate) fn is_plain_unit(&self, symbol: &Symbol) -> bool {
         self.usage.plain_units
@@ -252,7 +260,9 @@ impl Reading {
             // Nobody writes the elements of the identity.
             "I" => {
                 let elements = self.usage.get(&Letter::plain("I")).double > 0;
-                symbol.style.vector && beside_j() && !elements
+                let momentum =
+                    self.quantities.get(&Letter::plain("J")) == Some(&Quantity::Momentum);
+                symbol.style.vector && beside_j() && !elements && !momentum
             }
             _ => false,
         }

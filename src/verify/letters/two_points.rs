@@ -333,7 +333,9 @@ fn vector(used: &[&Symbol], usage: &Usage) -> Option<Symbol> {
     for symbol in used {
         let letter = Letter::of(symbol);
         let parts = symbol.subscripts.iter().any(|i| axis(i).is_some());
-        if !(symbol.style.vector || usage.is_vector(&letter)) || parts {
+        // The identity is none.
+        let unit = symbol.name == "E";
+        if !(symbol.style.vector || usage.is_vector(&letter)) || parts || unit {
             continue;
         }
         let mut whole = (*symbol).clone();

@@ -210,8 +210,9 @@ impl Reading {
 
     /// Whether a letter may be the body's mass: an m, or an M without an m beside it.
     fn is_mass(&self, letter: &Letter) -> bool {
-        // The m of dm stands in integrals alone.
-        let other = self.votes_for(&Letter::plain("m"), Quantity::Mass) > 0;
+        // The m of dm stands in integrals alone; m_1 and m_2 are parts of the whole.
+        let m = Letter::plain("m");
+        let other = self.votes_for(&m, Quantity::Mass) > 0 && !self.usage.has_index(&m, "1");
         letter.name == "m" || letter.name == "M" && !other
     }
 
@@ -250,6 +251,11 @@ impl Reading {
             }
             Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
             Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
+            // Beside an inertia I, a vector with one index at most.
+            Quantity::Momentum if letter.name == "J" => {
+                let inertia = self.usage.letters.contains_key(&Letter::plain("I"));
+                inertia && used.double + used.tensor == 0 && used.vector + used.component > 0
+            }
             // "The moment of F": the force is meant, and its own letter stays its own.
             Quantity::Moment if matches!(letter.name.as_str(), "F" | "R" | "W" | "r" | "v") => {
                 false

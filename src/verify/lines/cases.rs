@@ -49,6 +49,15 @@ const TURNS: &[&str] = &[
     "in the other case",
 ];
 
+/// Words of what is supposed in every case that follows.
+const LASTING: &[&str] = &[
+    "from here on",
+    "from now on",
+    "henceforth",
+    "throughout",
+    "in all that follows",
+];
+
 /// How a paragraph begins that is one case of several.
 const COUNTED: &[&str] = &[
     "case ", "(a) ", "(b) ", "(c) ", "(d) ", "(i) ", "(ii) ", "(iii) ", "(iv) ",
@@ -61,6 +70,11 @@ impl Cases {
     /// How many headings stand before.
     pub(crate) fn section(&self) -> u32 {
         self.section
+    }
+
+    /// Whether a premise is an assumption of the case at hand.
+    pub(crate) fn is_supposed_now(&self, name: &str) -> bool {
+        self.kept.get(name) == Some(&self.now)
     }
 
     /// Whether a display of the section at hand set the motion up by a premise.
@@ -138,6 +152,9 @@ impl Checker<'_> {
 
     /// Notes in which case an assumption was made, or what a sentence gives in passing.
     pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
+        if has_any(&lowered(&self.sentence), LASTING) {
+            return;
+        }
         if role == Role::Assume || role == Role::Given && !self.displayed {
             self.cases.kept.insert(name.to_owned(), self.cases.now);
             if self.displayed && !self.firm {
@@ -245,6 +262,9 @@ impl Checker<'_> {
     pub(crate) fn turn_to_case(&mut self, sides: &[Node], role: Role) {
         let Some(first) = sides.first() else { return };
         self.end_freedom_from_torque(sides);
+        if role == Role::Assume && self.supposes_anew(sides) {
+            self.open_case();
+        }
         let lone = matches!(inner(first).kind, Kind::Symbol(_));
         let says = !self.displayed && !self.asserted && lone && role != Role::Define;
         if role == Role::Assume || says {

@@ -93,7 +93,8 @@ impl Checker<'_> {
         }
         let derived = zero && (self.asserted && self.displayed || self.obtained);
         let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
-        if motion || !self.is_free_input(first) || self.is_circular(first, read) {
+        let free = self.is_free_input(first) || self.is_free_elsewhere(first, &sides[1..]);
+        if motion || !free || self.is_circular(first, read) {
             return false;
         }
         if sides.len() == 2
@@ -235,30 +236,6 @@ impl Checker<'_> {
         normal != value && !normal.is_zero() && normal.variables().into_iter().all(size)
     }
 
-    /// Whether a side is a lone inertia, rate or mass that no law and no line determines.
-    pub(crate) fn is_free_input(&mut self, side: &Node) -> bool {
-        let Kind::Symbol(symbol) = &inner(side).kind else {
-            return false;
-        };
-        let (entity, components) = match self.meaning_of(symbol) {
-            Meaning::Whole(entity) => {
-                let count = self.theory.atoms.info(entity).shape.components();
-                (entity, 0..count)
-            }
-            Meaning::Component(entity, component) => (entity, component..component + 1),
-            _ => return false,
-        };
-        let input = match &self.theory.atoms.info(entity).owner {
-            Owner::Quantity(quantity, _) => INPUTS.contains(quantity),
-            Owner::Symbol(_) => false,
-        };
-        input
-            && components.into_iter().all(|component| {
-                let value = self.theory.atoms.value(entity, component, 0);
-                self.theory.normal(&value).as_variable().is_some()
-            })
-    }
-
     /// Whether a side is a quantity that an earlier line gives by a symbol of the document.
     fn is_named(&mut self, side: &Node) -> bool {
         if !matches!(inner(side).kind, Kind::Symbol(_)) {
@@ -351,7 +328,7 @@ impl Checker<'_> {
 }
 
 /// Whether a side is a number, π included.
-fn is_in_digits(side: &Node) -> bool {
+pub(crate) fn is_in_digits(side: &Node) -> bool {
     symbols(side).iter().all(|symbol| symbol.name == "pi")
 }
 

@@ -24,6 +24,18 @@ const FREQUENCIES: &[&str] = &[
     "harmonic",
 ];
 
+/// Further names, which the equation of motion gives a value where it stands before.
+const OF_EQUATIONS: &[&str] = &[
+    "libration frequency",
+    "oscillation frequency",
+    "pendulum frequency",
+    "frequency of small",
+    "frequency of the small",
+    "frequency of oscillation",
+    "frequency of the oscillation",
+    "frequency of the swing",
+];
+
 /// Names of the momentum about what a body is carried round.
 const ABOUT_VERTICAL: &[&str] = &[
     "angular momentum about the vertical",
@@ -40,6 +52,11 @@ const OF_SWINGS: &str = "frequency of small swings";
 /// Whether a premise is that law.
 pub(crate) fn is_of_swings(name: &str) -> bool {
     name.starts_with(OF_SWINGS)
+}
+
+/// Whether a sentence in small letters speaks of the frequency of small swings.
+pub(crate) fn calls_frequency_of_swings(sentence: &str) -> bool {
+    has_any(sentence, FREQUENCIES) || has_any(sentence, OF_EQUATIONS)
 }
 
 impl Checker<'_> {

@@ -10,6 +10,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::lines::decimals::{Part, holds_decimals, holds_unit, is_numeral, units, with};
 use crate::verify::lines::digits::{Comparison, Tolerance, compare};
 use crate::verify::lines::line::Read;
+use crate::verify::lines::multiples::over_common_symbols;
 use crate::verify::theory::{Name, Theory};
 use crate::verify::values::figures::Alternative;
 use crate::verify::values::symbol::Meaning;
@@ -212,7 +213,15 @@ impl Checker<'_> {
         open: bool,
         finding: &mut Finding,
     ) -> bool {
-        match self.by_numbers(sides, 0, read.unlabelled) {
+        let mut compared = sides.to_vec();
+        let mut found = self.by_numbers(sides, 0, read.unlabelled);
+        if matches!(found, Numerical::NoNumbers)
+            && let Some(ratios) = over_common_symbols(sides)
+        {
+            found = self.by_numbers(&ratios, 0, read.unlabelled);
+            compared = ratios;
+        }
+        match found {
             Numerical::Holds(proof, uses, rounding) => {
                 finding.uses = uses;
                 finding.conditions = self.conditions(&proof);
@@ -225,7 +234,7 @@ impl Checker<'_> {
             // Where plain numbers differ, the search for a slip knows more to say.
             Numerical::Fails(.., true) if !open => return false,
             Numerical::Fails(shown, place, value, _) => {
-                self.wrong_digits(&sides[shown], place, &value, finding);
+                self.wrong_digits(&compared[shown], place, &value, finding);
             }
             Numerical::NoNumbers => return false,
         }

@@ -5,7 +5,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::lines::laws_in_words::is_of_swings;
+use crate::verify::lines::laws_in_words::{calls_frequency_of_swings, is_of_swings};
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
@@ -15,14 +15,38 @@ use num_traits::Zero;
 
 /// Findings that may stand between an equation and the frequency: conditions, numbers.
 const NEAR: usize = 2;
+/// The same, where the words call it the frequency of the small swings that the equation describes.
+const NEAR_SWINGS: usize = 5;
+
+/// What an equation of motion says of small swings.
+#[derive(Clone)]
+pub(crate) struct Oscillation {
+    /// The number of its finding.
+    at: usize,
+    /// The square of the frequency.
+    square: Fraction,
+    /// Whether it is what the equation comes down to near zero.
+    near_zero: bool,
+    /// Whether the equation was proved or accepted.
+    firm: bool,
+}
 
 /// Words for the motion that an equation describes.
 const GOES_ON: &[&str] = &[" grows ", " grow ", " oscillates ", " oscillate "];
 
+impl Oscillation {
+    /// Whether it is of an angle that a sine has, which no spin of the body is behind.
+    pub(crate) fn is_of_an_angle(&self) -> bool {
+        self.near_zero
+    }
+}
+
 impl Checker<'_> {
-    /// Notes w² of an equation ẍ + w²x = 0 in a symbol of the document.
+    /// Notes w² of an equation ẍ + w²x = 0 in a symbol of the document, or of what it comes down to where x is small.
     pub(crate) fn note_oscillation(&mut self, sides: &[Node], finding: &Finding) {
-        if !matches!(finding.verdict, Verdict::Accepted | Verdict::Proved(_)) || sides.len() != 2 {
+        let firm = matches!(finding.verdict, Verdict::Accepted | Verdict::Proved(_));
+        let left_open = finding.verdict == Verdict::Undecided && self.oscillation.is_none();
+        if !firm && !left_open || sides.len() != 2 {
             return;
         }
         if !self.theory.atoms.has_second_rates() && !sides.iter().any(is_rate_of_rate) {
@@ -34,11 +58,47 @@ impl Checker<'_> {
         let [equation] = read.equations.as_slice() else {
             return;
         };
-        if let [residual] = equation.residual.entries.as_slice()
-            && let Some(square) = self.square_of_frequency(residual)
-        {
-            self.oscillation = Some((self.findings.len(), square));
+        let [residual] = equation.residual.entries.as_slice() else {
+            return;
+        };
+        let exact = self.square_of_frequency(residual);
+        let near_zero = exact.is_none();
+        if let Some(square) = exact.or_else(|| self.square_near_zero(residual)) {
+            self.oscillation = Some(Oscillation {
+                at: self.findings.len(),
+                square,
+                near_zero,
+                firm,
+            });
         }
+    }
+
+    /// The same of an equation with the sine of an angle, for small angles.
+    fn square_near_zero(&mut self, residual: &Fraction) -> Option<Fraction> {
+        let atoms = &mut self.theory.atoms;
+        let variables = residual.variables().into_iter();
+        let angle = variables.clone().find_map(|v| match *atoms.atom(v) {
+            Atom::Part {
+                entity,
+                component: 0,
+                order: 2,
+            } => Some(entity),
+            _ => None,
+        })?;
+        let place = atoms.part(angle, 0, 0);
+        let of_angle = |v: u32| match atoms.atom(v) {
+            Atom::Kernel { argument, .. } => argument.variables().contains(&place),
+            _ => false,
+        };
+        if !variables.into_iter().any(of_angle) {
+            return None;
+        }
+        let first = self.small.insert(angle);
+        let near = self.low(residual, 1);
+        if first {
+            self.small.remove(&angle);
+        }
+        self.square_of_frequency(&near)
     }
 
     fn square_of_frequency(&mut self, residual: &Fraction) -> Option<Fraction> {
@@ -158,12 +218,23 @@ impl Checker<'_> {
         let words = lowered(&self.sentence);
         let tied = self.square_by_law(left);
         let by_law = tied.is_some();
-        let noted = tied.map(|square| (self.findings.len(), square));
-        let Some((at, square)) = noted.or_else(|| self.oscillation.clone()) else {
+        let by_motion = tied.map(|square| Oscillation {
+            at: self.findings.len(),
+            square,
+            near_zero: false,
+            firm: true,
+        });
+        let Some(noted) = by_motion.or_else(|| self.oscillation.clone()) else {
             return false;
         };
+        let swings = calls_frequency_of_swings(&words);
+        if noted.near_zero && !swings {
+            return false;
+        }
+        let square = noted.square;
         let grows = words.contains(" grow");
-        let near = self.findings.len() <= at + 1 + NEAR;
+        let near = if swings { NEAR_SWINGS } else { NEAR };
+        let near = self.findings.len() <= noted.at + 1 + near;
         let lone = |node: &Node| matches!(inner(node).kind, Kind::Symbol(_));
         let squared = match &inner(left).kind {
             Kind::Power(base, exponent) => {
@@ -205,6 +276,12 @@ impl Checker<'_> {
             .theory
             .without(apart, |theory| decide(theory, &equation))
         {
+            Decision::False(_) if !noted.firm => {
+                finding.verdict = Verdict::Undecided;
+                finding.reason =
+                    Some("the equation of motion, which was left open, has another".to_owned());
+                true
+            }
             Decision::False(witness) => {
                 finding.verdict = Verdict::Refuted;
                 finding.reason =

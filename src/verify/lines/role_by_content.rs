@@ -10,7 +10,7 @@ use crate::verify::lines::given::is_zero;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::{MAGNITUDE, Meaning};
-use crate::verify::verdict::Role;
+use crate::verify::verdict::{Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -114,10 +114,38 @@ impl Checker<'_> {
         {
             return role;
         }
-        match self.brings_something_new(sides) {
+        match self.brings_something_new(sides) || self.supposes_of_the_next_axis(role, left) {
             true => role,
             false => Role::Claim,
         }
+    }
+
+    /// Whether a line goes on with an assumption that the same formula makes of another axis: `M_1 = -k\omega_1,
+    /// M_2 = -k\omega_2`.
+    fn supposes_of_the_next_axis(&mut self, role: Role, left: &Node) -> bool {
+        let Some(before) = self.findings.last() else {
+            return false;
+        };
+        if (before.role, &before.verdict) != (role, &Verdict::Accepted) {
+            return false;
+        }
+        let place = before.span.start;
+        let earlier = self
+            .beside
+            .iter()
+            .find(|(side, _)| side.span.start == place);
+        let Some(earlier) = earlier.map(|(side, _)| side.clone()) else {
+            return false;
+        };
+        let mut component = |side: &Node| match &inner(side).kind {
+            Kind::Symbol(symbol) => match self.meaning_of(symbol) {
+                Meaning::Component(entity, axis) => Some((entity, axis)),
+                _ => None,
+            },
+            _ => None,
+        };
+        let pair = component(&earlier).zip(component(left));
+        pair.is_some_and(|(one, other)| one.0 == other.0 && one.1 != other.1)
     }
 
     /// Whether a line only gives the three components of a vector their names: `\omega = p\,i + q\,j + r\,k`.

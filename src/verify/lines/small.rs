@@ -232,7 +232,7 @@ impl Checker<'_> {
 
     /// Forgets which component was the spin, as the body turns about another axis.
     pub(crate) fn end_spin(&mut self) {
-        self.oscillation = None;
+        self.oscillation.take_if(|noted| !noted.is_of_an_angle());
         self.small_turns.clear();
         if self.theory.setting.dropped_axis.is_some() {
             self.theory.set(|setting| setting.dropped_axis = None);

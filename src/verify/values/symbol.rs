@@ -270,8 +270,13 @@ fn is_quantity(
         Quantity::RelativeMomentum if reading.spin_alone => sorted.variant.is_empty(),
         // The h_w of a wheel, never marked and without a component, is a number.
         Quantity::RelativeMomentum => {
-            let component = reading.usage.get(&letter).component > 0;
-            marked || component || reading.usage.is_vector(&letter)
+            let used = reading.usage.get(&letter);
+            // Nor is the h_0 beside a marked h one.
+            let number = used.vector > 0 && symbol.subscripts == ["0"];
+            let vector = used.component > 0
+                || reading.usage.is_vector(&letter)
+                || reading.crosses_bare_momentum();
+            marked || !number && vector
         }
         Quantity::Attitude => sorted.variant.is_empty() && sorted.single.is_none(),
         Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),

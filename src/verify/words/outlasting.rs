@@ -13,6 +13,7 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::torque_free::{speaks_of_a_torque, torque_free};
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// Words that leave the shape of the body behind.
@@ -76,7 +77,12 @@ impl Checker<'_> {
         let Some(premise) = premises.find(|p| p.name == name) else {
             return false;
         };
-        let alone = premise.residuals.iter().map(Fraction::as_variable);
+        let told = premise.residuals.iter().filter(|entry| !entry.is_zero());
+        let alone = told.map(|entry| {
+            entry
+                .as_variable()
+                .or_else(|| (-entry.clone()).as_variable())
+        });
         let vanishing: Option<BTreeSet<u8>> = alone
             .map(|alone| alone.as_ref().and_then(product))
             .collect();

@@ -11,7 +11,7 @@ const LAWS: &[&str] = &[
     "principle of",
     "balance of",
     "conservation of",
-    "rate of change of",
+    "rate of",
     "change of",
     "derivative of",
 ];

@@ -35,6 +35,13 @@ fn concludes_with(sentence: &str) -> bool {
         && words.any(|word| concludes.contains(&word.to_lowercase().as_str()))
 }
 
+/// Whether a sentence says in another form what stands before: "needs ⟨T⟩ for one swing, or".
+fn says_again(sentence: &str) -> bool {
+    let clause = sentence.trim_end_matches(',').rsplit(',').next();
+    let clause = clause.unwrap_or_default().trim();
+    sentence.contains('⟩') && matches!(clause, "or" | "or equivalently" | "that is" | "i.e.")
+}
+
 impl Checker<'_> {
     /// Hears words, and takes what they set.
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
@@ -101,7 +108,7 @@ impl Checker<'_> {
         let clause =
             display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {
-            Role::Assume if display && concludes_with(said) => Role::Claim,
+            Role::Assume if display && (concludes_with(said) || says_again(said)) => Role::Claim,
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,
         }

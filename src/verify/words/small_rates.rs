@@ -43,6 +43,16 @@ const SOME: &[&str] = &[
     "lateral",
 ];
 
+/// Words that keep the first powers of the rates alone.
+const TO_FIRST_ORDER: &[&str] = &[
+    "first order in the rates",
+    "first order in the body rates",
+    "first order in the angular velocity",
+    "first order in the angular rates",
+    "first order in all rates",
+    "linear in the rates",
+];
+
 /// Words that take the angles of a document small.
 const FOR_SMALL: &[&str] = &[
     "for small angles",
@@ -67,7 +77,8 @@ fn calls_rates_small(sentence: &str) -> bool {
         before || behind
     });
     let some = SOME.iter().any(|word| sentence.contains(word));
-    called && !some || drops_products(sentence)
+    let order = TO_FIRST_ORDER.iter().any(|words| sentence.contains(words));
+    called && !some || order || drops_products(sentence)
 }
 
 /// "Products of two rates are dropped."
