@@ -145,6 +145,6 @@ The motion is possible only when $C^2\omega_z^2 \ge {bound}\cos\theta$.
     };
     let found = |under, bound| verdicts(&text(under, bound));
     assert_eq!(found(r"4Amg\ell", r"4Amg\ell"), "ppppaappa");
-    assert_eq!(found(r"2Amg\ell", r"4Amg\ell"), "ppppaapua");
+    assert_eq!(found(r"2Amg\ell", r"4Amg\ell"), "ppppaapra");
     assert_eq!(found(r"4Amg\ell", r"2Amg\ell"), "ppppaappr");
 }

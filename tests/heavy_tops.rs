@@ -100,3 +100,37 @@ $$ L_z = A\dot\phi\sin^2\theta {sign} C n\cos\theta $$"
         assert!(found.ends_with(verdict), "{sign}: {found}");
     }
 }
+
+#[test]
+fn a_frame_follows_the_precession_and_gravity_acts_about_one_axis() {
+    let text = |nodes: &str, steady: &str| {
+        verdicts(&format!(
+            r"A top spins about its fixed tip $O$; its centre of mass is at the distance $\ell$ on the symmetry axis $z$. The $xyz$ frame follows the precession $\psi$ and the nutation $\theta$ but not the spin, so its angular velocity has the components
+
+$$ \Omega_x = \dot\theta, \qquad \Omega_y = \dot\psi\sin\theta, \qquad \Omega_z = \dot\psi\cos\theta $$
+
+The body differs from the frame only by its spin $\dot\phi$ about $z$, hence $\omega_z = \dot\psi\cos\theta + \dot\phi$.
+
+## Equations of motion
+
+With the moments $A, A, C$ the angular momentum is
+
+$$ \mathbf H_O = A\dot\theta\,\mathbf i + A\dot\psi\sin\theta\,\mathbf j + C\omega_z\,\mathbf k $$
+
+Gravity has a moment about $x$ only: $\sum M_x = mg\ell\sin\theta$. Hence
+
+$$ A\ddot\psi\sin\theta + {nodes}\dot\psi\dot\theta\cos\theta - C\omega_z\dot\theta = 0 $$
+
+## Steady precession
+
+Assume that $\theta$ is constant and that $\theta \ne 0$. Then
+
+$$ C\omega_z\dot\psi - A\dot\psi^2\cos\theta = mg\ell $$
+
+For a horizontal axis, put $\theta = \pi/2$. The condition shrinks to ${steady}$.
+"
+        ))
+    };
+    assert_eq!(text("2A", r"C\dot\phi\,\dot\psi = mg\ell"), "pppppapapap");
+    assert_eq!(text("A", r"C\dot\phi\,\dot\psi = 2mg\ell"), "ppppparapar");
+}

@@ -52,6 +52,7 @@ pub(super) mod laws_in_words;
 pub(super) mod libration;
 pub(super) mod limits;
 pub(super) mod line;
+mod lone_moment;
 pub(super) mod mass_integrals;
 pub(super) mod moving_point;
 pub(super) mod multiples;

@@ -245,6 +245,14 @@ impl Reading {
             }
             // An ω without an Ω beside it is the body's own.
             Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
+            // Beside an ω with components, Ω turns something else.
+            Quantity::AngularVelocity
+                if letter.name == "Omega"
+                    && self.usage.get(&Letter::plain("omega")).component > 0
+                    && self.votes_for(&Letter::plain("omega"), Quantity::FrameRate) == 0 =>
+            {
+                false
+            }
             Quantity::FrameRate | Quantity::AngularVelocity => {
                 (self.flat || used.vector + used.component > 0)
                     && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")

@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
+use crate::verify::lines::scope::ONWARDS;
 use crate::verify::reason;
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Name, Premise};
@@ -47,15 +48,6 @@ const TURNS: &[&str] = &[
     "conversely",
     "on the other hand",
     "in the other case",
-];
-
-/// Words of what is supposed in every case that follows.
-const LASTING: &[&str] = &[
-    "from here on",
-    "from now on",
-    "henceforth",
-    "throughout",
-    "in all that follows",
 ];
 
 /// How a paragraph begins that is one case of several.
@@ -152,7 +144,7 @@ impl Checker<'_> {
 
     /// Notes in which case an assumption was made, or what a sentence gives in passing.
     pub(crate) fn note_assumption(&mut self, name: &str, role: Role) {
-        if has_any(&lowered(&self.sentence), LASTING) {
+        if has_any(&lowered(&self.sentence), ONWARDS) {
             return;
         }
         if role == Role::Assume || role == Role::Given && !self.displayed {
@@ -183,25 +175,6 @@ impl Checker<'_> {
         let ended: BTreeSet<Name> = ended.filter(earlier).collect();
         self.end_premises(&ended);
         self.cases.named.insert(name.to_owned(), section);
-    }
-
-    /// Lines that say of another component that it is the symbol on the right: ⟨ω₂ = n⟩ where the line at hand has ⟨ω₃ = n⟩.
-    fn names_of_siblings(&mut self, sides: &[Node]) -> Vec<Name> {
-        let mut lowering = self.lowering(Frame::Moving);
-        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
-        let [left, right] = sides else { return vec![] };
-        let (Some(left), Some(right)) = (part(left), part(right)) else {
-            return vec![];
-        };
-        let owner = self.theory.atoms.entity_of(left);
-        let names_sibling = |residual: &Fraction| {
-            let variables = residual.variables();
-            let sibling = |&v: &u32| v != left && self.theory.atoms.entity_of(v) == owner;
-            variables.len() == 2 && variables.contains(&right) && variables.iter().any(sibling)
-        };
-        let premises = self.theory.premises().iter();
-        let found = premises.filter(|p| p.residuals.iter().all(names_sibling));
-        found.map(|p| p.name.clone()).collect()
     }
 
     /// Notes that a paragraph, in small letters, opens with a title in bold or italics, or that words turn to another case;

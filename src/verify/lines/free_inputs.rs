@@ -31,12 +31,12 @@ impl Checker<'_> {
             && components.into_iter().all(|component| {
                 let value = self.theory.atoms.value(entity, component, 0);
                 let normal = self.theory.normal(&value);
-                let alone = normal
-                    .as_variable()
-                    .or_else(|| (-normal.clone()).as_variable());
-                match input {
-                    None => alone.is_some_and(|v| self.is_product_of_inertia(v)),
-                    _ => alone.is_some(),
+                match (input, normal.as_variable()) {
+                    (Some(_), alone) => alone.is_some(),
+                    (None, alone) => {
+                        let named = alone.or_else(|| (-normal).as_variable());
+                        named.is_some_and(|v| self.is_product_of_inertia(v))
+                    }
                 }
             })
     }

@@ -64,6 +64,7 @@ impl Checker<'_> {
         self.note_sought(&line.sides, &finding);
         self.note_equation(&line.sides, &finding);
         self.note_quadric(&line.sides, &finding);
+        self.note_lone_moment(&line.sides, &finding);
         self.note_product(&line.sides);
         let unexplained = finding.counterexample.is_some() && finding.diagnosis.is_none();
         if finding.verdict == Verdict::Refuted && unexplained && !self.reading.on_trial {

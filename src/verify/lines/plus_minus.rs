@@ -16,8 +16,12 @@ use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::lower::put_in;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
-use crate::verify::verdict::{Finding, Verdict};
+use crate::verify::verdict::{Counterexample, Finding, Verdict};
+use crate::verify::words::book::{has_any, lowered};
 use std::collections::{BTreeSet, HashMap};
+
+/// Words for the roots of the equation that stands right above.
+const ROOTS: &[&str] = &["root", "quadratic", "solutions", "solved for"];
 
 /// Equations that roots may be of, the last ones.
 const MOST_EQUATIONS: usize = 6;
@@ -83,11 +87,7 @@ impl Checker<'_> {
             .without(names, |theory| decide(theory, &equations));
         match decision {
             Decision::True(proof) => finding.verdict = Verdict::Proved(proof),
-            Decision::False(witness) => {
-                finding.verdict = Verdict::Refuted;
-                finding.reason = Some("the values do not satisfy the equation".to_owned());
-                finding.counterexample = Some(*witness);
-            }
+            Decision::False(witness) => fails_at(*witness, finding),
             _ => return false,
         }
         true
@@ -125,23 +125,30 @@ impl Checker<'_> {
         };
         let balances = self.balances.iter().rev();
         let second = balances.filter(|residual| residual.numerator().degree_in(own) == 2);
-        let proof = second
-            .cloned()
-            .collect::<Vec<_>>()
-            .into_iter()
-            .find_map(|residual| {
-                let equations = at_each(&residual, own, values);
-                let decided = |theory: &mut Theory| decide(theory, &equations);
-                match self.theory.without(names.clone(), decided) {
-                    Decision::True(proof) => Some(proof),
-                    _ => None,
+        let second: Vec<Fraction> = second.cloned().collect();
+        let decisions = second.iter().map(|residual| {
+            let equations = at_each(residual, own, values);
+            let decided = |theory: &mut Theory| decide(theory, &equations);
+            self.theory.without(names.clone(), decided)
+        });
+        let mut last_fails = None;
+        for (at, decision) in decisions.enumerate() {
+            match decision {
+                Decision::True(proof) => {
+                    finding.verdict = Verdict::Proved(proof);
+                    return true;
                 }
-            });
-        let proved = proof.is_some();
-        if let Some(proof) = proof {
-            finding.verdict = Verdict::Proved(proof);
+                Decision::False(witness) if at == 0 => last_fails = Some(witness),
+                _ => {}
+            }
         }
-        proved
+        // Only words tie it to the last of them.
+        let words = lowered(&self.sentence);
+        let Some(witness) = last_fails.filter(|_| has_any(&words, ROOTS)) else {
+            return false;
+        };
+        fails_at(*witness, finding);
+        true
     }
 
     /// The variable that a symbol stands for, whatever label its roots have.
@@ -196,6 +203,12 @@ impl Checker<'_> {
             Some((unknown, sides - product.clone() * product))
         })
     }
+}
+
+fn fails_at(witness: Counterexample, finding: &mut Finding) {
+    finding.verdict = Verdict::Refuted;
+    finding.reason = Some("the values do not satisfy the equation".to_owned());
+    finding.counterexample = Some(witness);
 }
 
 /// What vanishes, with each of two values for an unknown.

@@ -15,7 +15,7 @@ use crate::verify::words::prose::Said;
 use std::collections::BTreeSet;
 
 /// Words for what ends with no section.
-const ONWARDS: &[&str] = &[
+pub(crate) const ONWARDS: &[&str] = &[
     "from here on",
     "from now on",
     "henceforth",

@@ -1,4 +1,5 @@
-//! A vector that is supposed to vanish, where the case at hand had supposed something else of it.
+//! What is supposed anew: a vector to vanish of which the case at hand had supposed something else, a symbol to be another
+//! component.
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
@@ -6,7 +7,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
-use crate::verify::theory::Premise;
+use crate::verify::theory::{Name, Premise};
 
 impl Checker<'_> {
     /// Whether a vector that the case at hand supposes to be something is now supposed to vanish: "with ⟨u = −Dω⟩", and then
@@ -30,5 +31,24 @@ impl Checker<'_> {
         };
         let mut premises = self.theory.premises().iter();
         premises.any(|p| supposed(p) && by_others(p))
+    }
+
+    /// Lines that say of another component that it is the symbol on the right: ⟨ω₂ = n⟩ where the line at hand has ⟨ω₃ = n⟩.
+    pub(crate) fn names_of_siblings(&mut self, sides: &[Node]) -> Vec<Name> {
+        let mut lowering = self.lowering(Frame::Moving);
+        let mut part = |side: &Node| lowering.scalar(side)?.as_variable();
+        let [left, right] = sides else { return vec![] };
+        let (Some(left), Some(right)) = (part(left), part(right)) else {
+            return vec![];
+        };
+        let owner = self.theory.atoms.entity_of(left);
+        let names_sibling = |residual: &Fraction| {
+            let variables = residual.variables();
+            let sibling = |&v: &u32| v != left && self.theory.atoms.entity_of(v) == owner;
+            variables.len() == 2 && variables.contains(&right) && variables.iter().any(sibling)
+        };
+        let premises = self.theory.premises().iter();
+        let found = premises.filter(|p| p.residuals.iter().all(names_sibling));
+        found.map(|p| p.name.clone()).collect()
     }
 }

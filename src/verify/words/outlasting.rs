@@ -128,7 +128,12 @@ impl Checker<'_> {
         };
         let met = entities(premise);
         let moment = |e: &Entity| matches!(owner(e), Owner::Quantity(Quantity::Moment, _));
-        let others = self.theory.premises().iter().filter(|p| p.name != name);
+        // An energy that is defined by it is no other law.
+        let others = self
+            .theory
+            .premises()
+            .iter()
+            .filter(|p| p.name != name && !p.definition);
         let others: BTreeSet<Entity> = others.flat_map(entities).collect();
         let own = |e: &&Entity| matches!(owner(e), Owner::Symbol(_)) && !others.contains(e);
         let keys: Vec<String> = met

@@ -166,6 +166,18 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
         let subject = |name: &str| words.split_whitespace().any(|word| word == name);
         (subject("frame") || subject("axes")) && !subject("body")
     });
+    // "The frame follows the precession but not the spin, so its angular velocity".
+    let follows_frame = clause.is_some_and(|words| words.contains(" its"))
+        && has_any(
+            &text[..at],
+            &[
+                "frame follows",
+                "axes follow",
+                "frame turns",
+                "frame rotates",
+            ],
+        );
+    let of_axes = of_axes || follows_frame;
     let of_wheel = clause.is_some_and(is_of_a_wheel);
     (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
         Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),

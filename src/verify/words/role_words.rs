@@ -25,6 +25,8 @@ pub(super) const ASSUME: &[&str] = &[
     "when",
     "set",
     "setting",
+    "put",
+    "putting",
     "imagine",
     "perturb",
     "perturbing",
