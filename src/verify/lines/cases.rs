@@ -6,6 +6,7 @@ use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
+use crate::verify::lines::given::{is_in_digits, is_zero};
 use crate::verify::lines::scope::ONWARDS;
 use crate::verify::reason;
 use crate::verify::theory::law::Axes;
@@ -270,7 +271,10 @@ impl Checker<'_> {
         let meets =
             premises.any(|p| earlier(&p.name) && !made_of(p) && p.residuals.iter().any(same));
         let passed_on = of_siblings.iter().any(earlier);
-        if !meets && !passed_on || role != Role::Assume && !self.contradicts(sides) {
+        // A number for a symbol takes the place of another number alone.
+        let number = !is_zero(&sides[sides.len() - 1]) && sides[1..].iter().all(is_in_digits);
+        let narrows = role != Role::Assume || number;
+        if !meets && !passed_on || narrows && !self.contradicts(sides) {
             return;
         }
         let kept = self.cases.kept.iter();

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::inner;
+use crate::verify::lines::given::is_zero;
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::quantity::Quantity;
@@ -16,7 +17,8 @@ const ABOUT_ONE_AXIS: &str = "the moment acts about one axis alone";
 impl Checker<'_> {
     /// Notes that the components of the moment on the other axes vanish, where words say so of the one that a line gives.
     pub(crate) fn note_lone_moment(&mut self, sides: &[Node], finding: &Finding) {
-        if finding.verdict != Verdict::Accepted || !self.speaks_of_one_moment() {
+        let nothing = sides.last().is_none_or(is_zero);
+        if nothing || finding.verdict != Verdict::Accepted || !self.speaks_of_one_moment() {
             return;
         }
         let Some(Kind::Symbol(symbol)) = sides.first().map(|side| &inner(side).kind) else {

@@ -45,8 +45,10 @@ impl Checker<'_> {
         let named = self.names_a_steady_case()
             || rates.is_some_and(|(_, rates)| self.names_steady_motion(rates));
         let steady = still && self.displayed && named;
+        let now = rates.is_some() && self.says_now();
         if steady
-            || !self.displayed && (still || on_principal_axes || self.are_said_to_be_equal(sides))
+            || !self.displayed
+                && (still || now || on_principal_axes || self.are_said_to_be_equal(sides))
         {
             return Role::Assume;
         }
@@ -213,6 +215,12 @@ impl Checker<'_> {
             let variable = self.theory.atoms.part(entity, place.unwrap_or(0), 0);
             own && self.theory.rule(variable).is_none() && !self.theory.mentions_part(entity, place)
         })
+    }
+
+    /// "Now ⟨\dot\omega = 0⟩": what vanishes from here on.
+    fn says_now(&self) -> bool {
+        let words = lowered(self.sentence.rsplit(['⟩', '.']).next().unwrap_or_default());
+        matches!(words.trim(), "now" | "now let" | "but now")
     }
 
     /// "At constant speed we have": words that name a case and claim nothing.

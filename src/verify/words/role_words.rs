@@ -229,6 +229,8 @@ pub(super) const SHORTER: &[(&str, &str)] = &[
 ];
 /// Openings that look like an assumption and introduce a claim.
 pub(super) const NO_ROLE: &[&str] = &[
+    "put in",
+    "putting in",
     "let us expand",
     "let us say",
     "let us look",
