@@ -237,3 +237,10 @@ fn a_rounded_multiple_of_a_symbol_is_decided() {
         .and_then(|f| f.diagnosis.as_ref()?.suggestion.clone());
     assert_eq!(repair.as_deref(), Some("\\lambda = 0.55\\,r"));
 }
+
+#[test]
+fn a_rounded_multiple_of_a_quotient_is_decided() {
+    let orbit = "The orbit has the rate $n$, and $\\nu = 1.2\\,n$. One swing takes $\\tau_p = 2\\pi/\\nu$.";
+    assert_eq!(verdict(orbit, r"\tau_p \approx 0.83\,\frac{2\pi}{n}"), "proved");
+    assert_eq!(verdict(orbit, r"\tau_p \approx 1.2\,\frac{2\pi}{n}"), "refuted");
+}

@@ -127,3 +127,30 @@ fn a_torque_that_acts_now_ends_that_none_did() {
     assert_eq!(power("2"), Some('p'));
     assert_eq!(power("6"), Some('r'));
 }
+
+#[test]
+fn numbers_of_a_case_take_the_place_of_numbers_alone() {
+    let text = |moment: &str| {
+        verdicts(&format!(
+            "A disc has the mass $m$, the radius $R$ and the principal moments $I_1 = I_2 = \\tfrac14 mR^2$, $I_3 = \\tfrac12 mR^2$.\n\n\
+             **Numbers.** With $m = 2$ and $R = 0.15$ we get\n\n$$ I_1 = 0.01125 $$\n\n\
+             **Other numbers.** With $m = 3$ we get\n\n$$ I_1 = {moment} $$\n"
+        ))
+    };
+    assert_eq!(text("0.016875"), "aaaapap");
+    assert_eq!(text("0.01125"), "aaaapar");
+}
+
+#[test]
+fn what_vanishes_now_is_supposed() {
+    let text = |moment: &str| {
+        verdicts(&format!(
+            "A disc has the principal moments $I_1 = I_2 = A$ and $I_3 = C$. The angular velocity $\\vec\\omega$ points along the shaft:\n\n\
+             $$ \\omega_1 = \\omega\\sin\\beta, \\qquad \\omega_2 = 0, \\qquad \\omega_3 = \\omega\\cos\\beta $$\n\n\
+             with a fixed angle $\\beta$. Now $\\dot\\omega = 0$, and Euler's equations leave one moment:\n\n\
+             $$ M_1 = 0, \\qquad M_2 = {moment}\\,\\omega_3\\omega_1 $$\n"
+        ))
+    };
+    assert_eq!(text("(A - C)"), "aaaaaapp");
+    assert_eq!(text("(C - A)"), "aaaaaapr");
+}

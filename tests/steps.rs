@@ -212,3 +212,16 @@ fn the_slope_of_a_function_is_taken_where_the_step_is() {
                  $$ \\mathbf A_k = \\frac{\\partial\\boldsymbol\\omega_{k+1}}{\\partial\\boldsymbol\\omega_k} = \\mathbf 1 + h\\frac{\\partial\\mathbf f}{\\partial\\boldsymbol\\omega} $$\n";
     assert!(!verdicts(named).contains('r'));
 }
+
+#[test]
+fn a_momentum_steps_by_the_velocity_it_turns_with() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "With the momentum $\\Pi$ on body axes, a constant $I$ and $\\omega = I^{{-1}}\\Pi$ the explicit step is\n\n\
+             $$ \\Pi_{{k+1}} = \\Pi_k + h\\,\\Pi_k\\times\\omega_k $$\n\nso that\n\n\
+             $$ |\\Pi_{{k+1}}|^2 = |\\Pi_k|^2 {sign} h^2\\,|\\Pi_k\\times\\omega_k|^2 $$\n"
+        ))
+    };
+    assert_eq!(text("+"), "pap");
+    assert!(!text("-").ends_with(['p', 'a']));
+}

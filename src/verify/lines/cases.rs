@@ -271,16 +271,21 @@ impl Checker<'_> {
         let meets =
             premises.any(|p| earlier(&p.name) && !made_of(p) && p.residuals.iter().any(same));
         let passed_on = of_siblings.iter().any(earlier);
-        // A number for a symbol takes the place of another number alone.
+        // A number for a symbol takes the place of what is no law of others.
         let number = !is_zero(&sides[sides.len() - 1]) && sides[1..].iter().all(is_in_digits);
-        let narrows = role != Role::Assume || number;
-        if !meets && !passed_on || narrows && !self.contradicts(sides) {
+        let alone = |r: &Fraction| r.variables().iter().all(|v| variables.contains(v));
+        let premises = self.theory.premises().iter();
+        let values = premises.filter(|p| p.residuals.iter().any(alone));
+        let values: BTreeSet<Name> = values.map(|p| p.name.clone()).collect();
+        let narrows = number && !values.iter().any(earlier);
+        if !meets && !passed_on || narrows || role != Role::Assume && !self.contradicts(sides) {
             return;
         }
         let kept = self.cases.kept.iter();
         let before = kept.filter(|&(_, &case)| case < self.cases.now);
         let mut ended: BTreeSet<Name> = before.map(|(name, _)| name.clone()).collect();
         ended.retain(|name| !self.weighs_something_else(name, &variables));
+        ended.retain(|name| !number || values.contains(name));
         if passed_on {
             self.small_across(first);
         } else if self.set_the_spin(&ended) {

@@ -1,7 +1,7 @@
 //! What a line can hand over: inertia, rates and masses that nothing determines.
 
 use crate::algebra::Variable;
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::{INPUTS, is_in_digits};
@@ -80,5 +80,37 @@ impl Checker<'_> {
             } => c == component || named && c >= 3,
             _ => false,
         })
+    }
+
+    /// Whether a side is a product of inertia that is determined by an angle of the document alone, as where axes are turned
+    /// until another product vanishes: what it is then determines the angle.
+    pub(crate) fn turns_with_an_angle(&mut self, side: &Node) -> bool {
+        let Kind::Symbol(symbol) = &inner(side).kind else {
+            return false;
+        };
+        let Meaning::Component(entity, component @ 3..) = self.meaning_of(symbol) else {
+            return false;
+        };
+        let atoms = &self.theory.atoms;
+        if !matches!(
+            atoms.info(entity).owner,
+            Owner::Quantity(Quantity::Inertia, _)
+        ) {
+            return false;
+        }
+        let value = self.theory.atoms.value(entity, component, 0);
+        let variables = self.theory.normal(&value).variables();
+        let atoms = &self.theory.atoms;
+        let of_angle = |v: &Variable| match atoms.atom(*v) {
+            Atom::Kernel {
+                function: Function::Sin | Function::Cos | Function::Tan,
+                argument,
+            } => {
+                let mut inside = argument.variables().into_iter();
+                inside.all(|v| matches!(atoms.owner(v), Some(Owner::Symbol(_))))
+            }
+            _ => false,
+        };
+        variables.len() > 1 && variables.iter().any(of_angle)
     }
 }

@@ -93,7 +93,9 @@ impl Checker<'_> {
         }
         let derived = zero && (self.asserted && self.displayed || self.obtained);
         let motion = derived && self.sets_motion(first) && !self.stands_beside_motion(first);
-        let free = self.is_free_input(first) || self.is_free_elsewhere(first, &sides[1..]);
+        let free = self.is_free_input(first)
+            || self.is_free_elsewhere(first, &sides[1..])
+            || self.turns_with_an_angle(first);
         if motion || !free || self.is_circular(first, read) {
             return false;
         }

@@ -25,11 +25,7 @@ fn multiple(side: &Node) -> Option<(Node, Node)> {
     };
     let (number, symbols) = factors.split_first()?;
     let plain = |factor: &Factor| {
-        let base = match &factor.node.kind {
-            Kind::Power(base, _) => base,
-            _ => &factor.node,
-        };
-        matches!(base.kind, Kind::Symbol(_))
+        is_made_of_symbols(&factor.node)
             && matches!(factor.operator, Operator::Juxtaposed | Operator::Dot)
     };
     if !matches!(number.node.kind, Kind::Number(_)) || !symbols.iter().all(plain) {
@@ -40,4 +36,15 @@ fn multiple(side: &Node) -> Option<(Node, Node)> {
         span: side.span,
     };
     Some((number.node.clone(), product))
+}
+
+/// Whether a node is a product, quotient or power of symbols and whole numbers.
+fn is_made_of_symbols(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Symbol(_) | Kind::Number(_) => !holds_decimals(node),
+        Kind::Product(_) | Kind::Quotient(..) | Kind::Power(..) | Kind::Group(..) => {
+            node.children().all(is_made_of_symbols)
+        }
+        _ => false,
+    }
 }

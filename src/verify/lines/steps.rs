@@ -25,6 +25,8 @@ const STEP: &[&str] = &[
     "iteration",
     "implicit",
     "explicit",
+    "new value",
+    "new state",
 ];
 
 impl Checker<'_> {
@@ -61,7 +63,7 @@ impl Checker<'_> {
         self.accept_definition(sides, finding)
     }
 
-    /// Whether a line leads to an angular velocity that only names have been given with: a mean.
+    /// Whether a line leads to an angular velocity, or a momentum, that only names have been given with: a mean.
     fn steps_to_new(&mut self, sides: &[Node]) -> bool {
         let said = self.theory.premises().iter().filter(|p| !p.definition);
         let said = said
@@ -70,8 +72,8 @@ impl Checker<'_> {
         let said: BTreeSet<Option<Entity>> = said.map(|v| self.theory.atoms.entity_of(v)).collect();
         self.entities(sides).into_iter().any(|entity| {
             let owner = &self.theory.atoms.info(entity).owner;
-            let velocity = matches!(owner, Owner::Quantity(Quantity::AngularVelocity, step) if step.contains('+'));
-            velocity && !said.contains(&Some(entity))
+            let state = matches!(owner, Owner::Quantity(Quantity::AngularVelocity | Quantity::Momentum, step) if step.contains('+'));
+            state && !said.contains(&Some(entity))
         })
     }
 
@@ -94,17 +96,20 @@ impl Checker<'_> {
         if finding.verdict == Verdict::Accepted && self.relates_steps(sides) {
             let name = self.line_name(finding);
             self.steps.push((name, self.cases.section()));
+            self.now_known(sides);
         }
     }
 
-    /// Whether a line sets angular velocities before and behind a step against each other by the body that it speaks of.
+    /// Whether a line sets angular velocities before and behind a step against each other by the body that it speaks of, or
+    /// momenta by the velocity that they turn with.
     fn relates_steps(&mut self, sides: &[Node]) -> bool {
         let entities: BTreeSet<Entity> = self.entities(sides).into_iter().collect();
         let owner = |entity: &Entity| self.theory.atoms.info(*entity).owner.clone();
         let owners: Vec<Owner> = entities.iter().map(owner).collect();
         let is = |owner: &&Owner, of: Quantity| matches!(owner, Owner::Quantity(q, _) if *q == of);
-        let velocities = owners.iter().filter(|o| is(o, Quantity::AngularVelocity));
-        let inertia = owners.iter().any(|o| is(&o, Quantity::Inertia));
-        velocities.count() > 1 && inertia
+        let count = |of: Quantity| owners.iter().filter(|o| is(o, of)).count();
+        let velocities = count(Quantity::AngularVelocity);
+        velocities > 1 && count(Quantity::Inertia) > 0
+            || count(Quantity::Momentum) > 1 && velocities > 0
     }
 }
