@@ -135,3 +135,28 @@ $$ \mathbf I_A = \mathbf I_G {sign} m\left[(\mathbf d\cdot\mathbf d)\mathbf 1 - 
     assert_eq!(verdicts(&text("+")), "pp");
     assert_eq!(verdicts(&text("-")), "pr");
 }
+
+#[test]
+fn a_body_is_without_a_moment_in_many_words() {
+    let verdict = |words: &str| {
+        verdicts(&format!(
+            "A rigid body has principal moments $I_1, I_2, I_3$ and turns with $\\vec\\omega$; the moment on it is $\\vec M$. \
+             {words}\n\n$$ I_1\\dot\\omega_1 = (I_2 - I_3)\\omega_2\\omega_3 $$\n"
+        ))
+    };
+    for words in [
+        "Without moment,",
+        "Without a torque,",
+        "Without any torque",
+        "Left to itself, it obeys",
+        "In the absence of moments",
+    ] {
+        assert_eq!(verdict(words), "p", "{words}");
+    }
+    for words in [
+        "Without moment of friction",
+        "Without a torque about the shaft",
+    ] {
+        assert_ne!(verdict(words), "p", "{words}");
+    }
+}

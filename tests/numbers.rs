@@ -240,7 +240,22 @@ fn a_rounded_multiple_of_a_symbol_is_decided() {
 
 #[test]
 fn a_rounded_multiple_of_a_quotient_is_decided() {
-    let orbit = "The orbit has the rate $n$, and $\\nu = 1.2\\,n$. One swing takes $\\tau_p = 2\\pi/\\nu$.";
-    assert_eq!(verdict(orbit, r"\tau_p \approx 0.83\,\frac{2\pi}{n}"), "proved");
-    assert_eq!(verdict(orbit, r"\tau_p \approx 1.2\,\frac{2\pi}{n}"), "refuted");
+    let orbit =
+        "The orbit has the rate $n$, and $\\nu = 1.2\\,n$. One swing takes $\\tau_p = 2\\pi/\\nu$.";
+    assert_eq!(
+        verdict(orbit, r"\tau_p \approx 0.83\,\frac{2\pi}{n}"),
+        "proved"
+    );
+    assert_eq!(
+        verdict(orbit, r"\tau_p \approx 1.2\,\frac{2\pi}{n}"),
+        "refuted"
+    );
+}
+
+#[test]
+fn a_moment_in_numbers_waits_for_what_gives_it() {
+    let wheel = "A wheel of moment $C$ about its axle spins at $s$ and is turned about the vertical at the rate $\\Omega$. \
+                 The moment that must be applied has the size\n\n$$ M = C s\\Omega $$\n\n\
+                 With $C = 0.2\\ \\mathrm{kg\\,m^2}$, $s = 30\\ \\mathrm{rad/s}$ and $\\Omega = 2\\ \\mathrm{rad/s}$:";
+    assert_ne!(verdict(wheel, r"M = 12\ \mathrm{N\,m}"), "refuted");
 }

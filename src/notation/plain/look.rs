@@ -301,7 +301,7 @@ fn is_given_a_name(behind: &str) -> bool {
     let named = named.iter().find_map(|lead| behind.strip_prefix(lead));
     let nouns = [
         "moment", "moments", "momentum", "inertia", "torque", "velocity", "energy", "mass",
-        "couple",
+        "couple", "distance", "radius", "angle", "length",
     ];
     named.is_some_and(|words| {
         let mut first = words.split_whitespace().take(3);

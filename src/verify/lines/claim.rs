@@ -300,9 +300,15 @@ impl Checker<'_> {
                 && symbol.name.chars().all(|c| c.is_ascii_uppercase());
             // The g of a weight needs no words.
             let weight = symbol.name == "g" && symbol.subscripts.is_empty() && !symbol.style.vector;
+            // Nothing gives a size in numbers before its vector has one.
+            let size = matches!(&info.owner, Owner::Quantity(_, variant) if variant == MAGNITUDE)
+                && sides.iter().any(|side| symbols(side).is_empty());
             let unknown = strange && !arrow && !weight && !self.known.contains(&entity);
             let scales = failed.is_some_and(|read| self.only_scales(entity, read));
-            if unknown && !scales && self.is_free(entity) {
+            let value = self.theory.atoms.value(entity, 0, 0);
+            let value = self.theory.normal(&value);
+            let open = size && !is_number(&self.theory.atoms, &value);
+            if open || unknown && !scales && self.is_free(entity) {
                 return Some(format!("`{}`", symbol.name));
             }
         }

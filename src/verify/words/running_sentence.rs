@@ -37,7 +37,10 @@ fn concludes_with(sentence: &str) -> bool {
 
 /// Whether a sentence says in another form what stands before: "needs ⟨T⟩ for one swing, or".
 fn says_again(sentence: &str) -> bool {
-    let clause = sentence.trim_end_matches([',', '.', ' ']).rsplit(',').next();
+    let clause = sentence
+        .trim_end_matches([',', '.', ' '])
+        .rsplit(',')
+        .next();
     let clause = clause.unwrap_or_default().trim();
     sentence.contains('⟩') && matches!(clause, "or" | "or equivalently" | "that is" | "i.e.")
 }

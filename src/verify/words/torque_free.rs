@@ -20,6 +20,7 @@ const FREE: &[&str] = &[
     "free motion",
     "free rigid body",
     "free body",
+    "left to itself",
     "freely about its centre of mass",
     "freely about its center of mass",
     "freely about its mass centre",
@@ -137,7 +138,7 @@ const ALOFT: &[&str] = &[
 /// What may yet have one.
 const OTHER_LOADS: &[&str] = &["but ", "except", "resistance", "drag", "only", "axes"];
 
-const THERE: &[&str] = &["is no ", "are no ", "with no "];
+const THERE: &[&str] = &["is no ", "are no ", "with no ", "without "];
 
 /// What no text is without that says that no torque acts.
 static CUES: LazyLock<Book> = LazyLock::new(|| {
@@ -146,6 +147,11 @@ static CUES: LazyLock<Book> = LazyLock::new(|| {
 
 /// Whether a text in small letters says that no torque acts.
 pub(crate) fn torque_free(text: &str) -> bool {
+    if !CUES.is_in(text) {
+        return false;
+    }
+    // A word may stand at the end of its line.
+    let text = &format!("{} ", text.replace('\n', " "));
     let says = || {
         let mut supposed = [&NO_TORQUE, &FREELY, &NO_FORCE].into_iter();
         let mut set = FREE_BOOK.places(text);
@@ -159,7 +165,7 @@ pub(crate) fn torque_free(text: &str) -> bool {
             || weight_has_no_moment(text)
             || supposed.any(|supposed| supposed.is_in(text))
     };
-    CUES.is_in(text) && says()
+    says()
 }
 
 /// Whether words behind "no torque" have it about one axis alone: "acts about the shaft".
@@ -193,15 +199,18 @@ fn denies_a_kind(text: &str) -> bool {
     names.any(|name| text.contains(name)) && words(text).windows(3).any(denies)
 }
 
-/// "There is no moment": none of any kind, about no axis in particular.
+/// "There is no moment", "without a torque": none of any kind, about no axis in particular.
 fn there_is_none(text: &str) -> bool {
     const PARTS: &[&str] = &["of", "about", "along", "around", "in", "arm", "from", "due"];
     let words = words(text);
-    let mut places = words.windows(3).enumerate();
-    places.any(|(at, three)| {
-        let none = matches!(three, ["is" | "are" | "with", "no", thing] if THINGS.contains(thing));
-        let behind = words.get(at + 3);
-        none && behind.is_none_or(|word| !PARTS.contains(word))
+    (0..words.len()).any(|at| {
+        let (thing, behind) = match words[at..] {
+            ["is" | "are" | "with", "no", thing, ..] => (thing, words.get(at + 3)),
+            ["without", "a" | "an" | "any", thing, ..] => (thing, words.get(at + 3)),
+            ["without", thing, ..] => (thing, words.get(at + 2)),
+            _ => return false,
+        };
+        THINGS.contains(&thing) && behind.is_none_or(|word| !PARTS.contains(word))
     })
 }
 
