@@ -178,3 +178,27 @@ $$ \frac{\partial\boldsymbol\omega}{\partial\mathbf L} = \mathbf I^{-1} $$
 ";
     assert_eq!(verdicts(text), "pprpp");
 }
+
+#[test]
+fn a_rate_that_is_called_a_function_says_what_it_is() {
+    let last = |middle: &str| {
+        verdicts(&format!(
+            "On principal axes the torque-free dynamics are $\\dot\\omega = f(\\omega)$ with\n\n\
+             $$ f(\\omega) = \\begin{{bmatrix}} \\frac{{I_2 - I_3}}{{I_1}}\\omega_2\\omega_3 \\\\ {middle}\\omega_3\\omega_1 \\\\ \
+             \\frac{{I_1 - I_2}}{{I_3}}\\omega_1\\omega_2 \\end{{bmatrix}} $$\n"
+        ))
+    };
+    assert_eq!(last("\\frac{I_3 - I_1}{I_2}"), "ap");
+    assert_eq!(last("\\frac{I_1 - I_3}{I_2}"), "ar");
+    let jacobian = |entry: &str| {
+        verdicts(&format!(
+            "On principal axes without torque $\\dot\\omega = f(\\omega)$. The Jacobian is\n\n\
+             $$ \\frac{{\\partial f}}{{\\partial\\omega}} = \\begin{{bmatrix}} \
+             0 & \\frac{{I_2 - I_3}}{{I_1}}\\omega_3 & \\frac{{I_2 - I_3}}{{I_1}}\\omega_2 \\\\ \
+             \\frac{{I_3 - I_1}}{{I_2}}\\omega_3 & 0 & \\frac{{I_3 - I_1}}{{I_2}}\\omega_1 \\\\ \
+             \\frac{{I_1 - I_2}}{{I_3}}\\omega_2 & {entry}\\omega_1 & 0 \\end{{bmatrix}} $$\n"
+        ))
+    };
+    assert_eq!(jacobian("\\frac{I_1 - I_2}{I_3}"), "ap");
+    assert_eq!(jacobian("\\frac{I_2 - I_1}{I_3}"), "ar");
+}

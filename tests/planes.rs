@@ -115,3 +115,19 @@ fn a_product_of_inertia_under_another_letter_is_none_on_no_axes() {
     assert!(verdicts(&text("-")).ends_with('p'));
     assert!(verdicts(&text("+")).ends_with('r'));
 }
+
+#[test]
+fn an_aircraft_of_which_one_product_is_written_has_a_plane_of_symmetry() {
+    let text = |body: &str, term: &str| {
+        verdicts(&format!(
+            "For the lateral motion of {body} with $I_{{xz}} = \\int xz\\,dm$ we have\n\n\
+             $$ L = I_{{xx}}\\dot p - I_{{xz}}\\dot r + qr(I_{{zz}} - I_{{yy}}) - I_{{xz}}pq $$\n\n\
+             $$ M = I_{{yy}}\\dot q + rp(I_{{xx}} - I_{{zz}}) + I_{{xz}}(p^2 - r^2) $$\n\n\
+             $$ N = I_{{zz}}\\dot r - I_{{xz}}\\dot p + pq(I_{{yy}} - I_{{xx}}) + I_{{xz}}qr $$\n\n\
+             Linearised about straight flight,\n\n$$ L = I_{{xx}}\\dot p {term} I_{{xz}}\\dot r $$\n"
+        ))
+    };
+    assert_eq!(text("an aeroplane", "-"), "apppp");
+    assert_eq!(text("an aeroplane", "+"), "apppr");
+    assert_ne!(text("a rigid body", "-"), "apppp");
+}

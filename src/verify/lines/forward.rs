@@ -5,6 +5,7 @@ use crate::notation::document::{Formula, Item, Row};
 use crate::verify::check::Checker;
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
+use crate::verify::lines::functions::gives_a_rate_by_name;
 use crate::verify::lines::index::is_equality;
 use crate::verify::lines::pendulum::{squared, swung};
 use crate::verify::values::atoms::{Entity, Owner};
@@ -103,6 +104,10 @@ impl<'a> Checker<'a> {
             return;
         };
         if self.writes_a_form() {
+            return;
+        }
+        // `\dot\omega = f(\omega)` says by itself what f is, and what stands behind is a claim.
+        if lines_of(formula).any(|line| gives_a_rate_by_name(&line.sides)) {
             return;
         }
         // The motion that is known by then says what the frequency is, and what stands behind is a claim.

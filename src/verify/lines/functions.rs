@@ -136,12 +136,16 @@ impl Checker<'_> {
 
     /// `\dot\omega = f(\omega, u)` for an f that nothing has said anything of: the right side is the new name.
     fn names_on_the_right(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        let [left, right] = sides else { return false };
+        let [left, right, rest @ ..] = sides else {
+            return false;
+        };
         let Kind::Call(head, arguments) = &inner(right).kind else {
             return false;
         };
         let lone = |node: &Node| matches!(inner(node).kind, Kind::Symbol(_));
-        if arguments.len() < 2 || !arguments.iter().all(lone) || self.new_symbol(left).is_some() {
+        // One bracket alone may be a factor.
+        let of_state = arguments.len() > 1 || is_rate_of(left, arguments);
+        if !of_state || !arguments.iter().all(lone) || self.new_symbol(left).is_some() {
             return false;
         }
         let Some((entity, None)) = self.new_symbol(head) else {
@@ -159,6 +163,32 @@ impl Checker<'_> {
         }
         finding.verdict = Verdict::Accepted;
         finding.role = Role::Define;
+        if !rest.is_empty() {
+            finding.role = Role::Claim;
+            finding.verdict = Verdict::Undecided;
+            self.claim(&[&sides[..1], rest].concat(), finding);
+        }
         true
     }
+}
+
+/// Whether a line says that the rate of something is a function of it.
+pub(crate) fn gives_a_rate_by_name(sides: &[Node]) -> bool {
+    let [left, right, ..] = sides else {
+        return false;
+    };
+    matches!(&inner(right).kind, Kind::Call(_, arguments) if is_rate_of(left, arguments))
+}
+
+/// Whether a side is the rate of the first argument: the left side of `\dot\omega = f(\omega)`.
+fn is_rate_of(side: &Node, arguments: &[Node]) -> bool {
+    let Kind::TimeDerivative {
+        operand, order: 1, ..
+    } = &inner(side).kind
+    else {
+        return false;
+    };
+    let symbol = |node: &Node| symbols(node).first().map(|s| (*s).clone());
+    let first = arguments.first().and_then(symbol);
+    first.is_some() && symbol(operand) == first
 }

@@ -56,6 +56,7 @@ fn unit(name: &str) -> Option<(Rational, i32)> {
         "MN" | "MJ" | "MW" | "MPa" => plain(1_000_000, 1),
         "min" => plain(60, 1),
         "h" => plain(3600, 1),
+        "d" | "day" | "days" => plain(86_400, 1),
         "in" => plain(1, 12),
         "rev" | "turn" => Some((Rational::from(2), 1)),
         "rpm" => Some((Rational::from((1, 30)), 1)),
@@ -116,7 +117,7 @@ pub(crate) fn dimension(text: &str) -> Option<Dimension> {
             let base: Dimension = match *name {
                 "kg" | "g" => [1, 0, 0],
                 "m" | "mm" | "cm" | "km" => [0, 1, 0],
-                "s" | "ms" | "min" | "h" => [0, 0, 1],
+                "s" | "ms" | "min" | "h" | "d" | "day" | "days" => [0, 0, 1],
                 "N" | "mN" | "kN" | "MN" => [1, 1, -2],
                 "J" | "mJ" | "kJ" | "MJ" | "Nm" | "kNm" => [1, 2, -2],
                 "W" | "kW" | "MW" => [1, 2, -3],

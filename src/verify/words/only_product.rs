@@ -21,7 +21,36 @@ const ONLY: &[&str] = &[
     "the other products of inertia vanish",
 ];
 
+/// What has a plane of symmetry through its longitudinal axis, unless the document says otherwise.
+const AIRCRAFT: &[&str] = &["aircraft", "aeroplane", "airplane", "airframe", "glider"];
+
 impl Checker<'_> {
+    /// Takes in that an aircraft of which the document writes the product I_xz alone has no other.
+    pub(crate) fn note_plane_of_aircraft(&mut self, span: Span) {
+        let taken = self
+            .theory
+            .premises()
+            .iter()
+            .any(|p| p.residuals.len() == 2 && p.name.contains("plane of symmetry"));
+        if taken || !self.text.says(AIRCRAFT) {
+            return;
+        }
+        let usage = &self.reading.usage;
+        let inertia = self
+            .reading
+            .quantities
+            .iter()
+            .filter(|(_, q)| **q == Quantity::Inertia);
+        let met: Vec<&String> = inertia
+            .filter_map(|(letter, _)| usage.subscripts.get(letter))
+            .flatten()
+            .collect();
+        let has = |names: &[&str]| met.iter().any(|index| names.contains(&index.as_str()));
+        if has(&["xz", "zx"]) && !has(&["xy", "yx", "yz", "zy"]) {
+            self.take(Said::OnlyProduct(0, 2), span);
+        }
+    }
+
     /// Takes in that the formula behind such words, the first of its sentence, is the only product of inertia.
     pub(crate) fn note_only_product(&mut self, formula: &Formula) {
         let clause = self.sentence.rsplit(['⟩', '.', ';']).next();

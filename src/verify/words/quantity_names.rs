@@ -169,10 +169,12 @@ pub(crate) static BOOK: LazyLock<Book> =
 pub(crate) static LONGEST: LazyLock<usize> =
     LazyLock::new(|| PHRASES.iter().map(|(p, _)| p.len()).max().unwrap_or(0));
 
-/// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum".
+/// Whether a phrase that stands at a place is whole words, a plural included: not the "moment" of "momentum", nor the
+/// "torque" of "torque-free".
 pub(crate) fn is_word(text: &str, at: usize, phrase: &str) -> bool {
     let letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
     let rest = &text[at + phrase.len()..];
     let rest = rest.strip_prefix('s').unwrap_or(rest);
-    !letter(text[..at].chars().next_back()) && !letter(rest.chars().next())
+    let absent = rest.starts_with("-free") || rest.starts_with(" free ");
+    !absent && !letter(text[..at].chars().next_back()) && !letter(rest.chars().next())
 }

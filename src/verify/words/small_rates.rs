@@ -53,6 +53,15 @@ const TO_FIRST_ORDER: &[&str] = &[
     "linear in the rates",
 ];
 
+/// States in which nothing turns, about which equations are linearised.
+const AT_REST: &[&str] = &[
+    "straight flight",
+    "level flight",
+    "about rest",
+    "about the state of rest",
+    "about the rest position",
+];
+
 /// Words that take the angles of a document small.
 const FOR_SMALL: &[&str] = &[
     "for small angles",
@@ -78,7 +87,9 @@ fn calls_rates_small(sentence: &str) -> bool {
     });
     let some = SOME.iter().any(|word| sentence.contains(word));
     let order = TO_FIRST_ORDER.iter().any(|words| sentence.contains(words));
-    called && !some || order || drops_products(sentence)
+    let about_rest =
+        sentence.contains("lineari") && AT_REST.iter().any(|words| sentence.contains(words));
+    called && !some || order || about_rest || drops_products(sentence)
 }
 
 /// "Products of two rates are dropped."
@@ -121,10 +132,11 @@ impl Checker<'_> {
             self.linear = true;
             self.call_angles_small();
         }
-        for sentence in text
-            .split(['.', ';'])
-            .filter(|s| s.contains("rates") || s.contains("velocities"))
-        {
+        for sentence in text.split(['.', ';']).filter(|s| {
+            ["rates", "velocities", "lineari"]
+                .iter()
+                .any(|word| s.contains(word))
+        }) {
             if !calls_rates_small(sentence) {
                 continue;
             }
