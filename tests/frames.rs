@@ -263,3 +263,15 @@ fn a_moment_about_an_axis_is_expanded_in_the_components_of_its_unit_vector() {
         }
     }
 }
+
+#[test]
+fn what_carries_the_axes_names_their_frame() {
+    let text = |rate: &str| {
+        verdicts(&format!(
+            "The platform turns with $\\boldsymbol\\Omega$, the body on it with $\\boldsymbol\\omega$, and $\\mathbf H = \\mathbf I\\boldsymbol\\omega$.\n\n\
+             $$ \\mathbf M = \\left(\\frac{{d\\mathbf H}}{{dt}}\\right)_{{\\text{{platform}}}} + {rate}\\times\\mathbf H $$\n"
+        ))
+    };
+    assert_eq!(text("\\boldsymbol\\Omega"), "pp");
+    assert_eq!(text("\\boldsymbol\\omega"), "pr");
+}

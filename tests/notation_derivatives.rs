@@ -103,3 +103,17 @@ fn an_operator_without_an_operand_is_no_rate() {
     let read = latex(r"\left(\frac{d}{dt}\right)_{s} = \left(\frac{d}{dt}\right)_b + \omega\times");
     assert!(read.contains('<'), "{read}");
 }
+
+#[test]
+fn a_slash_divides_by_a_variable_with_its_marks() {
+    let whole = |line: &str, variable: &str| {
+        let read = latex(line);
+        assert!(!read.contains('<'), "{read}");
+        assert!(read.contains("(partial T "), "{line}: {read}");
+        assert!(read.contains(variable), "{line}: {read}");
+    };
+    whole(r"\partial T/\partial\vec\omega", "vec:omega");
+    whole(r"\partial T/\partial{\bm\omega}", "vec:omega");
+    whole(r"\partial T/\partial\dot{\theta}", "dot");
+    whole(r"\partial T/\partial\boldsymbol\omega_k", "vec:omega_k");
+}

@@ -165,3 +165,15 @@ fn a_derivative_is_no_definition_of_itself() {
                  $$ \\frac{\\partial R}{\\partial w} = 2J $$\n";
     assert_ne!(verdicts(slope).chars().last(), Some('a'));
 }
+
+#[test]
+fn pitching_and_yawing_moments_need_no_third() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "A missile with moments of inertia $I_x$, $I_y = I_z = I$ has the body rates $p, q, r$. On principal axes\n\n\
+             $$ M = I\\dot q {sign} (I_x - I)\\,rp $$\n\n$$ N = I\\dot r - (I_x - I)\\,pq $$\n"
+        ))
+    };
+    assert_eq!(text("+"), "app");
+    assert_eq!(text("-"), "arp");
+}

@@ -3,6 +3,7 @@
 mod differential;
 
 use super::Parser;
+use super::letter::is_mark;
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::notation::token::{Lexeme, Token};
 use differential::{Differential, above, order, script, total, total_mark, trim};
@@ -148,7 +149,18 @@ impl<'t, 'a> Parser<'t, 'a> {
         if !below.factor_starts() {
             return None;
         }
-        below.at += 1;
+        // The mark of a vector and its letter are one: `\partial T/\partial\vec\omega`.
+        let dots = |name: &str| matches!(name, "dot" | "ddot");
+        let marked =
+            matches!(below.peek(), Some(Lexeme::Command(name)) if is_mark(name) || dots(name));
+        if below.peek() == Some(Lexeme::Open) {
+            let _ = below.argument();
+        } else {
+            below.at += 1;
+        }
+        if marked {
+            let _ = below.argument();
+        }
         while matches!(below.peek(), Some(Lexeme::Subscript | Lexeme::Superscript)) {
             below.at += 1;
             let _ = below.argument();

@@ -48,6 +48,11 @@ enum Mark {
     Other,
 }
 
+/// Whether a command marks the letter behind it.
+pub(super) fn is_mark(name: &str) -> bool {
+    mark(name).is_some()
+}
+
 fn mark(name: &str) -> Option<Mark> {
     Some(match name {
         "vec" | "overrightarrow" | "va" | "vv" => Mark::Arrow,

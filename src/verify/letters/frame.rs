@@ -388,7 +388,9 @@ fn by_custom(label: &str) -> Option<Frame> {
         | "stars" | "0" | "s" | "fix" | "s0" | "r0" => Some(Frame::Space),
         "body" | "rot" | "rotating" | "b" | "m" | "moving" | "rel" | "relative" | "bodyfixed"
         | "r" | "rotate" | "turning" | "s1" | "r1" | "1" | "bodyaxes" | "rotatingframe"
-        | "local" => Some(Frame::Moving),
+        | "local" | "platform" | "hull" | "satellite" | "spacecraft" | "craft" | "vehicle"
+        | "aircraft" | "table" | "turntable" | "carrier" | "cage" | "gimbal" | "ring"
+        | "instrument" | "precessing" | "nodes" => Some(Frame::Moving),
         _ => None,
     }
 }

@@ -81,9 +81,8 @@ impl Reading {
             used.bare > 0 && used.vector + used.component == 0
         };
         let said = |name: &str| self.left_sides.contains(&Letter::plain(name));
-        let pair = ["L", "N"]
-            .into_iter()
-            .all(|name| number(name) && said(name));
+        let lines = |names: [&str; 2]| names.into_iter().all(|name| number(name) && said(name));
+        let pair = lines(["L", "N"]) || lines(["M", "N"]) || lines(["L", "M"]);
         for (component, name) in ["L", "M", "N"].into_iter().enumerate().filter(|_| rates) {
             let letter = Letter::plain(name);
             let used = self.usage.get(&letter);
