@@ -165,3 +165,15 @@ fn where_quaternions_are_circled_two_vectors_are_too() {
     assert_eq!(verdicts(&text("-")), "pp");
     assert_eq!(verdicts(&text("")), "pr");
 }
+
+#[test]
+fn an_unmarked_e_in_a_sum_of_matrices_is_the_identity() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "The matrix of the cross product is $[\\omega]_\\times$. Then\n\n\
+             $$ [\\omega]_\\times^2 = \\omega\\omega^T {sign} |\\omega|^2 E $$\n"
+        ))
+    };
+    assert_eq!(text("-"), "p");
+    assert_eq!(text("+"), "r");
+}

@@ -45,6 +45,7 @@ pub(super) mod spin_axis;
 pub(super) mod triad;
 pub(super) mod two_points;
 pub(super) mod two_states;
+mod unit_matrices;
 pub(super) mod usage;
 pub(super) mod votes;
 pub(super) mod wholes;

@@ -154,6 +154,7 @@ impl Reading {
         reading.points = TwoPoints::of(document, &reading.usage);
         reading.by_front_matter(document);
         reading.listen(document);
+        reading.note_unit_matrices(document);
         reading.listed_moments(document);
         reading.named_rates(document);
         reading.sequences(has_differences(document));
