@@ -307,3 +307,22 @@ proptest! {
         prop_assert_eq!(plain(&text), outline::node(&tree), "{}", text);
     }
 }
+
+#[test]
+fn a_lone_x_between_operands_is_printed_as_a_factor() {
+    let symbol = |name: &str| {
+        node(Kind::Symbol(Symbol {
+            name: name.to_owned(),
+            ..Symbol::default()
+        }))
+    };
+    let factor = |name: &str| Factor {
+        operator: Operator::Juxtaposed,
+        sign: Span::default(),
+        node: symbol(name),
+    };
+    let tree = node(Kind::Product(["L", "x", "M"].map(factor).into()));
+    let text = print::unicode(&tree);
+    assert_eq!(text, "L * x M");
+    assert_eq!(plain(&text), outline::node(&tree));
+}

@@ -244,3 +244,21 @@ fn the_matrix_of_the_turn_may_have_a_plain_letter() {
     assert_eq!(rate(r"\dot R = R\,\Omega"), Some('p'));
     assert_eq!(rate(r"\dot R = \Omega R"), Some('r'));
 }
+
+#[test]
+fn a_velocity_that_turns_the_attitude_from_the_left_stands_in_space() {
+    let text = |words: &str, rate: &str| {
+        verdicts(&format!(
+            "The attitude matrix $\\mathbf R$ takes body components to space components. {words}\n\n$$ \\dot{{\\mathbf R}} = {rate} $$\n"
+        ))
+    };
+    let (left, right) = (
+        "[\\boldsymbol\\omega]_\\times\\mathbf R",
+        "\\mathbf R[\\boldsymbol\\omega]_\\times",
+    );
+    assert_eq!(text("", left), "p");
+    assert_eq!(text("", right), "p");
+    assert_eq!(text("The body rates are $\\boldsymbol\\omega$.", left), "r");
+    let momentum = "On body axes $\\mathbf L = \\mathbf I\\boldsymbol\\omega$.";
+    assert!(text(momentum, left).ends_with('r'));
+}

@@ -146,6 +146,8 @@ impl Form {
                 }
                 // A bracket close behind a letter would hold its arguments.
                 Operator::Juxtaposed if printed.starts_with('(') => "\\,",
+                // Between operands a lone x would be the sign of a cross product.
+                Operator::Juxtaposed if printed == "x" => self.pick(" ", " * "),
                 Operator::Juxtaposed => " ",
                 Operator::Dot => self.pick(" \\cdot ", " · "),
                 Operator::Cross => self.pick(" \\times ", " × "),

@@ -43,6 +43,7 @@ pub(super) mod space_axes;
 pub(super) mod spin_alone;
 pub(super) mod spin_axis;
 pub(super) mod triad;
+mod turns_from_left;
 pub(super) mod two_points;
 pub(super) mod two_states;
 mod unit_matrices;

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::attitude_layouts::{Layout, is_vector_part};
+use crate::verify::letters::turns_from_left::turns_from_left;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::theory::attitude_law::Convention;
@@ -78,6 +79,11 @@ impl AttitudeReading {
         let rates = || all.iter().filter(|s| s.name == "omega");
         let labelled = rates().any(|s| !s.superscripts.is_empty()) || wear_labels(rates());
         reading.listen(sentences, labelled);
+        let silent = !labelled && sentences.iter().all(|s| rate_in_space(&s.text).is_none());
+        if let Some(matrix) = reading.matrix.as_ref().filter(|_| silent) {
+            let to_space = !reading.convention.matrix_to_body;
+            reading.convention.rate_in_space |= to_space && turns_from_left(document, matrix);
+        }
         reading.layouts = reading.layouts(document, taken);
         reading
     }

@@ -124,8 +124,13 @@ pub(crate) fn rate_in_space(text: &str) -> Option<bool> {
         "⟨omega⟩ in space",
         "⟨omega⟩ in the inertial",
     ]);
+    // "⟨R⟩ takes body components to space components, ⟨ω⟩ is on space axes": its own clause says it.
+    let own = |clause: &&str| has_any(clause, &["⟨omega⟩", "⟨ω⟩"]);
+    let clause = text.split([',', ';']).find(own).unwrap_or(text);
+    let alone = clause.contains("axes") && has_any(clause, SPACE) && !clause.contains("body");
     match (text.contains("body"), says(SPACE)) {
         _ if !resolved => None,
+        (true, true) if alone => Some(true),
         (true, _) => Some(false),
         (false, true) => Some(true),
         _ => None,
