@@ -32,6 +32,7 @@ pub(super) mod raised;
 pub(super) mod raised_labels;
 pub(super) mod raised_steps;
 pub(super) mod reading;
+mod relative_turn;
 pub(super) mod rivals;
 pub(super) mod roles_by_law;
 pub(super) mod round_axes;

@@ -12,6 +12,7 @@ pub(super) mod between_states;
 pub(super) mod cases;
 pub(super) mod characteristic;
 mod circular;
+pub(super) mod constancy;
 pub(super) mod claim;
 pub(super) mod data;
 pub(super) mod decimals;

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{FrameLabel, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::relative_turn::turning_and_still;
 use crate::verify::letters::usage::inner;
 use crate::verify::words::book::has_any;
 use std::collections::{BTreeMap, BTreeSet};
@@ -109,6 +110,9 @@ impl Frames {
         }
         let mut frames = Self::default();
         if !written.is_empty() {
+            if let Some((turning, still)) = turning_and_still(document, &written) {
+                frames.named = [(turning, Frame::Moving), (still, Frame::Space)].into();
+            }
             frames.by_words(document, &written);
             frames.by_plain_words(document, &written);
             frames.by_initials(document, &written);
@@ -348,18 +352,16 @@ fn key(label: &str) -> String {
 
 /// The label that a lone symbol would be, in brackets or not: "the solid $(S)$".
 fn name(node: &Node) -> Option<String> {
-    let node = inner(node);
-    let Kind::Symbol(Symbol {
-        name,
-        subscripts,
-        primes,
-        ..
-    }) = &node.kind
-    else {
-        return None;
-    };
-    let primes = "'".repeat((*primes).into());
-    Some(format!("{name}{}{primes}", subscripts.concat()))
+    match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(label_of(symbol)),
+        _ => None,
+    }
+}
+
+/// The label that a symbol would be.
+pub(crate) fn label_of(symbol: &Symbol) -> String {
+    let primes = "'".repeat(symbol.primes.into());
+    format!("{}{}{primes}", symbol.name, symbol.subscripts.concat())
 }
 
 /// The frame of a label by what people write.

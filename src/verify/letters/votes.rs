@@ -162,6 +162,13 @@ impl Reading {
         if matches!(letter.name.as_str(), "x" | "y" | "z" | "t") {
             return;
         }
+        // An ω without an Ω beside it is the body's own.
+        let quantity = match quantity {
+            Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => {
+                Quantity::AngularVelocity
+            }
+            other => other,
+        };
         *self.votes.entry((letter, quantity)).or_default() += weight;
     }
 
@@ -216,6 +223,14 @@ impl Reading {
         letter.name == "m" || letter.name == "M" && !other
     }
 
+    /// Whether a vector by a Greek letter may be an angular velocity, as words call it, where none has a usual letter.
+    fn turns_by_words(&self, letter: &Letter) -> bool {
+        let greek = ["sigma", "nu", "eta", "varpi", "psi", "Psi", "lambda", "kappa", "zeta"];
+        greek.contains(&letter.name.as_str())
+            && self.usage.get(letter).vector > 0
+            && !TURNING.iter().any(|name| self.has(name))
+    }
+
     /// Whether a letter is used as such a quantity is.
     fn fits(&self, letter: &Letter, quantity: Quantity) -> bool {
         let used = self.usage.get(letter);
@@ -243,8 +258,6 @@ impl Reading {
                 let values = letter.name == "lambda" && numbered && used.vector == 0 && !beside;
                 (usual || values) && !self.components.contains_key(letter)
             }
-            // An ω without an Ω beside it is the body's own.
-            Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => false,
             // Beside an ω with components, Ω turns something else.
             Quantity::AngularVelocity
                 if letter.name == "Omega"
@@ -255,7 +268,7 @@ impl Reading {
             }
             Quantity::FrameRate | Quantity::AngularVelocity => {
                 (self.flat || used.vector + used.component > 0)
-                    && matches!(letter.name.as_str(), "omega" | "Omega" | "w" | "Ω")
+                    && (TURNING.contains(&letter.name.as_str()) || self.turns_by_words(letter))
             }
             Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
             Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
@@ -295,6 +308,9 @@ impl Reading {
         }
     }
 }
+
+/// The letters that an angular velocity mostly has.
+const TURNING: &[&str] = &["omega", "Omega", "w", "Ω"];
 
 /// Whether a row is an expression of numbers alone.
 fn is_without_letters(row: &Row) -> bool {

@@ -1,17 +1,58 @@
 //! What the dots of a line mean that carry no frame: rates on the axes used, or rates seen from space.
 
 use crate::notation::ast::{Kind, Node, Operator, Symbol};
+use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::line::Read;
+use crate::verify::repair::lines;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::Trouble;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::spatial::all_in_space;
 use crate::verify::values::symbol::{ANY_POINT, Meaning};
+use crate::verify::words::book::has_any;
+use crate::verify::words::prose::Said;
+
+/// How words say that a vector stands by its components on the body's axes.
+const ON_BODY: &[&str] = &[
+    "on body axes",
+    "in body axes",
+    "on the body axes",
+    "in the body axes",
+    "in body components",
+    "body components",
+    "on axes fixed in the body",
+];
+/// Words of a frame that does not turn.
+const SPACE: &[&str] = &[
+    "inertial",
+    "in space",
+    "from space",
+    "space frame",
+    "space axes",
+    "fixed frame",
+    "fixed axes",
+    "non-rotating",
+    "laborator",
+    "newtonian",
+    "absolute",
+];
 
 impl Checker<'_> {
+    /// "The momentum on body axes, ⟨h = Jω⟩": its dot is the rate of these components, where no other frame is spoken of
+    /// and a line adds ω × to the dot.
+    pub(crate) fn note_momentum_on_body(&mut self, sentence: &str, span: Span) {
+        let told = self.dots.is_none()
+            && sentence.contains("momentum")
+            && has_any(sentence, ON_BODY)
+            && !self.text.says(SPACE);
+        if told && lines(self.document).any(|line| self.writes_transport(&line.sides)) {
+            self.take(Said::DotsOnBody, span);
+        }
+    }
+
     /// The readings of a line, the likelier first.
     pub(crate) fn readings(&mut self, sides: &[Node]) -> Result<Vec<Read>, Trouble> {
         let spatial = all_in_space(sides, &self.reading);

@@ -1,11 +1,12 @@
 //! One line: its equations, and its verdict by its role.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Number, Relation, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
+use crate::verify::lines::constancy::keep_their_value;
 use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
 use crate::verify::theory::Name;
@@ -157,7 +158,7 @@ impl Checker<'_> {
                 .push("to first order in what is small".to_owned());
             return;
         }
-        keeps_its_value(&mut sides);
+        keep_their_value(&mut sides);
         self.put_at_the_step(&mut sides);
         let Some(gained) = self.puts_integral_for_gain(&mut sides) else {
             finding.reason = Some(reason::INTEGRAL.to_owned());
@@ -386,25 +387,6 @@ impl Checker<'_> {
             (None, n) => format!("line {} ({})", finding.source_line, n + 1),
         }
     }
-}
-
-/// `X = const` says that the rate of X is zero.
-fn keeps_its_value(sides: &mut [Node]) {
-    let [left, right] = sides else { return };
-    if !matches!(&right.kind, Kind::Symbol(s) if s.name == "const" && s.style.upright) {
-        return;
-    }
-    left.kind = Kind::TimeDerivative {
-        operand: Box::new(left.clone()),
-        order: 1,
-        style: DerivativeStyle::Dots,
-        frame: None,
-    };
-    right.kind = Kind::Number(Number {
-        value: num_rational::BigRational::default(),
-        decimals: None,
-        exponent: 0,
-    });
 }
 
 /// The first error of a tree.

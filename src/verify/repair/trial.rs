@@ -4,6 +4,7 @@ use crate::notation::ast::{Line, Node};
 use crate::notation::document::Row;
 use crate::notation::reread;
 use crate::verify::check::Checker;
+use crate::verify::lines::constancy::keep_their_value;
 use crate::verify::lines::line::Read;
 use crate::verify::repair::edit::{Edit, edited};
 use crate::verify::theory::decide::{passes_filter, vanishes};
@@ -103,6 +104,7 @@ impl Checker<'_> {
         if line.relations.len() != relations || tautology(&sides, text) {
             return None;
         }
+        keep_their_value(&mut sides);
         let summed = self.reading.summed.as_ref();
         match summed.and_then(|summed| {
             summed.lines(&Line {

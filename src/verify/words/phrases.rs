@@ -219,6 +219,14 @@ pub(crate) fn reaches(text: &str, display: bool) -> bool {
     if text.contains('⟨') && matches!(first, Some("is" | "are")) {
         return false;
     }
+    // "The angular velocity of ⟨B⟩ relative to ⟨A⟩ is": of two things, and then its letter.
+    let last = text.rsplit('⟨').next().map(str::trim);
+    let of_frames = first.is_some_and(|words| words.starts_with("of"))
+        && has_any(text, &["relative to", "with respect to"])
+        && matches!(last, Some("is" | "be"));
+    if of_frames {
+        return true;
+    }
     let named = first.is_none_or(|between| matches!(between, "" | "s" | ":"));
     if display && !named {
         return true;

@@ -72,6 +72,7 @@ impl Checker<'_> {
                 axes.left |= turns_to_body(&whole);
             }
             self.residual_vanishes(&whole, span);
+            self.note_momentum_on_body(&whole, span);
             for said in said(&whole).into_iter().chain(symmetry_plane(&whole)) {
                 self.take(said, span);
             }
