@@ -225,7 +225,9 @@ impl Reading {
 
     /// Whether a vector by a Greek letter may be an angular velocity, as words call it, where none has a usual letter.
     fn turns_by_words(&self, letter: &Letter) -> bool {
-        let greek = ["sigma", "nu", "eta", "varpi", "psi", "Psi", "lambda", "kappa", "zeta"];
+        let greek = [
+            "sigma", "nu", "eta", "varpi", "psi", "Psi", "lambda", "kappa", "zeta",
+        ];
         greek.contains(&letter.name.as_str())
             && self.usage.get(letter).vector > 0
             && !TURNING.iter().any(|name| self.has(name))

@@ -118,6 +118,11 @@ pub(crate) fn names_a_length(before: &str) -> bool {
 pub(crate) fn names_wheel_speeds(text: &str) -> bool {
     let clause = text.split(['.', ';', ',']).next().unwrap_or_default();
     let start: Vec<&str> = clause.split_whitespace().take(8).collect();
+    // "The inertia ⟨ carries a rotor at the rate": what comes first is another thing.
+    let other = ["carries", "has", "holds", "contains", "bears", "with"];
+    if start.first().is_some_and(|word| other.contains(word)) {
+        return false;
+    }
     let spoken = |names: &[&str]| {
         start
             .iter()

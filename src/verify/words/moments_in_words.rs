@@ -14,6 +14,7 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::words::book::has_any;
 use crate::verify::words::moments_by_adjective::by_adjective;
+use crate::verify::words::phrases::ends_with_a_wheel;
 use crate::verify::words::prose::Said;
 use crate::verify::words::sentences::{Paragraphs, sentences};
 use crate::verify::words::symmetric_body::equal_moments;
@@ -174,7 +175,9 @@ impl Numbered<'_> {
                 false => (symbol, Named::Transverse),
             })
             .collect();
-        let Some(start) = PHRASES.iter().find_map(|phrase| self.text.find(phrase)) else {
+        let start = PHRASES.iter().find_map(|phrase| self.text.find(phrase));
+        let of_body = |start: &usize| !ends_with_a_wheel(&self.text[..*start]);
+        let Some(start) = start.filter(of_body) else {
             return found;
         };
         let before = self.text[..start].rfind('⟨').unwrap_or(start);

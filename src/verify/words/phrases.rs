@@ -108,6 +108,13 @@ fn is_of_a_wheel(clause: &str) -> bool {
         || WHEELS.iter().filter_map(|word| clause.find(word)).any(adds)
 }
 
+/// Whether the words before a phrase end with a wheel whose own the thing is: "the rotor's".
+pub(crate) fn ends_with_a_wheel(words: &str) -> bool {
+    let last = words.split_whitespace().next_back().unwrap_or_default();
+    let owner = last.trim_end_matches(['\'', '’', 's']);
+    last.len() > owner.len() && WHEELS.contains(&owner) && last.contains(['\'', '’'])
+}
+
 /// Whether "mass" is the end of "centre of mass".
 fn is_of_mass(before: &str, phrase: &str) -> bool {
     let point = ["centre of ", "center of ", "element of "];
@@ -182,6 +189,8 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
         Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
         Some(Quantity::Momentum) if of_wheel => Some(Quantity::RelativeMomentum),
+        // "The rotor's moment of inertia about its axis is": a number of the part.
+        Some(Quantity::Inertia) if clause.is_some_and(ends_with_a_wheel) => None,
         other => other,
     })?
 }
