@@ -337,7 +337,7 @@ impl<'a> Checker<'a> {
         self.reading.attitude.turn_to(formula.span.start);
         self.displayed = formula.display;
         self.take_point_masses(formula.span);
-        self.note_plane_of_aircraft(formula.span);
+        self.note_unnamed_plane(formula.span);
         if self.reading.turns_from == Some(formula.span.start) {
             self.turns_about_fixed_axis();
         }

@@ -158,6 +158,7 @@ impl Reading {
         reading.listed_moments(document);
         reading.named_rates(document);
         reading.sequences(has_differences(document));
+        reading.one_moment_of_the_row(document);
         reading.by_moments(document);
         reading.flat = reading.is_flat();
         reading.note_totals(document);

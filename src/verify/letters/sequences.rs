@@ -1,7 +1,10 @@
 //! Three letters in a row that are the components of one quantity: p, q, r; u, v, w; L, M, N; X, Y, Z; A, B, C.
 
+use crate::notation::ast::{Kind, Node, Symbol, Term};
+use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, inner};
+use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -108,9 +111,48 @@ impl Reading {
         }
     }
 
+    /// "The roll equation": beside p, q, r the L, M or N alone on the left of a line with a rate of one of these.
+    pub(crate) fn one_moment_of_the_row(&mut self, document: &Document) {
+        let rates = |symbol: &Symbol| {
+            let part = self.components.get(&Letter::of(symbol));
+            matches!(part, Some((Quantity::AngularVelocity, _))) && symbol.subscripts.is_empty()
+        };
+        let found = lines(document).filter_map(|line| {
+            let [left, right] = line.sides.as_slice() else {
+                return None;
+            };
+            let (Kind::Symbol(symbol), Kind::Sum(terms)) = (&inner(left).kind, &inner(right).kind)
+            else {
+                return None;
+            };
+            let row = ["L", "M", "N"];
+            let place = row.iter().position(|name| *name == symbol.name)?;
+            let plain = symbol.subscripts.is_empty() && !symbol.style.vector;
+            let moved = |term: &Term| has_rate_of(&term.node, &rates);
+            (plain && terms.iter().any(moved)).then(|| (Letter::of(symbol), place as u8))
+        });
+        let found: Vec<(Letter, u8)> = found.collect();
+        for (letter, place) in found {
+            if !self.usage.get(&letter).is_directed() {
+                let part = (Quantity::Moment, place);
+                self.components.entry(letter).or_insert(part);
+            }
+        }
+    }
+
     pub(super) fn take_components(&mut self, letters: [Letter; 3], quantity: Quantity) {
         for (component, letter) in letters.into_iter().enumerate() {
             self.components.insert(letter, (quantity, component as u8));
         }
+    }
+}
+
+/// Whether the rate of such a symbol stands in a node.
+fn has_rate_of(node: &Node, wanted: &impl Fn(&Symbol) -> bool) -> bool {
+    match &node.kind {
+        Kind::TimeDerivative { operand, .. } => {
+            matches!(&inner(operand).kind, Kind::Symbol(symbol) if wanted(symbol))
+        }
+        _ => node.children().any(|child| has_rate_of(child, wanted)),
     }
 }

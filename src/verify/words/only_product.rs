@@ -5,10 +5,12 @@ use crate::notation::document::{Formula, Row};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::axes;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::prose::Said;
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 const ONLY: &[&str] = &[
     "only product of inertia",
@@ -24,31 +26,44 @@ const ONLY: &[&str] = &[
 /// What has a plane of symmetry through its longitudinal axis, unless the document says otherwise.
 const AIRCRAFT: &[&str] = &["aircraft", "aeroplane", "airplane", "airframe", "glider"];
 
+/// A plane of symmetry without a name.
+const UNNAMED: &[&str] = &["a plane of symmetry", "one plane of symmetry"];
+
 impl Checker<'_> {
-    /// Takes in that an aircraft of which the document writes the product I_xz alone has no other.
-    pub(crate) fn note_plane_of_aircraft(&mut self, span: Span) {
+    /// Takes in that a body with a plane of symmetry that no word names, as an aircraft has one along x and z, has no
+    /// product of inertia but the one that the document writes.
+    pub(crate) fn note_unnamed_plane(&mut self, span: Span) {
         let taken = self
             .theory
             .premises()
             .iter()
             .any(|p| p.residuals.len() == 2 && p.name.contains("plane of symmetry"));
-        if taken || !self.text.says(AIRCRAFT) {
+        if taken || !self.text.says(AIRCRAFT) && !self.text.says(UNNAMED) {
             return;
         }
-        let usage = &self.reading.usage;
-        let inertia = self
-            .reading
-            .quantities
-            .iter()
-            .filter(|(_, q)| **q == Quantity::Inertia);
-        let met: Vec<&String> = inertia
-            .filter_map(|(letter, _)| usage.subscripts.get(letter))
-            .flatten()
-            .collect();
-        let has = |names: &[&str]| met.iter().any(|index| names.contains(&index.as_str()));
-        if has(&["xz", "zx"]) && !has(&["xy", "yx", "yz", "zy"]) {
-            self.take(Said::OnlyProduct(0, 2), span);
+        let Some((a, b)) = self.sole_written_product() else {
+            return;
+        };
+        if (a, b) == (0, 2) || self.text.says(UNNAMED) {
+            self.take(Said::OnlyProduct(a, b), span);
         }
+    }
+
+    /// The axes of the product of inertia that the document writes alone.
+    fn sole_written_product(&self) -> Option<(u8, u8)> {
+        let reading = &self.reading;
+        let inertia = reading.quantities.iter();
+        let inertia = inertia.filter(|(_, q)| **q == Quantity::Inertia);
+        let met = inertia
+            .filter_map(|(letter, _)| reading.usage.subscripts.get(letter))
+            .flatten();
+        let products = met.filter_map(|index| {
+            let (a, b) = axes(index)?;
+            (a != b).then_some((a.min(b), a.max(b)))
+        });
+        let products: BTreeSet<(u8, u8)> = products.collect();
+        let mut products = products.into_iter();
+        products.next().filter(|_| products.next().is_none())
     }
 
     /// Takes in that the formula behind such words, the first of its sentence, is the only product of inertia.
