@@ -13,6 +13,7 @@ pub(super) const MANY_FALSE: &str =
     "its mistake is not searched for, as many lines before it are false";
 pub(super) const FALSE_VALUE: &str = "a value in it is that of an earlier line, which is false";
 pub(super) const DRIVES_A_PART: &str = "how what drives a part of the body turns it is not decided";
+pub(super) const NO_SOLUTION: &str = "it does not solve the equation of motion that the laws give";
 pub(super) const NO_PROOF: &str = "equal in every trial, and no proof was found";
 pub(super) const EMPTIED: &str =
     "what stands here vanishes by what is supposed, as it would with any factor";

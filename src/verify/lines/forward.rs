@@ -205,7 +205,7 @@ impl<'a> Checker<'a> {
     }
 
     /// Symbols that no line before has, those included that have the letter of a quantity with a label of their own.
-    fn unmentioned(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
+    pub(crate) fn unmentioned(&mut self, sides: &[Node]) -> BTreeSet<Entity> {
         let mut found: BTreeSet<Entity> = self.entities(sides).into_iter().collect();
         found.retain(|&entity| {
             let own = match &self.theory.atoms.info(entity).owner {

@@ -36,8 +36,16 @@ impl Lowering<'_> {
                 .map(|(sin, _)| Fraction::one() / sin),
             Function::Sqrt => Some(self.square_root(argument)),
             Function::Abs => {
-                let square = argument.clone() * argument;
+                let square = match self.complex_parts(&argument) {
+                    Some((real, imaginary)) => real.clone() * real + imaginary.clone() * imaginary,
+                    None => argument.clone() * argument,
+                };
                 Some(self.square_root(square))
+            }
+            Function::Exp if let Some((real, angle)) = self.complex_parts(&argument) => {
+                let (sin, cos) = self.sine_cosine(&angle)?;
+                let size = self.kernel(Function::Exp, real)?;
+                Some(size * (cos + self.imaginary_unit() * sin))
             }
             Function::Exp | Function::Ln if argument.is_zero() && function == Function::Exp => {
                 Some(Fraction::one())
@@ -57,6 +65,29 @@ impl Lowering<'_> {
             }
             _ => None,
         }
+    }
+
+    /// The root of −1.
+    pub(crate) fn imaginary_unit(&mut self) -> Fraction {
+        let minus_one = constant(Rational::from(-1));
+        self.theory.kernel(Function::Sqrt, minus_one)
+    }
+
+    /// The real and the imaginary part of an expression in real symbols with the imaginary unit in it.
+    pub(crate) fn complex_parts(&mut self, value: &Fraction) -> Option<(Fraction, Fraction)> {
+        if !self.reading.imaginary {
+            return None;
+        }
+        let unit = self.imaginary_unit().as_variable()?;
+        let value = self.theory.normal(value);
+        let (above, below) = (value.numerator(), value.denominator());
+        if !above.variables().contains(&unit) || below.variables().contains(&unit) {
+            return None;
+        }
+        let part = |power| {
+            Fraction::from(above.coefficient_of(unit, power)) / Fraction::from(below.clone())
+        };
+        Some((part(0), part(1)))
     }
 
     /// Sine and cosine of a sum of angles, by the addition theorem; each angle is a whole multiple of a monomial, or of half

@@ -1,7 +1,7 @@
 //! From a tree to its value: a grid of fractions in the document's variables.
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
-use crate::notation::ast::{FrameLabel, Function, Kind, Node};
+use crate::notation::ast::{FrameLabel, Kind, Node};
 use crate::source::Span;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
@@ -252,10 +252,7 @@ impl Lowering<'_> {
                 Value::from_fn(3, 1, |_, _| Fraction::zero())
             }
             Meaning::ImaginaryUnit if order > 0 => Value::scalar(Fraction::zero()),
-            Meaning::ImaginaryUnit => {
-                let minus_one = constant(Rational::from(-1));
-                Value::scalar(self.theory.kernel(Function::Sqrt, minus_one))
-            }
+            Meaning::ImaginaryUnit => Value::scalar(self.imaginary_unit()),
             Meaning::Quaternion(entity, part) => self.quaternion_part(entity, part),
             Meaning::UnitVector(component) => Value::axis(component.into()),
             Meaning::Identity => Value::identity(3),

@@ -155,8 +155,14 @@ impl Lowering<'_> {
         let Kind::Norm(inside) = &inner(base).kind else {
             return None;
         };
-        let value = self.value(inside).ok().filter(Value::is_vector)?;
-        value.dot(&value).ok()
+        let value = self.value(inside).ok()?;
+        let number = value.as_scalar();
+        if let Some((real, imaginary)) = number.and_then(|number| self.complex_parts(number)) {
+            return Some(Value::scalar(
+                real.clone() * real + imaginary.clone() * imaginary,
+            ));
+        }
+        value.is_vector().then(|| value.dot(&value).ok())?
     }
 
     pub(crate) fn norm(&mut self, inside: &Node) -> Lowered {
@@ -166,6 +172,10 @@ impl Lowering<'_> {
             return determinant
                 .map(Value::scalar)
                 .map_err(|ShapeMismatch(m)| trouble(TroubleKind::IllTyped, inside.span, m));
+        }
+        if let Some(number) = value.as_scalar().cloned() {
+            let size = self.kernel(Function::Abs, number);
+            return Ok(size.map(Value::scalar).unwrap_or(value));
         }
         let square = value
             .entries

@@ -109,6 +109,11 @@ impl Checker<'_> {
         let opened = ["With ", "For "].iter().any(|word| {
             said.starts_with(word) || last.clone().any(|piece| piece.starts_with(word))
         });
+        // "… and with ⟨λ = μn⟩" and the display.
+        let opened = opened
+            || said
+                .rfind(" with ")
+                .is_some_and(|at| said[at..].matches('⟩').count() == 1);
         let clause =
             display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {

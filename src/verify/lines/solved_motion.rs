@@ -1,0 +1,107 @@
+//! Lines that solve an equation of motion, with new symbols for what the motion begins with: `\omega_1 = a\cos(\lambda t + \varphi)`,
+//! `\eta = \eta_0 e^{i\lambda t}`.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
+use crate::verify::lines::given::is_zero;
+use crate::verify::reason;
+use crate::verify::values::atoms::Atom;
+use crate::verify::verdict::{Finding, Role, Verdict};
+use num_traits::Zero;
+
+impl Checker<'_> {
+    /// Takes in a line that says how something moves in time, with new constants, if it solves what the laws say of the
+    /// motion: the difference of the sides then obeys a linear homogeneous equation, so that it stays nothing where the
+    /// constants make it nothing at the beginning.
+    pub(crate) fn solves_motion(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let named = match &inner(left).kind {
+            // `\eta(t)` is η.
+            Kind::Call(head, arguments) if arguments.len() == 1 => head,
+            _ => left,
+        };
+        if !matches!(inner(named).kind, Kind::Symbol(_))
+            || !self.speaks_of_time(std::slice::from_ref(right))
+            || self.unmentioned(std::slice::from_ref(right)).is_empty() && !has_beginning(right)
+            || self.new_symbol(named).is_some()
+        {
+            return false;
+        }
+        let Ok(read) = self.read(sides, Frame::Moving) else {
+            return false;
+        };
+        let residuals: Vec<Fraction> = read.residuals().cloned().collect();
+        let [residual] = residuals.as_slice() else {
+            return false;
+        };
+        let rest = self.theory.normal(residual);
+        let first = self.rate_by_laws(&rest);
+        let second = first.as_ref().and_then(|first| self.rate_by_laws(first));
+        let (Some(first), Some(second)) = (first, second) else {
+            return false;
+        };
+        let complex = self.lowering(Frame::Moving).complex_parts(&rest).is_some();
+        // A complex equation of first order gives both its parts one of second order, which more would solve.
+        let solved =
+            self.is_multiple_of(&first, &rest) || !complex && self.is_multiple_of(&second, &rest);
+        if !solved {
+            finding.reason = Some(reason::NO_SOLUTION.to_owned());
+            return true;
+        }
+        match complex {
+            // One equation for two real ones: which constants are real is not said.
+            true => {
+                finding.verdict = Verdict::Accepted;
+                self.now_known(sides);
+            }
+            false => self.accept(sides, Role::Given, finding),
+        }
+        finding.role = Role::Given;
+        if finding.verdict == Verdict::Accepted {
+            let solves = "it solves the equation of motion, for any values of the new symbols";
+            finding.remarks.push(solves.to_owned());
+        }
+        true
+    }
+
+    /// The rate of an expression, where the laws determine it.
+    fn rate_by_laws(&mut self, value: &Fraction) -> Option<Fraction> {
+        let rate = self.theory.atoms.derivative(value);
+        let rate = self.theory.normal(&rate);
+        let free = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { order, .. } if *order > 0);
+        (!rate.variables().into_iter().any(free)).then_some(rate)
+    }
+
+    /// Whether an expression is another one times a factor.
+    fn is_multiple_of(&mut self, value: &Fraction, of: &Fraction) -> bool {
+        let moves = |v: &Variable| matches!(self.theory.atoms.atom(*v), Atom::Part { .. });
+        let mut linear = of.variables().into_iter().filter(moves).filter_map(|v| {
+            let own = of.numerator().coefficient_of(v, 1);
+            (!own.is_zero()).then_some((v, own))
+        });
+        let Some((variable, own)) = linear.next() else {
+            return false;
+        };
+        let theirs = value.numerator().coefficient_of(variable, 1);
+        let [own, theirs, below, above] = [
+            own,
+            theirs,
+            value.denominator().clone(),
+            of.denominator().clone(),
+        ]
+        .map(Fraction::from);
+        let factor = theirs * above / (own * below);
+        let rest = value.clone() - factor * of.clone();
+        self.theory.normal(&rest).is_zero()
+    }
+}
+
+/// Whether the value of something at the time zero stands in a node: `\eta(0)`.
+fn has_beginning(node: &Node) -> bool {
+    let zero = |arguments: &[Node]| matches!(arguments, [one] if is_zero(one));
+    matches!(&node.kind, Kind::Call(_, arguments) if zero(arguments))
+        || node.children().any(has_beginning)
+}
