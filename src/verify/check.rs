@@ -139,7 +139,7 @@ pub(super) struct Checker<'a> {
     /// Values that the sentence lets something go to.
     pub(super) limits: Vec<Limit>,
     /// Point masses that words have further on, and where.
-    pub(super) point_masses: Option<(Vec<PointMass<'a>>, Span)>,
+    pub(super) point_masses: Option<(Vec<PointMass>, Span)>,
     /// The surface that a line is the equation of.
     pub(super) quadric: Option<Quadric>,
     /// The product of inertia that a line said last what it is.

@@ -124,6 +124,11 @@ impl Checker<'_> {
         }
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);
         let [x, y, z] = [0, 1, 2].map(|c| self.theory.atoms.value(inertia, c, 0));
+        // Of moments that all have their values, it is a claim.
+        let free = |moment: &Fraction| self.theory.normal(moment).as_variable().is_some();
+        if ![&x, &y, &z].into_iter().any(free) {
+            return false;
+        }
         let sums = [
             z.clone() - x.clone() - y.clone(),
             x.clone() - y.clone() - z.clone(),

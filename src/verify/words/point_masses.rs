@@ -30,8 +30,24 @@ const ALONE: &[&str] = &[
     "dumb-bell",
 ];
 
+/// Bodies that carry masses and have some of their own.
+const BODIES: &[&str] = &[
+    "rotor", "shaft", "disc", "disk", "wheel", "plate", "satellite", "spacecraft", "rod", "beam",
+    "crank", "counterweight", "weights", "hull", "drum", "cylinder", "sphere", " bar ", "ring",
+    "propeller", "platform", "turntable", "table", "frame of mass", "block", "balanc",
+];
+/// Numbers of masses in words.
+const NUMBERS: &[(&str, usize)] = &[
+    ("two", 2),
+    ("three", 3),
+    ("four", 4),
+    ("five", 5),
+    ("six", 6),
+    ("eight", 8),
+];
+
 /// A mass and its place.
-pub(crate) type PointMass<'d> = (&'d Node, &'d Node);
+pub(crate) type PointMass = (Node, Node);
 
 impl Checker<'_> {
     /// Finds the sentence with the masses.
@@ -52,7 +68,7 @@ impl Checker<'_> {
             return;
         };
         let second = self.lowering(Frame::Moving).second_moments();
-        let whole = self.text.says(ALONE);
+        let whole = self.text.says(ALONE) || !self.text.says(BODIES);
         let pairs = (0..3).flat_map(|a| (a..3).map(move |b| (a, b)));
         let said = pairs.filter(|(a, b)| whole || a != b);
         let residuals = said.map(|(a, b)| second[a][b].clone() - sums[a][b].clone());
@@ -71,7 +87,7 @@ impl Checker<'_> {
     }
 
     /// Σ m x_a x_b.
-    fn second_sums(&mut self, masses: &[PointMass<'_>]) -> Option<[[Fraction; 3]; 3]> {
+    fn second_sums(&mut self, masses: &[PointMass]) -> Option<[[Fraction; 3]; 3]> {
         let zero = Fraction::zero;
         let mut sums: [[Fraction; 3]; 3] = std::array::from_fn(|_| [zero(), zero(), zero()]);
         for (mass, place) in masses {
@@ -89,42 +105,128 @@ impl Checker<'_> {
 }
 
 /// The masses of the first sentence that has places of masses in it, and where the last of them stands.
-fn point_masses(document: &Document) -> Option<(Vec<PointMass<'_>>, Span)> {
-    let (mut mass, mut words) = (None, String::new());
-    let (mut found, mut last) = (vec![], None);
+fn point_masses(document: &Document) -> Option<(Vec<PointMass>, Span)> {
+    let mut said = Masses::default();
+    let mut words = String::new();
     for item in &document.items {
         match item {
             Item::Prose { text, .. } => {
                 for part in text.split_inclusive(['.', ';']) {
                     words.push_str(&part.to_lowercase());
+                    said.count = number(&words).or(said.count);
                     if part.ends_with(['.', ';']) {
-                        if found.len() > 1 {
-                            return Some((found, last?));
+                        if said.places.len() > 1 {
+                            return said.paired();
                         }
-                        found.clear();
+                        said.places.clear();
                         words.clear();
                     }
                 }
             }
-            Item::Formula(formula) => match (expression(formula), mass) {
-                (Some(node), _) if is_mass(node) => mass = Some(node),
-                (Some(node), Some(mass))
-                    if is_place(node) && has_any(&words, &[" at ", "mass"]) =>
+            Item::Formula(formula) => match expression(formula) {
+                Some(node) if is_mass(node) => said.hear_mass(node),
+                Some(node)
+                    if is_place(node)
+                        && !said.listed.is_empty()
+                        && has_any(&words, &[" at ", "mass"]) =>
                 {
-                    found.push((mass, node));
-                    last = Some(formula.span);
+                    let listed = said.listed.clone();
+                    let all = places(node).into_iter();
+                    said.places.extend(all.map(|place| (listed.clone(), place)));
+                    said.last = formula.span;
                 }
-                _ if found.len() > 1 => return Some((found, last?)),
+                _ if said.places.len() > 1 => return said.paired(),
                 _ => words.clear(),
             },
             Item::Heading { .. } => {
                 words.clear();
-                found.clear();
+                said.places.clear();
             }
             Item::Break | Item::Comment { .. } => {}
         }
     }
     None
+}
+
+/// The masses that words list, and the places that they give them.
+#[derive(Default)]
+struct Masses<'d> {
+    /// The masses that stand before the places.
+    listed: Vec<&'d Node>,
+    /// Each place, with the masses before it.
+    places: Vec<(Vec<&'d Node>, Node)>,
+    /// How many there are by the words.
+    count: Option<usize>,
+    last: Span,
+}
+
+impl<'d> Masses<'d> {
+    fn hear_mass(&mut self, mass: &'d Node) {
+        let behind_places = self
+            .places
+            .last()
+            .is_some_and(|(listed, _)| *listed == self.listed);
+        if behind_places {
+            self.listed.clear();
+        }
+        self.listed.push(mass);
+    }
+
+    /// Each mass with its place: one for all, one before each, or as many as there are places, one after the other.
+    fn paired(self) -> Option<(Vec<PointMass>, Span)> {
+        let several = self.count.filter(|count| *count != self.places.len());
+        let in_turn = self.places.iter().all(|(listed, _)| listed.len() == self.places.len());
+        let one_each = self.places.iter().all(|(listed, _)| listed.len() == 1);
+        if several.is_some() || !in_turn && !one_each {
+            return None;
+        }
+        let places = self.places.into_iter().enumerate();
+        let masses = places.map(|(at, (listed, place))| {
+            let mass = if one_each { listed[0] } else { listed[at] };
+            (mass.clone(), place)
+        });
+        Some((masses.collect(), self.last))
+    }
+}
+
+/// How many masses a text says that there are, the last number in it.
+fn number(text: &str) -> Option<usize> {
+    let mut words = text.split(|c: char| !c.is_alphabetic()).rev();
+    words.find_map(|word| NUMBERS.iter().find(|(name, _)| *name == word).map(|(_, n)| *n))
+}
+
+/// The places of a tuple: with ± before some of its entries, one for every choice of the signs.
+fn places(node: &Node) -> Vec<Node> {
+    let Kind::Tuple(entries) = &inner(node).kind else {
+        return vec![];
+    };
+    let mut all: Vec<Vec<Node>> = vec![vec![]];
+    for entry in entries {
+        let signed = match &entry.kind {
+            Kind::PlusMinus(inside) => {
+                let negative = Node {
+                    kind: Kind::Negate(inside.clone()),
+                    span: entry.span,
+                };
+                vec![(**inside).clone(), negative]
+            }
+            _ => vec![entry.clone()],
+        };
+        let with = |place: &Vec<Node>| {
+            let place = place.clone();
+            signed.iter().map(move |entry| {
+                let mut place = place.clone();
+                place.push(entry.clone());
+                place
+            })
+        };
+        all = all.iter().flat_map(with).collect();
+    }
+    let tuple = |entries| Node {
+        kind: Kind::Tuple(entries),
+        span: node.span,
+    };
+    all.into_iter().map(tuple).collect()
 }
 
 fn expression(formula: &Formula) -> Option<&Node> {
