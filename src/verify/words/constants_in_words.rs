@@ -16,6 +16,7 @@ use crate::verify::verdict::{FromProse, Role};
 use crate::verify::words::book::{has_any, lowered};
 use crate::verify::words::role::Words;
 use crate::verify::words::running_sentence::keep_end;
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// Words behind a list of symbols.
@@ -179,19 +180,30 @@ impl Checker<'_> {
 
     /// Whether words have the body turn steadily: "at constant speed" about one axis, or supposed to have a constant
     /// angular velocity, for which they give no letter.
-    fn is_steady(&self, text: &str) -> bool {
-        let about_axis = self.reading.fixed_axis.is_some() || self.reading.plane;
+    fn is_steady(&mut self, text: &str) -> bool {
+        let about_axis = has_any(text, SPEED) && self.only_axis_of_turn().is_some();
         let vector = "constant angular velocity";
         let behind = text.find(vector).map(|at| &text[at + vector.len()..]);
         let unnamed = behind.is_some_and(|rest| rest.contains(|c: char| c.is_alphanumeric()));
         let of_body =
             || has_any(text, &["body", "rotor", "it "]) && !has_any(text, &["axes", "frame"]);
-        about_axis && has_any(text, SPEED) || unnamed && supposes(text) && of_body()
+        about_axis || unnamed && supposes(text) && of_body()
+    }
+
+    /// The axis that all of the angular velocity is about, by words or by earlier lines.
+    fn only_axis_of_turn(&mut self) -> Option<u8> {
+        let by_words = self.reading.fixed_axis;
+        by_words.or(self.reading.plane.then_some(2)).or_else(|| {
+            let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+            let parts = self.theory.atoms.vector(omega, 0);
+            let parts = parts.each_ref().map(|part| self.theory.normal(part));
+            let mut along = (0..3).filter(|&axis| !parts[usize::from(axis)].is_zero());
+            along.next().filter(|_| along.next().is_none())
+        })
     }
 
     fn turns_steadily(&mut self, text: &str, span: Span) {
-        let axis = self.reading.fixed_axis;
-        let axes = match axis.or(self.reading.plane.then_some(2)) {
+        let axes = match self.only_axis_of_turn() {
             Some(axis) => vec![axis],
             None => vec![0, 1, 2],
         };
