@@ -45,6 +45,16 @@ fn says_again(sentence: &str) -> bool {
     sentence.contains('⟩') && matches!(clause, "or" | "or equivalently" | "that is" | "i.e.")
 }
 
+/// Whether a sentence that ends with a colon has named its things: "Let ⟨I⟩ be the tensor, with ⟨d⟩ from ⟨O⟩ to ⟨G⟩:".
+fn has_named(sentence: &str) -> bool {
+    let verbs = ["be the ", "be its ", "denote ", "stand for "];
+    let behind = sentence
+        .strip_prefix("Let ")
+        .and_then(|rest| rest.split_once('⟩'))
+        .map(|(_, behind)| behind.trim_start());
+    sentence.ends_with("⟩:") && behind.is_some_and(|b| verbs.iter().any(|verb| b.starts_with(verb)))
+}
+
 impl Checker<'_> {
     /// Hears words, and takes what they set.
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
@@ -117,7 +127,11 @@ impl Checker<'_> {
         let clause =
             display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
         match role {
-            Role::Assume if display && (concludes_with(said) || says_again(said)) => Role::Claim,
+            Role::Assume
+                if display && (concludes_with(said) || says_again(said) || has_named(said)) =>
+            {
+                Role::Claim
+            }
             Role::Assume | Role::Given if clause => Role::Claim,
             _ => role,
         }
