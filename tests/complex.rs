@@ -40,3 +40,42 @@ fn a_complex_solution_leaves_its_parts_free() {
     assert_eq!(verdicts(&text("")), "aapaap");
     assert_eq!(verdicts(&text("-")), "aapaar");
 }
+
+/// A free symmetric body, and what is said of its motion.
+fn free_symmetric(line: &str) -> String {
+    let all = verdicts(&format!(
+        "The top is symmetric, $I_1 = I_2 = A$, $I_3 = C$, and free of torque. Then $\\omega_3 = n$ is constant and with \
+         $\\lambda = (C-A)n/A$ and $\\zeta = \\omega_1 + i\\omega_2$\n\n$$ {line} $$\n"
+    ));
+    all.chars().skip(5).collect()
+}
+
+#[test]
+fn a_solution_is_taken_in_where_it_solves_the_equation_of_motion() {
+    let real = |turns: &str, sign: &str| {
+        free_symmetric(&format!(
+            r"\omega_1 = a\cos({turns}\lambda t + \phi), \qquad \omega_2 = {sign}a\sin({turns}\lambda t + \phi)"
+        ))
+    };
+    assert_eq!(real("", ""), "ap");
+    assert_eq!(real("", "-"), "ar");
+    assert_eq!(real("2", ""), "uu");
+    assert_eq!(free_symmetric(r"\zeta = \zeta_0 e^{i\lambda t}"), "a");
+    assert_eq!(free_symmetric(r"\zeta = \zeta_0 e^{-i\lambda t}"), "u");
+}
+
+#[test]
+fn an_exponential_of_an_imaginary_angle_has_a_cosine_and_a_sine() {
+    assert_eq!(
+        free_symmetric(r"e^{i\lambda t} = \cos\lambda t + i\sin\lambda t"),
+        "p"
+    );
+    assert_ne!(
+        free_symmetric(r"e^{i\lambda t} = \cos\lambda t - i\sin\lambda t"),
+        "p"
+    );
+    assert_eq!(
+        free_symmetric(r"|\zeta|^2 = \omega_1^2 + \omega_2^2 = \text{const}"),
+        "p"
+    );
+}

@@ -275,3 +275,30 @@ fn what_carries_the_axes_names_their_frame() {
     assert_eq!(text("\\boldsymbol\\Omega"), "pp");
     assert_eq!(text("\\boldsymbol\\omega"), "pr");
 }
+
+#[test]
+fn what_turns_relative_to_the_other_frame_is_the_moving_one() {
+    let text = |one: &str, other: &str| {
+        verdicts(&format!(
+            "Let $F$ be the frame of a sensor ring and $H$ the frame of the hull. The angular velocity of $F$ relative to $H$ \
+             is $\\boldsymbol\\sigma$. For any vector $\\mathbf u$\n\n\
+             $$ \\left(\\frac{{d\\mathbf u}}{{dt}}\\right)_{one} = \
+             \\left(\\frac{{d\\mathbf u}}{{dt}}\\right)_{other} + \\boldsymbol\\sigma\\times\\mathbf u $$\n"
+        ))
+    };
+    assert_eq!(text("H", "F"), "p");
+    assert_eq!(text("F", "H"), "r");
+}
+
+#[test]
+fn a_momentum_on_body_axes_has_its_rate_there() {
+    let text = |words: &str| {
+        verdicts(&format!(
+            "Write the angular momentum about the mass centre {words}, $\\mathbf h = J\\boldsymbol\\omega$, with a constant $J$. \
+             The moment equation reads\n\n$$ \\dot{{\\mathbf h}} = \\boldsymbol\\tau $$\n\n\
+             $$ \\dot{{\\mathbf h}} + \\boldsymbol\\omega\\times\\mathbf h = \\boldsymbol\\tau $$\n"
+        ))
+    };
+    assert_eq!(text("on body axes"), "prp");
+    assert_eq!(text("as usual"), "ppp");
+}

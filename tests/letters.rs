@@ -278,3 +278,17 @@ fn words_call_a_bold_j_the_angular_momentum() {
         "provedrefutedproved"
     );
 }
+
+#[test]
+fn one_of_the_row_of_moments_stands_alone() {
+    let text = |left: &str, sign: &str| {
+        verdicts(&format!(
+            "Body rates $p, q, r$; the body has a plane of symmetry.\n\n\
+             $$ {left} = I_x\\dot p - I_{{xz}}\\dot r + qr(I_z - I_y) {sign} I_{{xz}}pq $$\n"
+        ))
+        .concat()
+    };
+    assert_eq!(text("L", "-"), "proved");
+    assert_eq!(text("L", "+"), "refuted");
+    assert_eq!(text("N", "-"), "refuted");
+}

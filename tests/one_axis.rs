@@ -269,3 +269,15 @@ fn a_constant_torque_speeds_up_from_rest_and_a_brake_stops() {
     assert_eq!(stops(r"t = \frac{I\omega_0}{\tau}"), "aa");
     assert_eq!(stops(r"t = \frac{2I\omega_0}{\tau}"), "ar");
 }
+
+#[test]
+fn constant_speed_holds_about_the_axis_that_a_line_names() {
+    let text = |speed: &str| {
+        verdicts(&format!(
+            "The rotor spins about $z$ only, so $\\boldsymbol\\omega = \\omega\\,\\mathbf k$.\n\n\
+             $$ M_x = -I_{{xz}}\\dot\\omega + I_{{yz}}\\omega^2 $$\n\n{speed}\n\n$$ M_x = I_{{yz}}\\omega^2 $$\n"
+        ))
+    };
+    assert_eq!(text("At constant speed"), "app");
+    assert_eq!(text("In general"), "apr");
+}

@@ -175,3 +175,28 @@ fn numbers_about_one_point_give_those_about_another() {
     assert_eq!(text("0.045 - 5\\cdot 0.06^2 = 0.027"), "paaaapp");
     assert_eq!(text("0.045 + 5\\cdot 0.06^2 = 0.063"), "paaaapu");
 }
+
+#[test]
+fn a_trace_is_that_of_a_tensor() {
+    let text = |times: &str| {
+        verdicts(&format!(
+            "For the tensor about the mass centre $G$ and about a point $O$ with $\\vec{{OG}} = (a, b, c)$ and the mass $m$:\n\n\
+             $$ I^O_{{xx}} = I^G_{{xx}} + m(b^2 + c^2) $$\n\n\
+             $$ \\operatorname{{tr}} I^O = \\operatorname{{tr}} I^G + {times}m(a^2 + b^2 + c^2) $$\n"
+        ))
+    };
+    assert!(text("2").ends_with("pp"));
+    assert!(text("").ends_with("pr"));
+}
+
+#[test]
+fn a_display_behind_named_tensors_is_a_claim() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "Let $\\mathbf I_G$ be the inertia matrix about the mass centre and $\\mathbf I_O$ that about $O$, with $\\mathbf d$ \
+             from $O$ to $G$:\n\n$$ \\mathbf I_O = \\mathbf I_G {sign} m[\\mathbf d]_\\times^2 $$\n"
+        ))
+    };
+    assert_eq!(text("-"), "p");
+    assert_eq!(text("+"), "r");
+}

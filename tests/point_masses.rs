@@ -68,3 +68,31 @@ fn a_sum_goes_over_the_index_of_its_masses() {
     assert_eq!(text("I_{zz} = \\sum m_i (x_i^2 + y_i^2)"), "p");
     assert_ne!(text("I_{zz} = \\sum m_i (x_i^2 + z_i^2)"), "p");
 }
+
+#[test]
+fn signs_before_coordinates_and_lists_of_masses_count_each() {
+    let text = |masses: &str, line: &str| verdicts(&format!("{masses}.\n\n$$ {line} $$\n"));
+    let six =
+        "Six point masses $m$ are fixed at $(\\pm a, 0, 0)$, $(0, \\pm b, 0)$ and $(0, 0, \\pm c)$";
+    assert_eq!(text(six, "I_{xx} = 2m(b^2 + c^2)"), "p");
+    assert_eq!(text(six, "I_{xx} = 2m(a^2 + c^2)"), "r");
+    let corners = "Four particles, each of mass $m$, sit at $(\\pm a, \\pm b, 0)$";
+    assert_eq!(text(corners, "I_{zz} = 4m(a^2 + b^2)"), "p");
+    let three = "Three point masses $m$, $2m$ and $3m$ are fixed at $(a, 0, 0)$, $(0, a, 0)$ and $(0, 0, a)$";
+    assert_eq!(text(three, "I_{xx} = 5ma^2"), "p");
+    // As many masses as places, or it is not known which is where.
+    let unsaid = "Masses $m$ and $2m$ are fixed at $(a, 0, 0)$, $(0, a, 0)$ and $(0, 0, a)$";
+    assert_eq!(text(unsaid, "I_{xx} = 5ma^2"), "a");
+}
+
+#[test]
+fn moments_that_have_their_values_are_held_to_their_sums() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "The moments are $I_{{xx}} = 2mb^2$, $I_{{yy}} = 2ma^2$ and $I_{{zz}} = 2m(a^2 + b^2)$.\n\n\
+             $$ I_{{zz}} = I_{{xx}} {sign} I_{{yy}} $$\n"
+        ))
+    };
+    assert_eq!(text("+"), "aaap");
+    assert_eq!(text("-"), "aaar");
+}

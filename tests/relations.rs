@@ -191,3 +191,26 @@ fn what_a_moment_says_of_rates_lasts_when_they_are_held() {
     let all = findings(&format!("{TOP}{level}$$p = \\frac{{mgl}}{{C s}}$$\n"));
     assert_eq!(all.last().map(|f| f.verdict.name()), Some("proved"));
 }
+
+#[test]
+fn a_chain_may_end_in_a_constant() {
+    let last = |line: &str| {
+        let all = findings(&format!(
+            "A body turns without torque about its mass centre, on principal axes.\n\n\
+             $$ \\mathbf L = I\\boldsymbol\\omega $$\n\n$$ L^2 = I_1^2\\omega_1^2 + I_2^2\\omega_2^2 + I_3^2\\omega_3^2 $$\n\n$$ {line} $$\n"
+        ));
+        let last = all.last();
+        last.map(|f| {
+            (
+                f.verdict.name(),
+                f.diagnosis.clone().and_then(|d| d.suggestion),
+            )
+        })
+    };
+    let energy = r"\tfrac12(I_1\omega_1^2 + I_2\omega_2^2 + I_3\omega_3^2) = \text{const}";
+    assert_eq!(last(&format!("T = {energy}")), Some(("proved", None)));
+    let slip = last(r"T = I_1\omega_1^2 + I_2\omega_2^2 + I_3\omega_3^2 = \text{const}");
+    assert!(matches!(slip, Some(("refuted", Some(_)))), "{slip:?}");
+    let moving = last(r"\omega_1 = \text{const}");
+    assert_eq!(moving.map(|(verdict, _)| verdict), Some("refuted"));
+}

@@ -401,3 +401,32 @@ fn a_feedback_ends_where_the_motors_rest() {
         "ppaaapaar"
     );
 }
+
+#[test]
+fn the_moment_of_a_rotor_is_its_own() {
+    let text = |sign: &str| {
+        format!(
+            "A satellite of inertia $J$ carries a rotor spinning at the constant rate $\\Omega_s$ about its axis $\\hat{{\\mathbf a}}$, \
+             fixed in the satellite; the rotor's moment about this axis is $C$. The momentum of the whole is\n\n\
+             $$ \\mathbf H = J\\boldsymbol\\omega + C\\Omega_s\\hat{{\\mathbf a}} $$\n\n\
+             $$ \\boldsymbol\\tau = J\\dot{{\\boldsymbol\\omega}} + \\boldsymbol\\omega\\times J\\boldsymbol\\omega \
+             {sign} C\\Omega_s\\,\\boldsymbol\\omega\\times\\hat{{\\mathbf a}} $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("+")), "ap");
+    assert_eq!(verdicts(&text("-")), "ar");
+}
+
+#[test]
+fn what_drives_wheels_of_which_nothing_is_said_may_be_named() {
+    let text = |sign: &str| {
+        format!(
+            "Let $\\mathbf h$ be the momentum of the reaction wheels relative to the satellite, whose inertia is $\\mathbf J$. \
+             With the external torque $\\mathbf T$ and the motor torque $\\mathbf u = \\dot{{\\mathbf h}}$ on the wheels\n\n\
+             $$ \\mathbf J\\dot{{\\boldsymbol\\omega}} = \\mathbf T {sign} \\mathbf u - \
+             \\boldsymbol\\omega\\times(\\mathbf J\\boldsymbol\\omega + \\mathbf h) $$\n"
+        )
+    };
+    assert_eq!(verdicts(&text("-")), "ap");
+    assert_eq!(verdicts(&text("+")), "ar");
+}

@@ -1,6 +1,6 @@
 //! Labels of points on symbols of inertia: `I_{xx}^O`, `J_{Gxy}`, `(I_{zz})_C`, `\bar I`.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::{axes, axis, inner};
@@ -39,6 +39,7 @@ pub(crate) fn note_marks(document: &mut Document) {
         .collect();
     for node in formulas_mut(document) {
         unbracketed(node);
+        mark_traced(node);
         node.change_symbols(&mut |symbol| {
             let coordinate = COORDINATES.contains(&symbol.name.as_str()) && symbol.style.bar;
             let mean = symbol.style.bar && stepped.contains(&symbol.name);
@@ -124,6 +125,17 @@ fn unbracketed(node: &mut Node) {
         node.kind = Kind::Symbol(symbol);
     }
     node.children_mut().into_iter().for_each(unbracketed);
+}
+
+/// What has a trace or a determinant is a tensor, not the moment about one axis: `\operatorname{tr} I^O`.
+fn mark_traced(node: &mut Node) {
+    if let Kind::Function(Function::Trace | Function::Det, argument) = &mut node.kind
+        && let Kind::Symbol(symbol) = &mut argument.kind
+        && matches!(about(symbol), Some((label, Place::Whole(false))) if !label.is_empty())
+    {
+        symbol.style.tensor = true;
+    }
+    node.children_mut().into_iter().for_each(mark_traced);
 }
 
 pub(crate) fn formulas_mut(document: &mut Document) -> impl Iterator<Item = &mut Node> {

@@ -6,6 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::reason::DRIVES_A_PART;
 use crate::verify::values::quantity::Quantity;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::Finding;
 use crate::verify::words::book::{has_any, lowered};
 
@@ -46,6 +47,7 @@ impl Checker<'_> {
         } else if claimed
             && DRIVES.iter().any(|word| words.contains(word))
             && !self.is_rate_of_wheel(right)
+            && !self.is_rate_of_stored(right)
         {
             DRIVES_A_PART
         } else if self.speaks_of_vertical_momentum() {
@@ -63,6 +65,20 @@ impl Checker<'_> {
         };
         finding.reason = Some(reason.to_owned());
         true
+    }
+
+    /// Whether an expression is the rate of the vector of what the wheels have, of which nothing is said.
+    fn is_rate_of_stored(&mut self, right: &Node) -> bool {
+        let stored = self.theory.atoms.quantity(Quantity::RelativeMomentum);
+        let Kind::TimeDerivative {
+            operand, order: 1, ..
+        } = &inner(right).kind
+        else {
+            return false;
+        };
+        let whole = matches!(&inner(operand).kind, Kind::Symbol(symbol)
+            if self.meaning_of(symbol) == Meaning::Whole(stored));
+        whole && !self.theory.mentions_entity(stored)
     }
 
     /// Whether a force is the mass times the acceleration of a point that is not the mass centre by its label, where those

@@ -23,7 +23,9 @@ impl Checker<'_> {
             Kind::Call(head, arguments) if arguments.len() == 1 => head,
             _ => left,
         };
-        if !matches!(inner(named).kind, Kind::Symbol(_))
+        // With values at the beginning the constants are no longer any.
+        if !self.reading.beginnings.is_empty()
+            || !matches!(inner(named).kind, Kind::Symbol(_))
             || !self.speaks_of_time(std::slice::from_ref(right))
             || self.unmentioned(std::slice::from_ref(right)).is_empty() && !has_beginning(right)
             || self.new_symbol(named).is_some()

@@ -32,9 +32,32 @@ const ALONE: &[&str] = &[
 
 /// Bodies that carry masses and have some of their own.
 const BODIES: &[&str] = &[
-    "rotor", "shaft", "disc", "disk", "wheel", "plate", "satellite", "spacecraft", "rod", "beam",
-    "crank", "counterweight", "weights", "hull", "drum", "cylinder", "sphere", " bar ", "ring",
-    "propeller", "platform", "turntable", "table", "frame of mass", "block", "balanc",
+    "rotor",
+    "shaft",
+    "disc",
+    "disk",
+    "wheel",
+    "plate",
+    "satellite",
+    "spacecraft",
+    "rod",
+    "beam",
+    "crank",
+    "counterweight",
+    "weights",
+    "hull",
+    "drum",
+    "cylinder",
+    "sphere",
+    " bar ",
+    "ring",
+    "propeller",
+    "platform",
+    "turntable",
+    "table",
+    "frame of mass",
+    "block",
+    "balanc",
 ];
 /// Numbers of masses in words.
 const NUMBERS: &[(&str, usize)] = &[
@@ -175,7 +198,10 @@ impl<'d> Masses<'d> {
     /// Each mass with its place: one for all, one before each, or as many as there are places, one after the other.
     fn paired(self) -> Option<(Vec<PointMass>, Span)> {
         let several = self.count.filter(|count| *count != self.places.len());
-        let in_turn = self.places.iter().all(|(listed, _)| listed.len() == self.places.len());
+        let in_turn = self
+            .places
+            .iter()
+            .all(|(listed, _)| listed.len() == self.places.len());
         let one_each = self.places.iter().all(|(listed, _)| listed.len() == 1);
         if several.is_some() || !in_turn && !one_each {
             return None;
@@ -192,7 +218,12 @@ impl<'d> Masses<'d> {
 /// How many masses a text says that there are, the last number in it.
 fn number(text: &str) -> Option<usize> {
     let mut words = text.split(|c: char| !c.is_alphabetic()).rev();
-    words.find_map(|word| NUMBERS.iter().find(|(name, _)| *name == word).map(|(_, n)| *n))
+    words.find_map(|word| {
+        NUMBERS
+            .iter()
+            .find(|(name, _)| *name == word)
+            .map(|(_, n)| *n)
+    })
 }
 
 /// The places of a tuple: with ± before some of its entries, one for every choice of the signs.
