@@ -14,7 +14,7 @@ use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// Terms of what is differentiated in time.
 pub(crate) const LONGEST: usize = 60;
@@ -80,7 +80,7 @@ impl Checker<'_> {
 
     /// Whether the imaginary unit stands in equations.
     fn is_complex(&mut self, equations: &[Equation]) -> bool {
-        let unit = self.theory.kernel(Function::Sqrt, -Fraction::one());
+        let unit = self.lowering(Frame::Moving).imaginary_unit();
         let entries = equations.iter().flat_map(|e| &e.residual.entries);
         let mut variables = entries.flat_map(Fraction::variables);
         unit.as_variable()

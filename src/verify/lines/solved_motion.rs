@@ -7,8 +7,11 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
+use crate::verify::lines::growth::lasts;
+use crate::verify::lines::line::Read;
 use crate::verify::reason;
-use crate::verify::values::atoms::Atom;
+use crate::verify::theory::decide::{Decision, Equation, decide};
+use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
@@ -46,11 +49,17 @@ impl Checker<'_> {
             return false;
         };
         let complex = self.lowering(Frame::Moving).complex_parts(&rest).is_some();
-        // A complex equation of first order gives both its parts one of second order, which more would solve.
-        let solved =
-            self.is_multiple_of(&first, &rest) || !complex && self.is_multiple_of(&second, &rest);
+        // What obeys an equation of first order obeys one of second order, which more would solve.
+        let solved = self.factor_between(&first, &rest).is_some()
+            || !complex
+                && !self.moves_by_itself(left)
+                && self.factor_between(&second, &rest).is_some();
+        if !solved && has_beginning(right) {
+            return false;
+        }
         if !solved {
             finding.reason = Some(reason::NO_SOLUTION.to_owned());
+            self.refuse_solution(left, right, finding);
             return true;
         }
         match complex {
@@ -69,6 +78,23 @@ impl Checker<'_> {
         true
     }
 
+    /// Whether the rate of a side is made of the side and of what does not change.
+    fn moves_by_itself(&mut self, left: &Node) -> bool {
+        let Some(own) = self.lowering(Frame::Moving).scalar(left) else {
+            return false;
+        };
+        let own = self.theory.normal(&own);
+        let Some(rate) = self.rate_by_laws(&own) else {
+            return false;
+        };
+        let within = own.variables();
+        let others = rate.variables().into_iter().filter(|v| !within.contains(v));
+        others
+            .collect::<Vec<_>>()
+            .into_iter()
+            .all(|v| lasts(&mut self.theory, &variable_fraction(v)))
+    }
+
     /// The rate of an expression, where the laws determine it.
     fn rate_by_laws(&mut self, value: &Fraction) -> Option<Fraction> {
         let rate = self.theory.atoms.derivative(value);
@@ -77,16 +103,48 @@ impl Checker<'_> {
         (!rate.variables().into_iter().any(free)).then_some(rate)
     }
 
-    /// Whether an expression is another one times a factor.
-    fn is_multiple_of(&mut self, value: &Fraction, of: &Fraction) -> bool {
+    /// Refutes a line whose right side has a rate, or a second one, that is a multiple of itself, where that of the left
+    /// side is not.
+    fn refuse_solution(&mut self, left: &Node, right: &Node, finding: &mut Finding) {
+        let sides = [left, right].map(|side| self.lowering(Frame::Moving).scalar(side));
+        let [Some(own), Some(given)] = sides else {
+            return;
+        };
+        let (mut rate, mut slope) = (own.clone(), given.clone());
+        for _ in 0..2 {
+            rate = self.theory.atoms.derivative(&rate);
+            slope = self.theory.atoms.derivative(&slope);
+            let factor = self.factor_between(&slope, &given);
+            let Some(factor) = factor.filter(|factor| lasts(&mut self.theory, factor)) else {
+                continue;
+            };
+            let equations = vec![Equation::of_scalars(rate.clone(), factor * own.clone())];
+            if let decision @ Decision::False(_) = decide(&mut self.theory, &equations) {
+                self.failed(
+                    std::slice::from_ref(left),
+                    &Read::of(equations),
+                    decision,
+                    finding,
+                );
+                if finding.verdict == Verdict::Refuted {
+                    finding.reason = Some(reason::NO_SOLUTION.to_owned());
+                    finding.residual = None;
+                    let shown = "the values are those of the rate of the left side, and of what it would be";
+                    finding.remarks.push(shown.to_owned());
+                }
+                return;
+            }
+        }
+    }
+
+    /// What an expression is times another one.
+    fn factor_between(&mut self, value: &Fraction, of: &Fraction) -> Option<Fraction> {
         let moves = |v: &Variable| matches!(self.theory.atoms.atom(*v), Atom::Part { .. });
         let mut linear = of.variables().into_iter().filter(moves).filter_map(|v| {
             let own = of.numerator().coefficient_of(v, 1);
             (!own.is_zero()).then_some((v, own))
         });
-        let Some((variable, own)) = linear.next() else {
-            return false;
-        };
+        let (variable, own) = linear.next()?;
         let theirs = value.numerator().coefficient_of(variable, 1);
         let [own, theirs, below, above] = [
             own,
@@ -96,8 +154,8 @@ impl Checker<'_> {
         ]
         .map(Fraction::from);
         let factor = theirs * above / (own * below);
-        let rest = value.clone() - factor * of.clone();
-        self.theory.normal(&rest).is_zero()
+        let rest = value.clone() - factor.clone() * of.clone();
+        self.theory.normal(&rest).is_zero().then_some(factor)
     }
 }
 
