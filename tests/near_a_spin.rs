@@ -170,3 +170,19 @@ fn their_product_is_dropped_in_many_ways() {
         assert!(!verdicts(&text).contains('r'), "{words}");
     }
 }
+
+#[test]
+fn the_spin_may_be_about_another_axis_instead() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "Let $I_1 < I_2 < I_3$ be the principal moments of a body free of torque. It spins about axis 2, $\\omega_2 = s$, \
+             and the other two rates are small. To first order $s$ is constant and\n\n\
+             $$ I_1I_3\\ddot\\omega_1 = (I_2 - I_3)(I_1 - I_2)s^2\\omega_1 $$\n\n\
+             $$ \\ddot\\omega_1 = k^2\\omega_1, \\qquad k^2 = \\frac{{(I_3 - I_2)(I_2 - I_1)}}{{I_1I_3}}s^2 $$\n\n\
+             About axis 1 instead,\n\n\
+             $$ \\ddot\\omega_2 = {sign}\\frac{{(I_1 - I_2)(I_1 - I_3)}}{{I_2I_3}}s^2\\omega_2 $$\n"
+        ))
+    };
+    assert_eq!(text("-"), "aappap");
+    assert!(text("").ends_with('r'), "{}", text(""));
+}

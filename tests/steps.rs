@@ -225,3 +225,18 @@ fn a_momentum_steps_by_the_velocity_it_turns_with() {
     assert_eq!(text("+"), "pap");
     assert!(!text("-").ends_with(['p', 'a']));
 }
+
+#[test]
+fn stages_of_a_step_are_slopes_at_their_own_rates() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "For $\\dot{{\\boldsymbol\\omega}} = \\mathbf f(\\boldsymbol\\omega)$ with \
+             $\\mathbf f(\\boldsymbol\\omega) = -J^{{-1}}(\\boldsymbol\\omega\\times J\\boldsymbol\\omega)$ Heun's step is\n\n\
+             $$ \\mathbf k_1 = \\mathbf f(\\boldsymbol\\omega_n), \\quad \\mathbf k_2 = \\mathbf f(\\boldsymbol\\omega_n + h\\,\\mathbf k_1) $$\n\n\
+             $$ \\boldsymbol\\omega_{{n+1}} = \\boldsymbol\\omega_n + \\tfrac h2(\\mathbf k_1 + \\mathbf k_2) $$\n\n\
+             $$ J\\mathbf k_1 {sign} \\boldsymbol\\omega_n\\times J\\boldsymbol\\omega_n = 0 $$\n"
+        ))
+    };
+    assert_eq!(text("+"), "apaaap");
+    assert_eq!(text("-"), "apaaar");
+}

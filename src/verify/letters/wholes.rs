@@ -39,6 +39,7 @@ impl Wholes {
                 Row::Line(line) => {
                     wholes.line(line);
                     wholes.opposite(line);
+                    wholes.stage(line);
                     met.extend(line.sides.iter().flat_map(symbols));
                     line.sides.iter().for_each(|side| crossed(side, &mut used));
                     line.sides
@@ -174,6 +175,30 @@ impl Wholes {
         let name = |s: &Symbol| (Letter::of(s), s.subscripts.clone());
         if name(one).0 == name(other).0 && self.named.contains(&name(other)) {
             self.named.insert(name(one));
+        }
+    }
+
+    /// `k_1 = f(\omega_n)`: a slope of the rates, one of the stages of a step.
+    fn stage(&mut self, line: &Line) {
+        let [left, right, ..] = line.sides.as_slice() else {
+            return;
+        };
+        let (Kind::Symbol(symbol), Kind::Call(head, arguments)) =
+            (&inner(left).kind, &inner(right).kind)
+        else {
+            return;
+        };
+        let rates = |s: &&Symbol| matches!(s.name.as_str(), "omega" | "w" | "x");
+        let whole = |s: &Symbol| s.subscripts.iter().all(|index| axis(index).is_none());
+        let of_rates = arguments
+            .iter()
+            .flat_map(symbols)
+            .find(rates)
+            .is_some_and(whole);
+        let function = matches!(&inner(head).kind, Kind::Symbol(f) if f.subscripts.is_empty());
+        if of_rates && function && number(symbol).is_some() && !rates(&symbol) {
+            self.vectors
+                .insert((Letter::of(symbol), symbol.subscripts.clone()));
         }
     }
 

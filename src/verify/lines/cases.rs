@@ -240,7 +240,8 @@ impl Checker<'_> {
             self.open_case();
         }
         let lone = matches!(inner(first).kind, Kind::Symbol(_));
-        let says = !self.displayed && !self.asserted && lone && role != Role::Define;
+        let given = role != Role::Define || self.sets_motion(first);
+        let says = !self.displayed && !self.asserted && lone && given;
         if role == Role::Assume || says {
             self.detach_axes(sides);
         }

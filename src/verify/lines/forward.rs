@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Formula, Item, Row};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::symbols;
+use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::lines::defined_squares::is_two;
 use crate::verify::lines::functions::gives_a_rate_by_name;
 use crate::verify::lines::index::is_equality;
@@ -260,6 +260,13 @@ fn writes_oscillation_again(before: &[Item], sides: &[Node]) -> bool {
         Item::Formula(formula) => Some(lines_of(formula)),
         _ => None,
     });
+    // Of `\ddot x = k^2 x`, a growth, no frequency is known.
+    let grows = matches!(sides, [left, right]
+        if matches!(inner(left).kind, Kind::TimeDerivative { .. })
+            && matches!(inner(right).kind, Kind::Product(_)));
+    if grows {
+        return false;
+    }
     let again = |line: &Line| line.sides.iter().any(|side| swings(side, &swung));
     sides.iter().any(|side| squared(side).is_some()) && lines.any(|mut lines| lines.any(again))
 }

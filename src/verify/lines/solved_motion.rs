@@ -54,7 +54,7 @@ impl Checker<'_> {
             || !complex
                 && !self.moves_by_itself(left)
                 && self.factor_between(&second, &rest).is_some();
-        if !solved && has_beginning(right) {
+        if !solved && (has_beginning(right) || self.has_new_frequency(&rest, right)) {
             return false;
         }
         if !solved {
@@ -76,6 +76,25 @@ impl Checker<'_> {
             finding.remarks.push(solves.to_owned());
         }
         true
+    }
+
+    /// Whether what stands under a sine or an exponential grows with a new symbol, of which the line says what it is.
+    fn has_new_frequency(&mut self, rest: &Fraction, right: &Node) -> bool {
+        let new = self.unmentioned(std::slice::from_ref(right));
+        let inside: Vec<Variable> = rest.variables();
+        inside.into_iter().any(|v| {
+            let Atom::Kernel { argument, .. } = self.theory.atoms.atom(v).clone() else {
+                return false;
+            };
+            let growth = self.theory.atoms.derivative(&argument);
+            let mut met = growth.variables().into_iter();
+            met.any(|v| {
+                self.theory
+                    .atoms
+                    .entity_of(v)
+                    .is_some_and(|e| new.contains(&e))
+            })
+        })
     }
 
     /// Whether the rate of a side is made of the side and of what does not change.

@@ -5,7 +5,7 @@ use crate::notation::ast::{FrameLabel, Function, Kind, Node};
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
 use crate::verify::names;
 use crate::verify::theory::law::Dynamics;
-use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::lower::{
     Lowered, Lowering, Trouble, TroubleKind, put_in, substituted, trouble,
 };
@@ -278,11 +278,33 @@ impl Lowering<'_> {
         if at.len() != function.parameter.len() {
             return Ok(None);
         }
+        let moves = at
+            .iter()
+            .map(Fraction::as_variable)
+            .ne(function.parameter.iter().map(|&p| Some(p)));
+        let mut value = function.value;
+        if moves && self.has_rates(&value) {
+            // The rate is what follows from the state and the moment.
+            value = self.with_dynamics(Dynamics::Forward, |lowering| {
+                value.map(|entry| lowering.theory.normal(entry))
+            });
+            if self.has_rates(&value) {
+                let message = format!("what `{}` is elsewhere is not known", symbol.name);
+                return Err(trouble(TroubleKind::Unsupported, head.span, message));
+            }
+        }
         let image = |v: u32| {
             let place = function.parameter.iter().position(|&p| p == v);
             place.map_or_else(|| variable_fraction(v), |i| at[i].clone())
         };
-        Ok(Some(function.value.map(|entry| substituted(entry, &image))))
+        Ok(Some(value.map(|entry| substituted(entry, &image))))
+    }
+
+    /// Whether the rate of something stands in a value.
+    fn has_rates(&self, value: &Value) -> bool {
+        let mut variables = value.entries.iter().flat_map(Fraction::variables);
+        variables
+            .any(|v| matches!(self.theory.atoms.atom(v), Atom::Part { order, .. } if *order > 0))
     }
 }
 

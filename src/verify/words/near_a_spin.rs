@@ -1,14 +1,18 @@
 //! Motion near a spin that words give as a list, "near the spin ⟨(0, 0, n)⟩": the component along the axis keeps its value.
 
+use crate::algebra::Variable;
 use crate::notation::ast::{Kind, Node};
+use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{axis, inner};
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::lower::put_in;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::book::lowered;
+use std::collections::{BTreeSet, HashMap};
 
 /// Words before the list.
 const NEAR: &[&str] = &[
@@ -80,6 +84,45 @@ impl Checker<'_> {
         }
     }
 
+    /// "About axis 1 instead": the spin that a line gave about another axis is about this one.
+    pub(crate) fn turns_to_another_axis(&mut self, text: &str, span: Span) {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let Some(axis) = axis_instead(text) else {
+            return;
+        };
+        let near = self.small_turns.len() == 2;
+        let new = self.theory.atoms.part(omega, axis, 0);
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 0));
+        let of_spin = |v: &Variable| parts.contains(v) && *v != new;
+        let sets = |p: &&Premise| match p.residuals.as_slice() {
+            [only] => {
+                let met = only.variables();
+                let by_a_line = p.name.starts_with("line ");
+                by_a_line && met.len() == 2 && met.iter().filter(|v| of_spin(v)).count() == 1
+            }
+            _ => false,
+        };
+        let Some(mut premise) = self.theory.premises().iter().find(sets).cloned() else {
+            return;
+        };
+        let met = premise.residuals[0].variables();
+        let Some(old) = met.into_iter().find(of_spin) else {
+            return;
+        };
+        self.end_spin();
+        self.end_premises(&BTreeSet::from([premise.name]));
+        let turned = HashMap::from([(old, variable_fraction(new))]);
+        premise.residuals = vec![put_in(&premise.residuals[0], &turned)];
+        for variable in premise.preferred.iter_mut().filter(|v| **v == old) {
+            *variable = new;
+        }
+        premise.name = "the same spin about another axis".to_owned();
+        if self.take_from_words(premise, span) && near {
+            self.small_turns.extend((0..3).filter(|&c| c != axis));
+            self.drop_second_order();
+        }
+    }
+
     /// "Let ⟨ω_3 = n⟩ be constant and the other components small."
     pub(crate) fn others_are_small(&mut self, text: &str) {
         let behind = OTHERS.iter().filter_map(|others| text.split_once(others));
@@ -104,4 +147,21 @@ impl Checker<'_> {
             self.drop_second_order();
         }
     }
+}
+
+/// The axis that words turn to: "about axis 1 instead", "about the first axis instead".
+fn axis_instead(text: &str) -> Option<u8> {
+    let (before, _) = text.split_once("instead")?;
+    let clause = before.rsplit(['.', ';', ':']).next()?;
+    let (_, about) = clause.rsplit_once("about ")?;
+    let words = about.split(|c: char| !c.is_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let named = |word: &&str| match *word {
+        "first" => Some(0),
+        "second" => Some(1),
+        "third" => Some(2),
+        other => axis(other),
+    };
+    let short = words.len() <= 4 && words.contains(&"axis");
+    words.iter().find_map(named).filter(|_| short)
 }

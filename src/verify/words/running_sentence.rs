@@ -72,6 +72,7 @@ impl Checker<'_> {
         let speaks = text.contains(char::is_alphanumeric);
         if speaks {
             self.note_linear(&lower);
+            self.turns_to_another_axis(&lower, span);
             self.constants_in_words(&lower, span);
             self.note_called_only_product(&lower, span);
         }
