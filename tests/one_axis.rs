@@ -281,3 +281,19 @@ fn constant_speed_holds_about_the_axis_that_a_line_names() {
     assert_eq!(text("At constant speed"), "app");
     assert_eq!(text("In general"), "apr");
 }
+
+#[test]
+fn a_bare_omega_is_the_rate_about_the_axis_that_words_name() {
+    for words in [
+        "The shaft turns at $\\Omega$ about $z$.",
+        "The rotor turns with the angular velocity $\\boldsymbol\\omega = \\Omega\\mathbf k$.",
+    ] {
+        let text = |factor: &str| {
+            verdicts(&format!(
+                "{words}\n\n$$ T = {factor}I_{{zz}}\\Omega^2 $$\n\n$$ L_z = I_{{zz}}\\Omega $$\n"
+            ))
+        };
+        assert!(text("\\tfrac12").ends_with("pp"), "{words}");
+        assert!(text("").ends_with("rp"), "{words}");
+    }
+}

@@ -60,3 +60,17 @@ fn places_of_particles_are_fixed_in_the_body_and_measured_from_its_centre() {
     assert!(matches!(verdicts(&text("")).as_str(), "pppp" | "appp"));
     assert_eq!(verdicts(&text("-")).chars().nth(2), Some('r'));
 }
+
+#[test]
+fn a_mass_element_of_a_rigid_body_moves_by_its_turn() {
+    let text = |velocity: &str| {
+        verdicts(&format!(
+            "# Momentum of a rigid body\n\nLet $\\mathbf r$ be the position of a mass element relative to the mass centre. Its \
+             velocity is $\\dot{{\\mathbf r}} = {velocity}$, so\n\n\
+             $$ \\mathbf L = \\int\\mathbf r\\times(\\boldsymbol\\omega\\times\\mathbf r)\\,dm = \
+             \\int\\left[r^2\\boldsymbol\\omega - (\\mathbf r\\cdot\\boldsymbol\\omega)\\mathbf r\\right]dm $$\n"
+        ))
+    };
+    assert_eq!(text("\\boldsymbol\\omega\\times\\mathbf r"), "pp");
+    assert_eq!(text("\\mathbf r\\times\\boldsymbol\\omega"), "rp");
+}

@@ -262,3 +262,17 @@ fn a_velocity_that_turns_the_attitude_from_the_left_stands_in_space() {
     let momentum = "On body axes $\\mathbf L = \\mathbf I\\boldsymbol\\omega$.";
     assert!(text(momentum, left).ends_with('r'));
 }
+
+#[test]
+fn a_prime_may_be_the_label_of_turned_axes() {
+    let text = |times: &str| {
+        verdicts(&format!(
+            "Let $R$ be the matrix that takes body components to primed ones, $\\boldsymbol\\omega' = R\\boldsymbol\\omega$ and \
+             $\\mathbf I' = R\\mathbf IR^T$.\n\n\
+             $$ \\boldsymbol\\omega'\\cdot\\mathbf I'\\boldsymbol\\omega' = {times}\\boldsymbol\\omega\\cdot\\mathbf I\\boldsymbol\\omega $$\n\n\
+             $$ \\mathbf I'\\boldsymbol\\omega' = R\\mathbf I\\boldsymbol\\omega $$\n"
+        ))
+    };
+    assert_eq!(text(""), "pppp");
+    assert_eq!(text("2"), "pprp");
+}

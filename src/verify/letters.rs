@@ -44,6 +44,7 @@ pub(super) mod space_axes;
 pub(super) mod spin_alone;
 pub(super) mod spin_axis;
 pub(super) mod triad;
+pub(super) mod turned_primes;
 mod turns_from_left;
 pub(super) mod two_points;
 pub(super) mod two_states;

@@ -9,6 +9,7 @@ use crate::verify::letters::raised_labels::lower_labels;
 use crate::verify::letters::raised_steps::lower_steps;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::skew_marks::note_skew_marks;
+use crate::verify::letters::turned_primes::label_turned_primes;
 use crate::verify::letters::two_states::tell_states_apart;
 use crate::verify::letters::world_labels::drop_world_labels;
 use crate::verify::lines::index::written_out;
@@ -21,6 +22,7 @@ use crate::verify::words::text::Text;
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
+    label_turned_primes(&mut document);
     lower_labels(&mut document);
     lower_steps(&mut document);
     let states = tell_states_apart(&mut document);

@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::attitude_reading::AttitudeReading;
-use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
+use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::words::attitude_words::{Sentence, way};
 use crate::verify::words::book::has_any;
@@ -50,6 +50,7 @@ impl AttitudeReading {
                 made.insert(Letter::of(symbol));
             }
             found.extend(turned_by_rate(&line.sides));
+            found.extend(turning_to_label(&line.sides));
             if about_turning {
                 line.sides.iter().for_each(|side| turns(side, &mut found));
             }
@@ -134,6 +135,35 @@ fn turned_by_rate(sides: &[Node]) -> Option<Letter> {
     let skew = |node: &Node| matches!(&inner(node).kind, Kind::Skew(_));
     let beside = other.operator == Operator::Juxtaposed;
     (beside && itself(&one.node) && skew(&other.node)).then(|| Letter::of(matrix))
+}
+
+/// The matrix of `\mathbf v_s = R\mathbf v` or `\mathbf I_s = R\mathbf I R^T`, which turns a vector or a tensor into the one with a label.
+fn turning_to_label(sides: &[Node]) -> Option<Letter> {
+    let [left, right] = sides else { return None };
+    let symbol = |node: &'_ Node| match &inner(node).kind {
+        Kind::Symbol(symbol) => Some(symbol.clone()),
+        _ => None,
+    };
+    let Kind::Product(factors) = &inner(right).kind else {
+        return None;
+    };
+    let (labelled, first, second) = (
+        symbol(left)?,
+        symbol(&factors.first()?.node)?,
+        symbol(&factors.get(1)?.node)?,
+    );
+    let undone = match &factors[2..] {
+        [] => second.style.vector,
+        [back] => matches!(&inner(&back.node).kind, Kind::Transpose(inside)
+            if symbol(inside).as_ref() == Some(&first)),
+        _ => false,
+    };
+    let own = labelled.name == second.name
+        && labelled.style == second.style
+        && second.subscripts.is_empty()
+        && matches!(labelled.subscripts.as_slice(), [one] if axis(one).is_none());
+    (own && undone && first.subscripts.is_empty() && !first.style.vector)
+        .then(|| Letter::of(&first))
 }
 
 /// Letters that stand as an attitude matrix does: transposed beside a factor, or differentiated beside a skew matrix.

@@ -29,6 +29,7 @@ impl Reading {
     /// "The rotor turns about the fixed ⟨z⟩ axis": a bare ω of which no component is written, but the one that it is said
     /// to be, is the one about that axis.
     pub(crate) fn about_fixed_axis(&mut self, document: &Text) {
+        self.note_bare_rate(document);
         let letter = self.quantities.iter().find_map(|(letter, quantity)| {
             let used = self.usage.get(letter);
             let bare = used.bare > 0 && (used.component == 0 || self.only_named_component(letter));
@@ -79,6 +80,26 @@ impl Reading {
                 self.components
                     .insert(rate, (Quantity::AngularAcceleration, axis));
             }
+        }
+    }
+
+    /// "The shaft turns at ⟨Ω⟩ about ⟨z⟩": in a document without an ω, a bare Ω is the rate at which the body turns.
+    fn note_bare_rate(&mut self, document: &Text) {
+        let rate = Letter::plain("Omega");
+        let turns = |q: &Quantity| *q == Quantity::AngularVelocity;
+        let taken = self.quantities.values().any(turns)
+            || self.components.values().any(|(q, _)| turns(q))
+            || self.quantities.contains_key(&rate);
+        if taken || !self.has_bare("Omega") || self.plane || self.euler_angles.is_some() {
+            return;
+        }
+        let said = |text: &str| {
+            let at = text.find("⟨Omega⟩");
+            let about = at.is_some_and(|at| text[at..].contains("about"));
+            about && fixed_axis(text, true).is_some()
+        };
+        if document.named_sentences().iter().any(|s| said(&s.text)) {
+            self.quantities.insert(rate, Quantity::AngularVelocity);
         }
     }
 
@@ -292,14 +313,18 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
     let near = near.split([',', ';']).next()?;
     // Of a body: a frame may turn as it likes.
     let of_body = !sentence.contains("frame");
-    let fixed = near.contains("axis") && (known && of_body || near.contains("fixed"));
+    let lettered = near
+        .split_whitespace()
+        .next()
+        .is_some_and(|word| matches!(word.trim_matches(['⟨', '⟩', '.']), "x" | "y" | "z"));
+    let fixed = (lettered || near.contains("axis")) && (known && of_body || near.contains("fixed"));
     let rate = of_body
         && ["velocity ", "speed ", "rate "]
             .iter()
             .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));
     let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
     let named = words.find_map(|word| {
-        let letter = word.trim_matches(['⟨', '⟩']);
+        let letter = word.trim_matches(['⟨', '⟩', '.']);
         matches!(letter, "x" | "y" | "z" | "1" | "2" | "3").then(|| axis(letter))
     });
     named.flatten().filter(|_| fixed || rate)

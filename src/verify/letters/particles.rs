@@ -1,8 +1,8 @@
 //! Which vector is the place of a particle in the sums over particles.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
-use crate::verify::letters::usage::symbols;
+use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 use crate::verify::words::text::Text;
@@ -88,6 +88,13 @@ fn place_of_particle(document: &Document) -> Option<&Symbol> {
                 let mass = met.iter().any(|s| s.name == "m" && own(s));
                 place_among(&met, &index.name).filter(|_| mass)
             }
+            Kind::Integral {
+                integrand,
+                variable,
+                ..
+            } if matches!(&variable.kind, Kind::Symbol(s) if s.name == "m") => {
+                place_of_element(integrand)
+            }
             _ => None,
         };
         here.or_else(|| node.children().find_map(within))
@@ -95,6 +102,19 @@ fn place_of_particle(document: &Document) -> Option<&Symbol> {
     lines(document)
         .flat_map(|line| &line.sides)
         .find_map(within)
+}
+
+/// The vector of the place of a mass element, which is crossed with something under an integral.
+fn place_of_element(integrand: &Node) -> Option<&Symbol> {
+    let crossed = |node: &Node| match &node.kind {
+        Kind::Product(factors) => factors.iter().any(|f| f.operator == Operator::Cross),
+        _ => false,
+    };
+    let here = crossed(inner(integrand)).then(|| symbols(integrand));
+    let place = |s: &&Symbol| {
+        PLACES.contains(&s.name.as_str()) && s.style.vector && s.subscripts.is_empty()
+    };
+    here?.into_iter().find(place)
 }
 
 /// The place of a particle among the symbols of a sum over an index.

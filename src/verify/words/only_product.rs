@@ -27,7 +27,13 @@ const ONLY: &[&str] = &[
 const AIRCRAFT: &[&str] = &["aircraft", "aeroplane", "airplane", "airframe", "glider"];
 
 /// A plane of symmetry without a name.
-const UNNAMED: &[&str] = &["a plane of symmetry", "one plane of symmetry"];
+const UNNAMED: &[&str] = &[
+    "has a plane of symmetry",
+    "has one plane of symmetry",
+    "with a plane of symmetry",
+    "with one plane of symmetry",
+    "having a plane of symmetry",
+];
 
 impl Checker<'_> {
     /// Takes in that a body with a plane of symmetry that no word names, as an aircraft has one along x and z, has no

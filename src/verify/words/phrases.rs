@@ -108,6 +108,26 @@ fn is_of_a_wheel(clause: &str) -> bool {
         || WHEELS.iter().filter_map(|word| clause.find(word)).any(adds)
 }
 
+/// Whether what a clause says turns is a body.
+fn is_of_a_body(clause: &str) -> bool {
+    let bodies = [
+        "body",
+        "rotor",
+        "shaft",
+        "disc",
+        "disk",
+        "plate",
+        "top",
+        "satellite",
+        "cylinder",
+        "rod",
+        "book",
+        "block",
+    ];
+    let mut words = clause.split(|c: char| !c.is_alphabetic());
+    words.any(|word| bodies.contains(&word))
+}
+
 /// Whether the words before a phrase end with a wheel whose own the thing is: "the rotor's".
 pub(crate) fn ends_with_a_wheel(words: &str) -> bool {
     let last = words.split_whitespace().next_back().unwrap_or_default();
@@ -188,6 +208,10 @@ pub(crate) fn said_before(text: &str, follows: impl Fn(&str) -> bool) -> Option<
     let of_wheel = clause.is_some_and(is_of_a_wheel);
     (follows(&text[end..]) && text.len() - end < 60).then_some(match quantity {
         Some(Quantity::AngularVelocity) if of_axes => Some(Quantity::FrameRate),
+        // "The rotor turns with the angular velocity": no axes are spoken of.
+        Some(Quantity::FrameRate) if !of_axes && clause.is_some_and(is_of_a_body) => {
+            Some(Quantity::AngularVelocity)
+        }
         Some(Quantity::Momentum) if of_wheel => Some(Quantity::RelativeMomentum),
         // "The rotor's moment of inertia about its axis is": a number of the part.
         Some(Quantity::Inertia) if clause.is_some_and(ends_with_a_wheel) => None,
