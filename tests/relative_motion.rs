@@ -80,3 +80,36 @@ $$ \vec a = (\ddot\rho - \rho\dot\phi^2)\hat\rho + (\rho\ddot\phi + {coriolis}\d
     assert_eq!(text("", "2"), "aprp");
     assert_eq!(text("-", ""), "appr");
 }
+
+#[test]
+fn a_prime_or_a_label_is_what_a_turning_frame_sees() {
+    let text = |words: &str, line: &str| {
+        verdicts(&format!(
+            "For an observer in a frame that rotates at the constant angular velocity $\\boldsymbol\\Omega$, a particle at \
+             $\\mathbf r$ has {words}.\n\n$$ {line} $$\n"
+        ))
+    };
+    let primed = "the velocity $\\mathbf v'$ and the acceleration $\\mathbf a'$; in the laboratory they are $\\mathbf v$ and $\\mathbf a$";
+    let coriolis = |times: &str| {
+        format!(
+            "\\mathbf a = \\mathbf a' + {times}\\boldsymbol\\Omega\\times\\mathbf v' + \\boldsymbol\\Omega\\times(\\boldsymbol\\Omega\\times\\mathbf r)"
+        )
+    };
+    assert_eq!(text(primed, &coriolis("2")), "p");
+    assert_eq!(text(primed, &coriolis("")), "r");
+    assert_eq!(
+        text(
+            primed,
+            "\\mathbf v = \\mathbf v' + \\boldsymbol\\Omega\\times\\mathbf r"
+        ),
+        "p"
+    );
+    let labelled = "the velocity $\\mathbf v_{rel}$ and the acceleration $\\mathbf a_{rel}$. With its mass $m$ and the force $\\mathbf F$";
+    let force = |sign: &str| {
+        format!(
+            "m\\mathbf a_{{rel}} = \\mathbf F {sign} 2m\\boldsymbol\\Omega\\times\\mathbf v_{{rel}} - m\\boldsymbol\\Omega\\times(\\boldsymbol\\Omega\\times\\mathbf r)"
+        )
+    };
+    assert_eq!(text(labelled, &force("-")), "p");
+    assert_eq!(text(labelled, &force("+")), "r");
+}

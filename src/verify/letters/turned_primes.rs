@@ -19,7 +19,9 @@ pub(crate) fn label_turned_primes(document: &mut Document) {
     };
     let taken = |s: &&Symbol| {
         s.primes > 1
-            || s.subscripts.iter().any(|label| label == LABEL)
+            || s.subscripts
+                .iter()
+                .any(|label| label == LABEL || label.contains('\''))
             || s.primes == 1 && s.name == matrix.name
     };
     if every_symbol(document).iter().any(taken) {

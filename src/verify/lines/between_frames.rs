@@ -10,6 +10,17 @@ use crate::verify::values::quantity::Quantity;
 use crate::verify::values::subscript::{between, is_of_the_body};
 use crate::verify::values::value::Value;
 
+/// Words of a frame that turns, from which motion is seen.
+const MOVING_FRAMES: &[&str] = &[
+    "rotating frame",
+    "rotating system",
+    "rotating axes",
+    "moving frame",
+    "turning frame",
+    "observer",
+    "turntable",
+];
+
 impl Checker<'_> {
     /// The angular velocity of the axes at rest in those that turn.
     pub(crate) fn turned_round(&mut self, symbol: &Symbol) -> Option<Law> {
@@ -46,10 +57,35 @@ impl Checker<'_> {
             _ => return None,
         };
         let frame = match (symbol.superscripts.as_slice(), symbol.subscripts.as_slice()) {
+            // `\mathbf v'` beside v: what is seen from the frame that turns.
+            ([], []) if symbol.primes == 1 => {
+                (self.speaks_of_turning() && self.text.says(MOVING_FRAMES)).then_some(Frame::Moving)
+            }
             ([label], []) => self.reading.frames.of_derivatives(label),
             ([], [label]) => self.frame_of_motion(label),
             _ => None,
         }?;
+        self.rate_of_only_position(symbol, order, frame)
+    }
+
+    /// `\mathbf v` beside `\mathbf v'`: the same seen from space.
+    pub(crate) fn beside_a_prime(&mut self, symbol: &Symbol, met: &[&Symbol]) -> Option<Law> {
+        let order = match symbol.name.as_str() {
+            "v" => 1,
+            "a" => 2,
+            _ => return None,
+        };
+        let bare = |s: &Symbol| s.subscripts.is_empty() && s.superscripts.is_empty();
+        let primed = |s: &&&Symbol| s.name == symbol.name && s.primes == 1 && bare(s);
+        let primed = met.iter().find(primed)?;
+        if symbol.primes > 0 || !symbol.style.vector || !bare(symbol) {
+            return None;
+        }
+        self.in_named_frame(primed)?;
+        self.rate_of_only_position(symbol, order, Frame::Space)
+    }
+
+    fn rate_of_only_position(&mut self, symbol: &Symbol, order: u8, frame: Frame) -> Option<Law> {
         if !self.is_new(symbol) || !self.has_one_position() {
             return None;
         }
@@ -67,6 +103,13 @@ impl Checker<'_> {
         Some(Law::new("kinematics", self.entity_named(symbol)?, value))
     }
 
+    fn speaks_of_turning(&self) -> bool {
+        let turns = [Quantity::FrameRate, Quantity::AngularVelocity];
+        turns
+            .into_iter()
+            .any(|quantity| self.reading.speaks_of(quantity))
+    }
+
     /// The frame that a label under velocities or accelerations means: one that derivatives are taken in, or one of two,
     /// of which one turns and the other does not.
     fn frame_of_motion(&self, label: &str) -> Option<Frame> {
@@ -78,6 +121,10 @@ impl Checker<'_> {
         };
         let by_pair = || frames.of_text(label).filter(|frame| other(*frame));
         let speaks = || self.text.says(&["frame", "axes", "observer"]);
+        let relative = matches!(label, "rel" | "rot" | "relative" | "rotating");
+        if relative && self.speaks_of_turning() && speaks() {
+            return Some(Frame::Moving);
+        }
         frames
             .of_derivatives(label)
             .or_else(|| by_pair().filter(|_| axis(label).is_none() && speaks()))

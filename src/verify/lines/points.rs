@@ -92,6 +92,7 @@ impl Checker<'_> {
         laws.extend(self.frequency_in_equation(sides));
         let framed: Vec<Law> = met.iter().filter_map(|s| self.in_named_frame(s)).collect();
         let of_points = framed.is_empty();
+        laws.extend(met.iter().filter_map(|s| self.beside_a_prime(s, &met)));
         laws.extend(framed);
         let Kind::Symbol(left) = &first.kind else {
             return laws;
