@@ -137,3 +137,16 @@ fn the_angle_between_momentum_and_rate_has_its_cosine_by_the_energy() {
         assert_eq!(cosine(words, r"\frac{T}{L\omega}"), "r");
     }
 }
+
+#[test]
+fn its_axis_may_be_all_that_is_said_of_the_axis() {
+    let text = |ratio: &str| {
+        verdicts(&format!(
+            "A free symmetric body has the moments $A, A, C$. Its axis makes the constant angle $\\theta$ with the fixed angular \
+             momentum $\\mathbf L$.\n\n$$ L\\cos\\theta = C\\omega_3 $$\n\nThe precession rate is\n\n\
+             $$ \\Omega_p = \\frac{{L}}{{A}} $$\n\n$$ \\Omega_p = \\frac{{C\\omega_3}}{{A{ratio}\\theta}} $$\n"
+        ))
+    };
+    assert_eq!(text("\\cos"), "pap");
+    assert_eq!(text("\\sin"), "par");
+}

@@ -134,3 +134,18 @@ For a horizontal axis, put $\theta = \pi/2$. The condition shrinks to ${steady}$
     assert_eq!(text("2A", r"C\dot\phi\,\dot\psi = mg\ell"), "pppppapapap");
     assert_eq!(text("A", r"C\dot\phi\,\dot\psi = 2mg\ell"), "ppppparapar");
 }
+
+#[test]
+fn a_top_precesses_steadily_at_a_constant_angle() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "A symmetric top with the moments $A, A, C$ about its fixed point precesses steadily at the rate $\\dot\\psi$ while \
+             its axis makes the constant angle $\\theta$ with the vertical; its spin is $\\dot\\phi$, constant as well, the weight \
+             is $mg$ and the mass centre is at the distance $l$ from the point.\n\n\
+             $$ \\omega_3 = \\dot\\phi + \\dot\\psi\\cos\\theta $$\n\n\
+             $$ C\\omega_3\\dot\\psi {sign} A\\dot\\psi^2\\cos\\theta = mgl $$\n"
+        ))
+    };
+    assert_eq!(text("-"), "pp");
+    assert!(!text("+").ends_with(['p', 'a']));
+}

@@ -259,3 +259,44 @@ fn a_moment_in_numbers_waits_for_what_gives_it() {
                  With $C = 0.2\\ \\mathrm{kg\\,m^2}$, $s = 30\\ \\mathrm{rad/s}$ and $\\Omega = 2\\ \\mathrm{rad/s}$:";
     assert_ne!(verdict(wheel, r"M = 12\ \mathrm{N\,m}"), "refuted");
 }
+
+/// The same, a letter for each.
+fn initials(text: &str) -> String {
+    verdicts(text).iter().map(|verdict| &verdict[..1]).collect()
+}
+
+#[test]
+fn principal_moments_of_a_tensor_in_numbers_are_its_eigenvalues() {
+    let text = |moments: &str| {
+        format!(
+            "The inertia matrix of a body is\n\n\
+             $$ \\mathbf I = \\begin{{bmatrix}} 3 & -1 & 0 \\\\ -1 & 3 & 0 \\\\ 0 & 0 & 5 \\end{{bmatrix}} $$\n\n\
+             The principal moments are\n\n$$ {moments} $$\n"
+        )
+    };
+    assert_eq!(
+        initials(&text("I_1 = 2, \\quad I_2 = 4, \\quad I_3 = 5")),
+        "appp"
+    );
+    assert_eq!(
+        initials(&text("I_1 = 2, \\quad I_2 = 3, \\quad I_3 = 5")),
+        "aprp"
+    );
+    let roots = |first: &str| {
+        text(&format!("\\lambda_1 = {first}")).replace("principal moments", "eigenvalues")
+    };
+    assert_eq!(initials(&roots("2")), "aa");
+    assert!(!initials(&roots("3")).ends_with(['a', 'p']));
+}
+
+#[test]
+fn what_gives_a_constant_torque_derives_nothing() {
+    let text = |rate: &str| {
+        format!(
+            "A satellite turns about a fixed axis with the moment of inertia $I = 20$ kg m². A thruster gives the constant \
+             torque $\\tau = 4$ N m.\n\n$$ \\alpha = \\frac{{\\tau}}{{I}} = {rate}\\ \\mathrm{{rad/s^2}} $$\n"
+        )
+    };
+    assert_eq!(initials(&text("0.2")), "aap");
+    assert_eq!(initials(&text("0.4")), "aar");
+}

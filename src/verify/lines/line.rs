@@ -219,6 +219,7 @@ impl Checker<'_> {
             || self.is_angle_of_momentum(&sides, finding)
             || !self.firm && self.precesses(&sides, finding)
             || !self.firm && self.solves_motion(&sides, finding)
+            || self.is_principal_moment(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.defines(&sides, line, role, finding)
             || self.turns_to_step(&sides, role, finding)

@@ -16,6 +16,7 @@ const AXES: &[&str] = &[
     "axis of symmetry",
     "axis of the body",
     "'s axis",
+    "its axis",
     "figure axis",
     "axis of figure",
     "spin axis",

@@ -273,8 +273,17 @@ fn in_words(sentence: &str) -> String {
     for load in ["torque", "moment", "couple", "force"] {
         for (gives, acts) in [("gives", "exerts"), ("give", "exert")] {
             for article in ["a", "no", "the"] {
-                let said = format!(" {gives} {article} {load} ");
-                text = text.replace(&said, &format!(" {acts} {article} {load} "));
+                for kind in [
+                    "",
+                    "constant ",
+                    "steady ",
+                    "small ",
+                    "control ",
+                    "external ",
+                ] {
+                    let thing = format!("{article} {kind}{load} ");
+                    text = text.replace(&format!(" {gives} {thing}"), &format!(" {acts} {thing}"));
+                }
             }
         }
     }
