@@ -171,3 +171,28 @@ fn a_uniform_box_has_moments_by_its_edges() {
     assert_eq!(text("a^2 + b^2"), "pp");
     assert_eq!(text("b^2 + c^2"), "pr");
 }
+
+#[test]
+fn a_feedback_beside_no_other_torque_takes_power() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "A satellite with inertia $J$ is under the control torque $\\mathbf u = -k\\boldsymbol\\omega$ and no other torque.\n\n\
+             $$ J\\dot{{\\boldsymbol\\omega}} = -\\boldsymbol\\omega\\times J\\boldsymbol\\omega - k\\boldsymbol\\omega $$\n\n\
+             $$ \\dot T = {sign}k\\,\\boldsymbol\\omega\\cdot\\boldsymbol\\omega $$\n"
+        ))
+    };
+    assert_eq!(text("-"), "app");
+    assert_eq!(text(""), "apr");
+}
+
+#[test]
+fn a_bold_sign_of_a_sum_stands_before_its_moment() {
+    let text = |more: &str| {
+        verdicts(&format!(
+            "For a point $P$ that moves with $\\mathbf v_P$, with $\\mathbf L_P$ taken with absolute velocities,\n\n\
+             $$ \\boldsymbol\\Sigma\\mathbf M_P = \\dot{{\\mathbf L}}_P {more} $$\n"
+        ))
+    };
+    assert_eq!(text("+ \\mathbf v_P\\times m\\mathbf v_G"), "p");
+    assert_eq!(text(""), "r");
+}

@@ -291,12 +291,13 @@ fn principal_moments_of_a_tensor_in_numbers_are_its_eigenvalues() {
 
 #[test]
 fn what_gives_a_constant_torque_derives_nothing() {
-    let text = |rate: &str| {
+    let text = |energy: &str| {
         format!(
             "A satellite turns about a fixed axis with the moment of inertia $I = 20$ kg m². A thruster gives the constant \
-             torque $\\tau = 4$ N m.\n\n$$ \\alpha = \\frac{{\\tau}}{{I}} = {rate}\\ \\mathrm{{rad/s^2}} $$\n"
+             torque $\\tau = 4$ N m.\n\n$$ \\alpha = \\frac{{\\tau}}{{I}} = 0.2\\ \\mathrm{{rad/s^2}} $$\n\n\
+             At $\\omega = 2$ rad/s\n\n$$ T = \\tfrac12I\\omega^2 = {energy}\\ \\mathrm J $$\n"
         )
     };
-    assert_eq!(initials(&text("0.2")), "aap");
-    assert_eq!(initials(&text("0.4")), "aar");
+    assert_eq!(initials(&text("40")), "aapap");
+    assert_eq!(initials(&text("80")), "aapar");
 }

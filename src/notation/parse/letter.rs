@@ -87,6 +87,9 @@ impl<'t, 'a> Parser<'t, 'a> {
             self.at += 1;
         }
         let tokens = self.argument();
+        if mark(name) == Some(Mark::Bold) && is_sum(tokens) && self.load_follows() {
+            return self.sum_sign(false, start);
+        }
         if let Some(order) = dots(name) {
             let operand = self.inside(tokens).whole();
             let node = dotted(operand, order);
@@ -114,6 +117,20 @@ impl<'t, 'a> Parser<'t, 'a> {
         };
         let node = self.scripts(node, start);
         self.call(node, start)
+    }
+
+    /// Whether a marked letter of a moment or a force comes next: `\boldsymbol\Sigma\mathbf M`.
+    fn load_follows(&self) -> bool {
+        let mut next = self.tokens[self.at..].iter().map(|token| token.kind);
+        let mut next = next
+            .by_ref()
+            .filter(|kind| !matches!(kind, Lexeme::Space(_) | Lexeme::Open));
+        let marked = matches!(next.next(), Some(Lexeme::Command(name)) if is_mark(name));
+        marked
+            && matches!(
+                next.next(),
+                Some(Lexeme::Letter('M' | 'F' | 'T' | 'N') | Lexeme::Command("tau" | "Gamma"))
+            )
     }
 
     /// `\overset{.}{\omega}` and `\stackrel{\leftrightarrow}{I}`: accents drawn by hand.
@@ -269,4 +286,13 @@ fn apply(style: &mut Style, mark: Mark) {
         Mark::Plain => {}
         Mark::Other => style.other = true,
     }
+}
+
+/// Whether the argument of a mark is the sign of a sum.
+fn is_sum(tokens: &[Token<'_>]) -> bool {
+    let mut kinds = tokens
+        .iter()
+        .map(|token| token.kind)
+        .filter(|kind| !matches!(kind, Lexeme::Space(_)));
+    matches!(kinds.next(), Some(Lexeme::Command("Sigma" | "sum"))) && kinds.next().is_none()
 }

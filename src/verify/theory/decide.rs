@@ -174,7 +174,10 @@ fn refuted(theory: &mut Theory, equation: &Equation, equations: &[Equation]) -> 
     if rests_on_a_name(theory, equation) {
         return Decision::Open("it rests on a value that is only named here".to_owned());
     }
-    if let Some(found) = counterexample(theory, equation) {
+    // A normal form may have grown beyond all bounds; numbers do not.
+    theory.exhausted = false;
+    let found = counterexample(theory, equation);
+    if let Some(found) = found {
         return Decision::False(Box::new(found));
     }
     let Some(name) = related(theory, equation) else {

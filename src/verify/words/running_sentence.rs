@@ -125,8 +125,8 @@ impl Checker<'_> {
             || said
                 .rfind(" with ")
                 .is_some_and(|at| said[at..].matches('⟩').count() == 1);
-        let clause =
-            display && (closed.is_some_and(ends_with_condition) || opened && said.ends_with('⟩'));
+        let clause = display
+            && (closed.is_some_and(ends_with_condition) || opened && said.ends_with(['⟩', ',']));
         match role {
             Role::Assume
                 if display && (concludes_with(said) || says_again(said) || has_named(said)) =>

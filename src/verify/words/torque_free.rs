@@ -36,7 +36,6 @@ const KINDS: &[&str] = &[
     "net",
     "resultant",
     "outer",
-    "other",
     "disturbing",
 ];
 const THINGS: &[&str] = &[
