@@ -193,6 +193,7 @@ fn a_bold_sign_of_a_sum_stands_before_its_moment() {
              $$ \\boldsymbol\\Sigma\\mathbf M_P = \\dot{{\\mathbf L}}_P {more} $$\n"
         ))
     };
-    assert_eq!(text("+ \\mathbf v_P\\times m\\mathbf v_G"), "p");
-    assert_eq!(text(""), "r");
+    assert_eq!(text("+ \\mathbf v_P\\times m\\mathbf v_G"), "a");
+    assert_eq!(text("- \\mathbf v_P\\times m\\mathbf v_G"), "u");
+    assert_eq!(text(""), "u");
 }

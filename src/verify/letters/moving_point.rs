@@ -162,7 +162,7 @@ fn in_words(document: &Document, centre: &str, other: &str) -> Option<Symbol> {
         })
 }
 
-fn holds_rate_of(node: &Node, symbol: &Symbol) -> bool {
+pub(crate) fn holds_rate_of(node: &Node, symbol: &Symbol) -> bool {
     let here = match &node.kind {
         Kind::TimeDerivative { operand, .. } => {
             matches!(&inner(operand).kind, Kind::Symbol(s) if s == symbol)

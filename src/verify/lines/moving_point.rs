@@ -3,13 +3,27 @@
 //! H_P = H_C + ρ × m v_C and M_P = M_C + ρ × m a_C, from which M_P = dH_P/dt + v_P × m v_C; or, with the velocities
 //! relative to P, H_P = H_C + ρ × m (v_C − v_P). See L. Meirovitch, Methods of Analytical Dynamics, section 4.2.
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::moving_point::AtPoint;
+use crate::verify::letters::moving_point::{AtPoint, holds_rate_of};
+use crate::verify::letters::two_points::CENTRES;
+use crate::verify::letters::usage::{Letter, symbols};
 use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
+
+/// Words of a point that moves, or may.
+const MOVING: &[&str] = &[
+    "moving point",
+    "point moves",
+    "that moves",
+    "which moves",
+    "any point",
+    "arbitrary point",
+    "accelerated point",
+    "moving reference point",
+];
 
 impl Checker<'_> {
     /// Takes in the laws, if the document speaks of such a point.
@@ -60,6 +74,50 @@ impl Checker<'_> {
         let moment = self.theory.atoms.quantity(Quantity::Moment);
         let moment = Value::column(self.theory.atoms.vector(moment, 0));
         self.tie_shifted(Some(moment), &found.other.moment, of_moment);
+    }
+
+    /// Whether a new moment about a point is set to the rate of the momentum about it, and the term that its motion adds
+    /// is not the one of the law: M_P = dH_P/dt + v_P × m v_G, with the momentum of absolute velocities.
+    pub(crate) fn misses_motion_of_point(&mut self, symbol: &Symbol, right: &Node) -> bool {
+        let [label] = symbol.subscripts.as_slice() else {
+            return false;
+        };
+        let of =
+            |s: &Symbol, quantity| self.reading.quantities.get(&Letter::of(s)) == Some(&quantity);
+        let here = |s: &&Symbol| s.style.vector && s.subscripts == symbol.subscripts;
+        let met = symbols(right);
+        let momentum = met
+            .iter()
+            .copied()
+            .filter(here)
+            .find(|s| of(s, Quantity::Momentum));
+        let Some(momentum) = momentum.filter(|_| of(symbol, Quantity::Moment)).cloned() else {
+            return false;
+        };
+        let named = label.len() == 1 && label.starts_with(|c: char| c.is_ascii_uppercase());
+        if !named || !self.text.says(MOVING) || !holds_rate_of(right, &momentum) {
+            return false;
+        }
+        let velocity = |s: &&Symbol| matches!(s.name.as_str(), "v" | "V") && s.style.vector;
+        let own = met.iter().copied().filter(velocity).find(here).cloned();
+        let centre =
+            |s: &&Symbol| matches!(s.subscripts.as_slice(), [c] if CENTRES.contains(&c.as_str()));
+        let centre = met.iter().copied().filter(velocity).find(centre).cloned();
+        let (Some(own), Some(centre)) = (own, centre) else {
+            return true;
+        };
+        let mass = self.theory.atoms.quantity(Quantity::Mass);
+        let mass = self.theory.atoms.value(mass, 0, 0);
+        let expected = self.rate_in_space(&momentum).and_then(|rate| {
+            let [own, centre] = [self.vector(&own)?, self.vector(&centre)?];
+            let shift = own.cross(&centre).ok()?.scaled(&mass);
+            rate.plus(&shift, false).ok()
+        });
+        let given = self.lowering(Frame::Space).value(right).ok();
+        let rest = expected
+            .zip(given)
+            .and_then(|(expected, given)| given.plus(&expected, true).ok());
+        rest.is_none_or(|rest| !rest.is_zero())
     }
 
     /// v = dr/dt where positions are written, or else v_C = v_P + dρ/dt.

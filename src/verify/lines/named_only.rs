@@ -52,6 +52,8 @@ impl Checker<'_> {
             DRIVES_A_PART
         } else if self.speaks_of_vertical_momentum() {
             "which way the vertical points on the axes used is not known"
+        } else if self.misses_motion_of_point(symbol, right) {
+            "about a point that may move, more than the rate of the momentum stands on this side"
         } else if self.turns_the_arm_round(symbol, right) {
             "the arm of the momentum runs from the point to the mass centre, and stands before the momentum"
         } else if self.accelerates_another_point(symbol, right) {
