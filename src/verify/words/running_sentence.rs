@@ -126,7 +126,8 @@ impl Checker<'_> {
                 .rfind(" with ")
                 .is_some_and(|at| said[at..].matches('⟩').count() == 1);
         let clause = display
-            && (closed.is_some_and(ends_with_condition) || opened && said.ends_with(['⟩', ',']));
+            && (closed.is_some_and(ends_with_condition)
+                || opened && (said.ends_with('⟩') || said.ends_with("⟩,")));
         match role {
             Role::Assume
                 if display && (concludes_with(said) || says_again(said) || has_named(said)) =>
