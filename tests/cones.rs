@@ -150,3 +150,28 @@ fn its_axis_may_be_all_that_is_said_of_the_axis() {
     assert_eq!(text("\\cos"), "pap");
     assert_eq!(text("\\sin"), "par");
 }
+
+#[test]
+fn words_for_an_angle_may_stand_before_its_tangent() {
+    let text = |rate: &str, nutation: &str, other: &str| {
+        verdicts(&format!(
+            "A satellite with $I_{{xx}} = I_{{yy}} = I_t$ and $I_{{zz}} = I_s$ spins about $z$ without torque. The spin is \
+             constant, $\\omega_z = \\Omega$. Put $\\lambda = (I_s - I_t)\\Omega/I_t$. The solution is\n\n\
+             $$ \\omega_x = \\omega_t\\cos\\lambda t, \\qquad \\omega_y = \\omega_t\\sin\\lambda t $$\n\n\
+             The transverse rate $\\omega_t = {rate}$ is constant. The nutation angle is given by\n\n\
+             $$ \\tan\\theta = \\frac{{{nutation}}} $$\n\n\
+             and the angle between the spin axis and the angular velocity by\n\n\
+             $$ \\tan\\gamma = \\frac{{{other}}} $$\n"
+        ))
+    };
+    let root = "\\sqrt{\\omega_x^2 + \\omega_y^2}";
+    let ends = |rate, nutation, other| text(rate, nutation, other)[6..].to_owned();
+    let (right, other) = ("I_t\\omega_t}{I_s\\Omega", "\\omega_t}{\\Omega");
+    assert_eq!(ends(root, right, other), "ppp");
+    assert_eq!(
+        ends("2\\sqrt{\\omega_x^2 + \\omega_y^2}", right, other),
+        "rpp"
+    );
+    assert_eq!(ends(root, "I_s\\omega_t}{I_t\\Omega", other), "prp");
+    assert_eq!(ends(root, right, "\\Omega}{\\omega_t"), "ppr");
+}

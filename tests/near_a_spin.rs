@@ -186,3 +186,19 @@ fn the_spin_may_be_about_another_axis_instead() {
     assert_eq!(text("-"), "aappap");
     assert!(text("").ends_with('r'), "{}", text(""));
 }
+
+#[test]
+fn a_disturbed_spin_may_be_about_another_axis_instead() {
+    let text = |sign: &str| {
+        verdicts(&format!(
+            "No torque acts. $I_1 < I_2 < I_3$. Let $\\omega_1 = \\epsilon_1$, $\\omega_2 = \\Omega + \\epsilon_2$, \
+             $\\omega_3 = \\epsilon_3$ with small $\\epsilon_i$. To first order\n\n\
+             $$ I_1\\dot\\epsilon_1 = (I_2 - I_3)\\Omega\\epsilon_3 $$\n\n\
+             For spin about axis 3 instead\n\n\
+             $$ \\ddot\\epsilon_1 = {sign}\\frac{{(I_3 - I_1)(I_3 - I_2)}}{{I_1I_2}}\\Omega^2\\epsilon_1 $$\n"
+        ))
+    };
+    let (right, wrong) = (text("-"), text(""));
+    assert!(right.ends_with("pp"), "{right}");
+    assert!(wrong.ends_with("pr"), "{wrong}");
+}

@@ -156,3 +156,16 @@ fn sums_in_sums_stop_in_time() {
     let text = format!("Repeated indices are summed.\n\n$$ x = {sums} I_{{ij}}\\omega_k $$\n");
     assert_eq!(verdicts(&text), "u");
 }
+
+#[test]
+fn an_index_may_be_summed_over_in_one_component() {
+    let text = |third: &str| {
+        verdicts(&format!(
+            "$L_i = I_{{ij}}\\omega_j$. In axes fixed in the body\n\n\
+             $$ N_i = I_{{ij}}\\dot\\omega_j + \\epsilon_{{ijk}}\\omega_jI_{{kl}}\\omega_l $$\n\n\
+             $$ N_1 = I_{{1j}}\\dot\\omega_j + \\omega_2I_{{3l}}\\omega_l - \\omega_3{third}\\omega_l $$\n"
+        ))
+    };
+    assert!(text("I_{2l}").ends_with('p'), "{}", text("I_{2l}"));
+    assert!(text("I_{1l}").ends_with('r'), "{}", text("I_{1l}"));
+}

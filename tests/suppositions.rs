@@ -165,3 +165,16 @@ $$ I_3\dot\varepsilon_3 = (I_2 - I_1)\,\Omega\,\varepsilon_1 $$
         assert_eq!(verdicts(&text(put)), "aaapr", "{put}");
     }
 }
+
+#[test]
+fn one_of_eulers_equations_may_stand_for_the_three() {
+    let text = |moment: &str| {
+        verdicts(&format!(
+            "Given Euler's equations $I_1\\dot\\omega_1 = (I_2 - I_3)\\omega_2\\omega_3$ and cyclic, with the energy \
+             $T = \\frac12(I_1\\omega_1^2 + I_2\\omega_2^2 + I_3\\omega_3^2)$.\n\n\
+             $$ I_2\\dot\\omega_2 = (I_3 - {moment})\\omega_3\\omega_1 $$\n\n$$ \\frac{{dT}}{{dt}} = 0 $$\n"
+        ))
+    };
+    assert!(text("I_1").ends_with("pp"), "{}", text("I_1"));
+    assert!(text("I_2").ends_with("rp"), "{}", text("I_2"));
+}

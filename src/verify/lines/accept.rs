@@ -11,6 +11,9 @@ use crate::verify::values::lower::TroubleKind;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 
+/// Words for the equations that a change of the indices gives.
+const CYCLIC: &[&str] = &["cyclic", "permutation", "permuting"];
+
 impl Checker<'_> {
     /// Takes a line in as a definition, whatever its words made of it; false where it can't be one.
     pub(crate) fn accept_definition(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
@@ -68,6 +71,14 @@ impl Checker<'_> {
             .find(|&i| holds(self, &readings[i]))
             .unwrap_or(0);
         let read = readings.swap_remove(index);
+        // One of Euler's equations stands for the three.
+        if role != Role::Define
+            && self.text.says(CYCLIC)
+            && self.proved_without_moment(&read, finding.span).is_some()
+        {
+            finding.verdict = Verdict::Accepted;
+            return;
+        }
         let mut residuals = against_last(&read);
         self.roots_of_squares(&read, &mut residuals);
         if !residuals.iter().all(Fraction::is_valid) {

@@ -186,6 +186,7 @@ impl Checker<'_> {
         self.note_other_moments(&sides);
         self.note_other_energy(&sides, role);
         self.note_libration(&sides);
+        self.note_cone_by_line(&sides);
         let role = self.role_by_content(role, &sides);
         if role == Role::Claim && self.names_a_moment(&sides) {
             finding.verdict = Verdict::Accepted;

@@ -65,8 +65,11 @@ impl Checker<'_> {
             return false;
         }
         // What stands on the right by earlier lines is no news.
-        let circular = |value| self.theory.normal(&value).variables().contains(&variable);
-        !value.is_none_or(circular)
+        let Some(value) = value.map(|value| self.theory.normal(&value)) else {
+            return false;
+        };
+        let mut met = value.variables().into_iter();
+        !met.any(|v| self.theory.atoms.with_arguments(v).contains(&variable))
             && self.is_own(variable)
             && self.is_solved_by_own(rest, variable)
     }

@@ -77,7 +77,8 @@ impl Indices {
         });
         let free = frees.next()?;
         let alike = frees.all(|other| other == free);
-        let none = met.iter().all(Vec::is_empty) && !line.sides.iter().any(|s| self.sums(s));
+        let sums = |side: &Node| self.sums(side) || self.repeats(side);
+        let none = met.iter().all(Vec::is_empty) && !line.sides.iter().any(sums);
         if none || !alike || free.len() > FREE {
             return None;
         }
@@ -206,6 +207,16 @@ impl Indices {
     /// Whether a sum over an index is written out in a node.
     fn sums(&self, node: &Node) -> bool {
         self.index_of_sum(node).is_some() || node.children().any(|child| self.sums(child))
+    }
+
+    /// Whether a term of a sum has an index twice: `N_1 = I_{1j}\dot\omega_j + …`.
+    fn repeats(&self, node: &Node) -> bool {
+        if let Kind::Sum(terms) = &node.kind {
+            return terms.iter().any(|term| self.repeats(&term.node));
+        }
+        let met = self.met(node);
+        let index = !matches!(node.kind, Kind::IndexedSum { .. } | Kind::Integral { .. });
+        index && once(&met).len() < met.len()
     }
 
     /// The index of `\sum_j I_{ij} ω_j`; not that of the particles of a body, which have a mass each.

@@ -1,14 +1,14 @@
 //! Words that give the angles and the parts of the rate of a free symmetric body their names: "the angle θ between L and
 //! the symmetry axis".
 
-use crate::notation::ast::{Function, Symbol};
+use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{Letter, axis};
+use crate::verify::letters::usage::{Letter, axis, inner};
 use crate::verify::lines::points::Law;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
-use crate::verify::words::book::has_any;
+use crate::verify::words::book::{has_any, lowered};
 
 const AXES: &[&str] = &[
     "symmetry axis",
@@ -92,6 +92,39 @@ impl Checker<'_> {
                     self.note_part(clause, &symbols, part);
                 }
             }
+        }
+    }
+
+    /// Notes the angle of which a line gives the tangent, sine or cosine, right behind words for it that have no letter:
+    /// "the nutation angle is given by ⟨\tan\theta = …⟩", "and the angle between ⟨ω⟩ and the spin axis by".
+    pub(crate) fn note_cone_by_line(&mut self, sides: &[Node]) {
+        let Some(Kind::Function(Function::Tan | Function::Sin | Function::Cos, argument)) =
+            sides.first().map(|side| &inner(side).kind)
+        else {
+            return;
+        };
+        let new = self.new_symbol(argument).filter(|(_, at)| at.is_none());
+        let Some((Kind::Symbol(angle), _)) = new.map(|found| (&inner(argument).kind, found)) else {
+            return;
+        };
+        let said = lowered(&self.sentence);
+        let clause = said.rsplit([',', ';', ':']).find(|c| c.contains("angle"));
+        let Some(clause) = clause.filter(|clause| !clause.contains("vertical")) else {
+            return;
+        };
+        let nutation = has_any(clause, &["nutation angle", "angle of nutation"]);
+        let quantity = match self.vector_of(clause, &[]) {
+            None if nutation => Some(Quantity::Momentum),
+            found => found.filter(|_| nutation || has_any(clause, AXES)),
+        };
+        let angle = angle.clone();
+        if let (Some(quantity), Meaning::Whole(entity)) = (quantity, self.meaning_of(&angle)) {
+            let variable = self.theory.atoms.part(entity, 0, 0);
+            self.theory
+                .cones
+                .entry(variable)
+                .or_insert((quantity, None));
+            self.known.insert(entity);
         }
     }
 

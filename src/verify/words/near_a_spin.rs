@@ -1,13 +1,13 @@
 //! Motion near a spin that words give as a list, "near the spin ⟨(0, 0, n)⟩": the component along the axis keeps its value.
 
-use crate::algebra::Variable;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{axis, inner};
 use crate::verify::lines::given::is_zero;
-use crate::verify::theory::Premise;
+use crate::verify::theory::{Name, Premise};
 use crate::verify::values::atoms::variable_fraction;
 use crate::verify::values::lower::put_in;
 use crate::verify::values::quantity::Quantity;
@@ -90,6 +90,9 @@ impl Checker<'_> {
         let Some(axis) = axis_instead(text) else {
             return;
         };
+        if self.moves_disturbed_spin(axis, span) {
+            return;
+        }
         let near = self.small_turns.len() == 2;
         let new = self.theory.atoms.part(omega, axis, 0);
         let parts = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 0));
@@ -121,6 +124,70 @@ impl Checker<'_> {
             self.small_turns.extend((0..3).filter(|&c| c != axis));
             self.drop_second_order();
         }
+    }
+
+    /// The same of a disturbed spin, ω₂ = Ω + ε₂ beside ω₁ = ε₁ and ω₃ = ε₃: another component has the Ω. What lines found
+    /// of the ε of the spin before ends.
+    fn moves_disturbed_spin(&mut self, axis: u8, span: Span) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 0));
+        let small = |v: Variable| {
+            let entity = self.theory.atoms.entity_of(v);
+            entity.is_some_and(|entity| self.small.contains(&entity))
+        };
+        // The line that has a component alone, and beside what is small the spin.
+        let disturbed = |part: Variable| {
+            self.theory.premises().iter().find_map(|premise| {
+                let [residual] = premise.residuals.as_slice() else {
+                    return None;
+                };
+                let met = residual.variables();
+                let of_line =
+                    premise.name.starts_with("line ") && premise.preferred.contains(&part);
+                let own = met.contains(&part) && met.iter().any(|v| small(*v));
+                let mut rest = met.into_iter().filter(|v| *v != part && !small(*v));
+                let spin = rest.next();
+                (of_line && own && rest.next().is_none()).then(|| (premise.clone(), spin))
+            })
+        };
+        let found = parts.map(disturbed);
+        let [Some(one), Some(two), Some(three)] = found else {
+            return false;
+        };
+        let all = [one, two, three];
+        let mut spinning = all
+            .iter()
+            .enumerate()
+            .filter(|(_, (_, spin))| spin.is_some());
+        let (Some((old, (_, Some(spin)))), None) = (spinning.next(), spinning.next()) else {
+            return false;
+        };
+        let (new, spin) = (usize::from(axis), *spin);
+        if old == new {
+            return false;
+        }
+        let nothing = Fraction::from_ratio(0, 1);
+        let moved = variable_fraction(parts[new]) - variable_fraction(spin);
+        let found: BTreeSet<Name> = {
+            let premises = self.theory.premises().iter();
+            let of_line = premises.filter(|premise| premise.name.starts_with("line "));
+            let theirs = of_line.filter(|premise| {
+                let mut met = premise.residuals.iter().flat_map(Fraction::variables);
+                met.any(small)
+            });
+            theirs.map(|premise| premise.name.clone()).collect()
+        };
+        self.end_premises(&found);
+        for (at, (mut premise, _)) in all.into_iter().enumerate() {
+            let image = match at {
+                _ if at == new => HashMap::from([(parts[new], moved.clone())]),
+                _ => HashMap::from([(spin, nothing.clone())]),
+            };
+            premise.residuals = vec![put_in(&premise.residuals[0], &image)];
+            premise.name = "the same disturbance of a spin about another axis".to_owned();
+            self.take_from_words(premise, span);
+        }
+        true
     }
 
     /// "Let ⟨ω_3 = n⟩ be constant and the other components small."

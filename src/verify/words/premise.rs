@@ -8,7 +8,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::body::integrates_a_product;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::{Letter, axes, inner, symbols};
+use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, ROTOR_ALONE, decide};
@@ -376,8 +376,16 @@ pub(crate) fn inertia_changes(document: &Document, reading: &Reading) -> bool {
 fn gives_three_moments(document: &Document, reading: &Reading) -> bool {
     let quantity = |symbol: &Symbol| reading.quantities.get(&Letter::of(symbol)).copied();
     let data = |side: &Node| {
-        let mut met = symbols(side).into_iter().map(quantity);
-        met.all(|q| matches!(q, None | Some(Quantity::Mass)))
+        symbols(side).into_iter().all(|symbol| {
+            let of_an_axis = |s: &String| axis(s).is_some() || axes(s).is_some();
+            // `I_t` is a name of its own, and no entry.
+            let name = !symbol.subscripts.is_empty() && !symbol.subscripts.iter().any(of_an_axis);
+            match quantity(symbol) {
+                None | Some(Quantity::Mass) => true,
+                Some(Quantity::Inertia) => name,
+                _ => false,
+            }
+        })
     };
     let moment = |side: &Node| match &inner(side).kind {
         Kind::Symbol(symbol) if quantity(symbol) == Some(Quantity::Inertia) => symbol
