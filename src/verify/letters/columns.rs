@@ -12,12 +12,28 @@ impl Usage {
         }
     }
 
+    /// Notes the letter of a right side that is called with a letter, `f(\omega)`: with an index it is a component.
+    pub(super) fn called(&mut self, head: &Node, arguments: &[Node]) {
+        let right_side = |of: &Letter| matches!(of.name.as_str(), "f" | "g" | "F");
+        let by = arguments.first().and_then(naked);
+        let pair = naked(head).filter(right_side).zip(by);
+        self.called.extend(pair.filter(|(_, by)| by.name != "t"));
+    }
+
     /// The f of `\partial f/\partial\omega` is a vector where f₁, f₂, f₃ are written, and ω₁ is too.
     pub(super) fn columns_of_functions(&mut self) {
         for (of, by) in std::mem::take(&mut self.differentiated) {
             let numbered = ["1", "2", "3"].iter().all(|i| self.has_index(&of, i));
             let lettered = ["x", "y", "z"].iter().all(|i| self.has_index(&of, i));
             if (numbered || lettered) && self.get(&by).component > 0 {
+                self.letters.entry(of).or_default().vector += 1;
+            }
+        }
+        for (of, by) in std::mem::take(&mut self.called) {
+            let component = ["1", "2", "3", "x", "y", "z"]
+                .iter()
+                .any(|i| self.has_index(&of, i));
+            if component && self.get(&by).component > 0 {
                 self.letters.entry(of).or_default().vector += 1;
             }
         }

@@ -166,6 +166,7 @@ impl Usage {
                         self.functions_of_time.insert(Letter::of(symbol));
                     }
                 }
+                self.called(head, arguments);
                 self.node(head);
                 arguments.iter().for_each(|a| self.node(a));
             }

@@ -81,9 +81,8 @@ impl Checker<'_> {
                 || self.obtained && is_zero(right)
                 || self.runs_in_a_circle(left, &sides[1..])
                 || self.is_tied_by_square(left);
-            let proved = matches!(tried.verdict, Verdict::Proved(_));
-            let refuted = tried.verdict == Verdict::Refuted;
-            if derived || proved || refuted && !self.theory.gives_rate_alone(entity) {
+            let decided = matches!(tried.verdict, Verdict::Proved(_) | Verdict::Refuted);
+            if derived || decided && !self.theory.gives_rate_alone(entity) {
                 *finding = tried;
                 return true;
             }

@@ -7,6 +7,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::constancy::keep_their_value;
+use crate::verify::lines::functions::gives_a_rate_by_name;
 use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
 use crate::verify::theory::Name;
@@ -240,7 +241,9 @@ impl Checker<'_> {
 
     /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
     pub(crate) fn note_scalars(&mut self, sides: &[Node]) {
-        if self.given_scalars(sides) {
+        let function = |side: &Node| matches!(inner(side).kind, Kind::Call(..));
+        let names = gives_a_rate_by_name(sides) || sides.first().is_some_and(function);
+        if names || self.given_scalars(sides) {
             return;
         }
         // A symbol that is defined here takes any shape, unless it shows one.

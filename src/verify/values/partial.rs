@@ -56,6 +56,11 @@ impl Lowering<'_> {
         };
         let name = &symbols(operand).first()?.name;
         let function = self.functions.get(name)?.clone();
+        let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { order: 1.., .. });
+        let mut met = function.value.entries.iter().flat_map(Fraction::variables);
+        if met.any(rate) {
+            return None;
+        }
         let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
         let (places, from) = (places?, &function.parameter);
         if places == *from {
