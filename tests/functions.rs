@@ -202,3 +202,55 @@ fn a_rate_that_is_called_a_function_says_what_it_is() {
     assert_eq!(jacobian("\\frac{I_1 - I_2}{I_3}"), "ap");
     assert_eq!(jacobian("\\frac{I_2 - I_1}{I_3}"), "ar");
 }
+
+#[test]
+fn the_name_of_a_rate_has_the_jacobian_of_what_gives_the_rate() {
+    let text = |jacobian: &str, component: &str| {
+        verdicts(&format!(
+            "Write $\\dot\\omega = f(\\omega)$ with\n\n$$ f(\\omega) = J^{{-1}}(\\tau - \\omega\\times J\\omega) $$\n\n\
+             where $J$ is the constant inertia matrix and $\\tau$ a constant torque in body axes.\n\n\
+             $$ \\frac{{\\partial f}}{{\\partial\\omega}} = J^{{-1}}({jacobian}) $$\n\n\
+             For principal axes\n\n$$ \\frac{{\\partial f_1}}{{\\partial\\omega_2}} = \\frac{{{component}}}{{J_1}}\\omega_3 $$\n"
+        ))
+    };
+    let (right, wrong) = (
+        "[J\\omega]_\\times - [\\omega]_\\times J",
+        "[\\omega]_\\times J - [J\\omega]_\\times",
+    );
+    assert_eq!(text(right, "J_2 - J_3"), "appp");
+    assert_eq!(text(wrong, "J_2 - J_3"), "aprp");
+    assert_eq!(text(right, "J_3 - J_2"), "appr");
+}
+
+#[test]
+fn a_bare_letter_of_a_right_side_has_components() {
+    let text = |called: &str, moments: &str| {
+        verdicts(&format!(
+            "Let $J$ be the constant inertia matrix and $\\tau$ a torque in body axes. Define\n\n\
+             $$ f(\\omega) = J^{{-1}}(\\tau - \\omega\\times J\\omega) $$\n\nFor principal axes\n\n\
+             $$ {called} = \\frac{{\\tau_1 + ({moments})\\omega_2\\omega_3}}{{J_1}} $$\n"
+        ))
+    };
+    for called in ["f_1", "f_1(\\omega)"] {
+        assert_eq!(text(called, "J_2 - J_3"), "ap");
+        assert_eq!(text(called, "J_3 - J_2"), "ar");
+    }
+}
+
+#[test]
+fn a_bracket_varies_with_what_is_in_it() {
+    let text = |line: &str| {
+        verdicts(&format!(
+            "The kinetic energy is $T = \\frac12\\omega\\cdot J\\omega$ with the constant inertia matrix $J$.\n\n$$ {line} $$\n"
+        ))
+    };
+    let energy = |factor: &str| {
+        text(&format!(
+            "\\delta\\left(\\tfrac12\\omega\\cdot J\\omega\\right) = {factor}\\delta\\omega\\cdot J\\omega"
+        ))
+    };
+    assert_eq!(energy(""), "pp");
+    assert_eq!(energy("2"), "pr");
+    let term = "\\delta(\\omega\\times J\\omega) = \\delta\\omega\\times J\\omega + \\omega\\times J\\delta\\omega";
+    assert_eq!(text(term), "pp");
+}

@@ -23,4 +23,5 @@ pub(super) mod time_integral;
 pub(super) mod turned_axes;
 pub(super) mod units;
 pub(super) mod value;
+pub(super) mod variation;
 pub(super) mod written_out;

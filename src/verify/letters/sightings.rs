@@ -6,6 +6,9 @@ use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, w
 use crate::verify::letters::wholes::{is_cross, lone, terms};
 use crate::verify::values::written_out::{along_plain_units, along_vectors_xyz, plain_list};
 
+/// Symbols with a δ that are kept: a real document has a few.
+const MOST_VARIED: usize = 20;
+
 impl Usage {
     pub(crate) fn line(&mut self, line: &Line) {
         for side in &line.sides {
@@ -278,6 +281,9 @@ impl Usage {
     }
 
     fn symbol(&mut self, symbol: &Symbol) {
+        if symbol.variation && self.varied.len() < MOST_VARIED && !self.varied.contains(symbol) {
+            self.varied.push(symbol.clone());
+        }
         let entry = self.letters.entry(Letter::of(symbol)).or_default();
         let index = symbol.subscripts.iter().find_map(|s| axis(s));
         let index = index.filter(|_| !self.wholes.counts(symbol));

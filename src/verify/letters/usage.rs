@@ -107,6 +107,8 @@ pub(crate) struct Usage {
     pub vectors_xyz: bool,
     /// Letters without an index that stand under a derivative, each with the letter it is taken in.
     pub(crate) differentiated: Vec<(Letter, Letter)>,
+    /// Symbols with a δ before them.
+    pub(crate) varied: Vec<Symbol>,
     /// Letters of right sides, each with the letter that it is called with: `f(\omega)`.
     pub(crate) called: Vec<(Letter, Letter)>,
     /// A letter without mark or index beside one of its components: `ω_z = ω`.

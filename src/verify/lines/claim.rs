@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Kind, Node, Relation, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{axes, axis, inner, symbols};
+use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::reason;
@@ -300,10 +300,16 @@ impl Checker<'_> {
                 && symbol.name.chars().all(|c| c.is_ascii_uppercase());
             // The g of a weight needs no words.
             let weight = symbol.name == "g" && symbol.subscripts.is_empty() && !symbol.style.vector;
+            // Beside δω, the δ of a bracket is the same variation.
+            let bare = symbol.name == "delta" && symbol.subscripts.is_empty();
+            let operator = bare && !self.reading.usage.varied.is_empty();
+            let quantity = self.reading.quantities.get(&Letter::of(symbol));
+            let varied = symbol.variation && quantity == Some(&Quantity::AngularVelocity);
             // Nothing gives a size in numbers before its vector has one.
             let size = matches!(&info.owner, Owner::Quantity(_, variant) if variant == MAGNITUDE)
                 && sides.iter().any(|side| symbols(side).is_empty());
-            let unknown = strange && !arrow && !weight && !self.known.contains(&entity);
+            let named = arrow || weight || operator || varied;
+            let unknown = strange && !named && !self.known.contains(&entity);
             let scales = failed.is_some_and(|read| self.only_scales(entity, read));
             let value = self.theory.atoms.value(entity, 0, 0);
             let value = self.theory.normal(&value);

@@ -1,13 +1,14 @@
 //! Functions of the state and their Jacobians: `\dot\omega = f(\omega, u)`, "the Jacobian of f is ⟨J(ω) = …⟩".
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::Entity;
+use crate::verify::values::call::name_of_function;
 use crate::verify::values::lower::FunctionOf;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
@@ -29,7 +30,8 @@ impl Checker<'_> {
         {
             return false;
         }
-        let Some(name) = symbols(head).first().map(|s| s.name.clone()) else {
+        let named = |s: &&Symbol| name_of_function(&s.name, &s.subscripts);
+        let Some(name) = symbols(head).first().map(named) else {
             return false;
         };
         let Some(parameter) = self.parameter(arguments) else {
@@ -64,7 +66,8 @@ impl Checker<'_> {
         if self.displayed || self.asserted || self.obtained || !symbol.subscripts.is_empty() {
             return false;
         }
-        let Some(function) = self.functions.get(&symbol.name).cloned() else {
+        let name = name_of_function(&symbol.name, &symbol.subscripts);
+        let Some(function) = self.functions.get(&name).cloned() else {
             return false;
         };
         let name = self.line_name(finding);
@@ -156,7 +159,8 @@ impl Checker<'_> {
         let (true, Ok(value), Some(parameter)) = (new, value, self.parameter(arguments)) else {
             return false;
         };
-        let name = symbols(head).first().map(|s| s.name.clone());
+        let named = |s: &&Symbol| name_of_function(&s.name, &s.subscripts);
+        let name = symbols(head).first().map(named);
         let function = FunctionOf { parameter, value };
         if !self.bind_function(entity, name.unwrap_or_default(), function, finding) {
             return false;

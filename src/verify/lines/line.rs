@@ -241,7 +241,9 @@ impl Checker<'_> {
 
     /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
     pub(crate) fn note_scalars(&mut self, sides: &[Node]) {
-        let function = |side: &Node| matches!(inner(side).kind, Kind::Call(..));
+        let column = |head: &Node| matches!(&inner(head).kind, Kind::Symbol(s) if self.reading.usage.is_vector(&Letter::of(s)));
+        let function =
+            |side: &Node| matches!(&inner(side).kind, Kind::Call(head, _) if column(head));
         let names = gives_a_rate_by_name(sides) || sides.first().is_some_and(function);
         if names || self.given_scalars(sides) {
             return;

@@ -1,13 +1,13 @@
 //! Functions and calls.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{FrameLabel, Function, Kind, Node};
-use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
+use crate::notation::ast::{FrameLabel, Function, Kind, Node, Symbol};
+use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
 use crate::verify::names;
 use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::lower::{
-    Lowered, Lowering, Trouble, TroubleKind, put_in, substituted, trouble,
+    FunctionOf, Lowered, Lowering, Trouble, TroubleKind, put_in, substituted, trouble,
 };
 use crate::verify::values::value::{ShapeMismatch, Value};
 use num_traits::Zero;
@@ -94,6 +94,9 @@ impl Lowering<'_> {
                 return self.value(head);
             }
             if let Some(value) = self.applied(head, arguments)? {
+                return Ok(value);
+            }
+            if let Some(value) = self.variation(head, argument)? {
                 return Ok(value);
             }
             if matches!(head.kind, Kind::Derivative { .. })
@@ -268,7 +271,7 @@ impl Lowering<'_> {
         let Kind::Symbol(symbol) = &inner(head).kind else {
             return Ok(None);
         };
-        let Some(function) = self.functions.get(&symbol.name).cloned() else {
+        let Some(function) = self.function_of(symbol) else {
             return Ok(None);
         };
         let mut at = vec![];
@@ -300,12 +303,37 @@ impl Lowering<'_> {
         Ok(Some(value.map(|entry| substituted(entry, &image))))
     }
 
+    /// The function that the document gave a name, or a component of it: the f₁ of `f_1(\omega)`.
+    pub(crate) fn function_of(&self, symbol: &Symbol) -> Option<FunctionOf> {
+        let named =
+            |indices: &[String]| self.functions.get(&name_of_function(&symbol.name, indices));
+        if let Some(function) = named(&symbol.subscripts) {
+            return Some(function.clone());
+        }
+        let [index] = symbol.subscripts.as_slice() else {
+            return None;
+        };
+        let (function, place) = named(&[]).zip(axis(index))?;
+        let entry = function.value.entries.get(usize::from(place));
+        let entry = entry.filter(|_| function.value.is_vector())?;
+        Some(FunctionOf {
+            parameter: function.parameter.clone(),
+            value: Value::scalar(entry.clone()),
+        })
+    }
+
     /// Whether the rate of something stands in a value.
     fn has_rates(&self, value: &Value) -> bool {
         let mut variables = value.entries.iter().flat_map(Fraction::variables);
         variables
             .any(|v| matches!(self.theory.atoms.atom(v), Atom::Part { order, .. } if *order > 0))
     }
+}
+
+/// The name of a function, its indices included.
+pub(crate) fn name_of_function(name: &str, indices: &[String]) -> String {
+    let parts = std::iter::once(name).chain(indices.iter().map(String::as_str));
+    parts.collect::<Vec<_>>().join("_")
 }
 
 /// Where `\left.\frac{\partial f}{\partial\omega}\right|_{\omega_k}` is taken: its variable with the index that the bar has.

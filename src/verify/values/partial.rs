@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
-use crate::verify::letters::usage::{inner, symbols};
+use crate::verify::letters::usage::inner;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::{Lowering, substituted};
 use crate::verify::values::quantity::Quantity;
@@ -51,11 +51,10 @@ impl Lowering<'_> {
     /// The Jacobian of a function that the document defined, in its own parameter or in the same quantity at a step, as
     /// `\partial f/\partial\omega_k` of f(ω); `None` where the operand is none, or has in it what changes along with that.
     pub(crate) fn slope_of_function(&mut self, operand: &Node, by: &Value) -> Option<Value> {
-        let Kind::Symbol(_) = &inner(operand).kind else {
+        let Kind::Symbol(symbol) = &inner(operand).kind else {
             return None;
         };
-        let name = &symbols(operand).first()?.name;
-        let function = self.functions.get(name)?.clone();
+        let function = self.function_of(symbol)?;
         let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { order: 1.., .. });
         let mut met = function.value.entries.iter().flat_map(Fraction::variables);
         if met.any(rate) {
