@@ -276,3 +276,38 @@ fn a_prime_may_be_the_label_of_turned_axes() {
     assert_eq!(text(""), "pppp");
     assert_eq!(text("2"), "pprp");
 }
+
+#[test]
+fn entries_of_a_turned_tensor_are_those_of_its_definition() {
+    let text = |new: &str, entry: &str, value: &str| {
+        verdicts(&format!(
+            "For a rotation by $\\theta$ about $z$\n\n\
+             $$ R = \\begin{{pmatrix}} \\cos\\theta & \\sin\\theta & 0 \\\\ -\\sin\\theta & \\cos\\theta & 0 \\\\ 0 & 0 & 1 \\end{{pmatrix}} $$\n\n\
+             With $\\mathbf I = \\operatorname{{diag}}(A, B, C)$ the new tensor is\n\n$$ {new} = R\\mathbf IR^T $$\n\n\
+             $$ {entry}_{{xx}} = {value} $$\n"
+        ))
+    };
+    let (right, wrong) = (
+        "A\\cos^2\\theta + B\\sin^2\\theta",
+        "A\\sin^2\\theta + B\\cos^2\\theta",
+    );
+    for (new, entry) in [("\\mathbf I'", "I'"), ("\\mathbf J", "J")] {
+        assert_eq!(text(new, entry, right), "aaap", "{new}");
+        assert!(!text(new, entry, wrong).ends_with(['a', 'p']), "{new}");
+    }
+    assert_eq!(text("\\mathbf I'", "I'", wrong), "aaar");
+}
+
+#[test]
+fn a_matrix_that_is_written_out_turns_vectors() {
+    let text = |zz: &str| {
+        verdicts(&format!(
+            "Under a rotation $R$ the components transform as $\\omega' = R\\omega$ and $L' = RL$. From $L = I\\omega$\n\n\
+             $$ L' = RIR^T\\omega' $$\n\nFor a rotation by $\\theta$ about $z$\n\n\
+             $$ R = \\begin{{pmatrix}} \\cos\\theta & \\sin\\theta & 0 \\\\ -\\sin\\theta & \\cos\\theta & 0 \\\\ 0 & 0 & 1 \\end{{pmatrix}} $$\n\n\
+             With $I = \\operatorname{{diag}}(A, B, C)$:\n\n$$ L'_z = {zz}\\omega'_z $$\n"
+        ))
+    };
+    assert_eq!(text("C"), "aappaap");
+    assert!(!text("A").ends_with(['a', 'p']));
+}

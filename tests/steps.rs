@@ -240,3 +240,27 @@ fn stages_of_a_step_are_slopes_at_their_own_rates() {
     assert_eq!(text("+"), "apaaap");
     assert_eq!(text("-"), "apaaar");
 }
+
+#[test]
+fn the_mean_of_a_step_may_be_named_behind_it() {
+    let text = |by: &str, sign: &str, kept: &str| {
+        verdicts(&format!(
+            "We advance $I\\dot{{\\boldsymbol\\omega}} = -\\boldsymbol\\omega\\times I\\boldsymbol\\omega$ {by}\n\n\
+             $$ I\\frac{{\\boldsymbol\\omega_{{k+1}} - \\boldsymbol\\omega_k}}{{\\Delta t}} = -\\bar{{\\boldsymbol\\omega}}\\times I\\bar{{\\boldsymbol\\omega}} $$\n\n\
+             with the midpoint\n\n$$ \\bar{{\\boldsymbol\\omega}} = \\tfrac12(\\boldsymbol\\omega_{{k+1}} {sign} \\boldsymbol\\omega_k) $$\n\n\
+             Multiply by $\\bar{{\\boldsymbol\\omega}}$:\n\n\
+             $$ \\bar{{\\boldsymbol\\omega}}\\cdot I(\\boldsymbol\\omega_{{k+1}} {kept} \\boldsymbol\\omega_k) = 0 $$\n\n\
+             $$ |I\\boldsymbol\\omega_{{k+1}}|^2 = |I\\boldsymbol\\omega_k|^2 $$\n"
+        ))
+    };
+    assert!(
+        text("by", "+", "-").ends_with("aapp"),
+        "{}",
+        text("by", "+", "-")
+    );
+    let rule = "with the implicit midpoint rule";
+    assert!(text(rule, "+", "-").ends_with("aapp"));
+    let wrong = text(rule, "+", "+");
+    assert!(wrong.ends_with("rp") || wrong.ends_with("up"), "{wrong}");
+    assert!(!text(rule, "-", "-").contains("aapp"));
+}

@@ -22,7 +22,7 @@ use crate::verify::words::text::Text;
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
-    label_turned_primes(&mut document);
+    let turned_primes = label_turned_primes(&mut document);
     lower_labels(&mut document);
     lower_steps(&mut document);
     let states = tell_states_apart(&mut document);
@@ -33,6 +33,7 @@ pub fn check(document: &Document) -> Report {
     let document = &Text::of(&document);
     let mut reading = Reading::of(document);
     reading.summed = summed;
+    reading.turned_primes = turned_primes;
     reading.states = states;
     // Steps in general inertia matrices are long.
     let any_axes = reading.writes_no_components(document);

@@ -1,6 +1,7 @@
 //! Columns of numbered functions: the f of `\partial f/\partial\omega` beside f₁, f₂, f₃.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Operator};
+use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
 use crate::verify::letters::usage::{Letter, Usage, inner};
 
 impl Usage {
@@ -9,6 +10,32 @@ impl Usage {
         if let (Some(of), [by]) = (naked(operand), variables) {
             let by = naked(by).map(|by| (of, by));
             self.differentiated.extend(by);
+        }
+    }
+
+    /// Notes the letters of `\omega' = R\omega`, with that of the matrix first.
+    pub(super) fn turned_column(&mut self, left: &Node, right: &Node) {
+        let (Kind::Symbol(turned), Kind::Product(factors)) =
+            (&inner(left).kind, &inner(right).kind)
+        else {
+            return;
+        };
+        if let [matrix, column] = factors.as_slice()
+            && column.operator == Operator::Juxtaposed
+            && let (Some(matrix), Some(column)) = (naked(&matrix.node), naked(&column.node))
+            && MATRIX_LETTERS.contains(&matrix.name.as_str())
+            && Letter::of(turned) == column
+        {
+            self.turned.push([matrix, column]);
+        }
+    }
+
+    /// What a matrix that is written out turns is a vector.
+    pub(super) fn turned_columns(&mut self) {
+        for [matrix, column] in std::mem::take(&mut self.turned) {
+            if self.get(&matrix).tensor > 0 && !self.squares.contains_key(&matrix) {
+                self.letters.entry(column).or_default().vector += 1;
+            }
         }
     }
 

@@ -116,6 +116,8 @@ pub(crate) struct Reading {
     pub products_as_entries: bool,
     /// Indices that are summed over where they are repeated, so that a letter with two of them is an entry of its tensor.
     pub summed: Option<Indices>,
+    /// Whether primes are the label of axes that a matrix turns to, whichever way that goes.
+    pub turned_primes: bool,
     /// The angles that the body is turned by, where words name them.
     pub euler_angles: Option<EulerAngles>,
     /// Moments that the words give a letter.
@@ -178,6 +180,7 @@ impl Reading {
         reading.by_coefficients(document);
         reading.by_moment_law(document);
         reading.part_wheel_torques(document);
+        reading.part_turned_tensor(document);
         reading.by_points();
         reading.by_labels(document);
         reading.note_spin_alone(document);

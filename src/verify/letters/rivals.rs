@@ -56,6 +56,39 @@ impl Reading {
         }
     }
 
+    /// Of two tensors in `\mathbf J = R\,\mathbf I R^T`, the one that is turned to is a symbol of the document.
+    pub(crate) fn part_turned_tensor(&mut self, document: &Document) {
+        let inertia = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Inertia);
+        let turned = lines(document).find_map(|line| {
+            let [left, right] = line.sides.as_slice() else {
+                return None;
+            };
+            let (Kind::Symbol(new), Kind::Product(factors)) =
+                (&inner(left).kind, &inner(right).kind)
+            else {
+                return None;
+            };
+            let [matrix, old, back] = factors.as_slice() else {
+                return None;
+            };
+            let undone = match (&inner(&matrix.node).kind, &inner(&back.node).kind) {
+                (Kind::Transpose(inside), other) | (other, Kind::Transpose(inside)) => {
+                    inner(inside).kind == *other
+                }
+                _ => false,
+            };
+            let Kind::Symbol(old) = &inner(&old.node).kind else {
+                return None;
+            };
+            let (new, old) = (Letter::of(new), Letter::of(old));
+            (undone && new != old && inertia(&new) && inertia(&old)).then_some(new)
+        });
+        // Both may be one tensor, on the axes of space and on those of the body.
+        if let Some(letter) = turned.filter(|_| self.attitude.matrix.is_none()) {
+            self.quantities.remove(&letter);
+        }
+    }
+
     /// A torque that a line sets to the rate of the wheels' momentum, `\mathbf u = -\dot{\mathbf h}`, is the one that they
     /// exert, and no moment from outside.
     pub(crate) fn part_wheel_torques(&mut self, document: &Document) {

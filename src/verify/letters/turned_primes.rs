@@ -10,31 +10,33 @@ use crate::verify::letters::usage::inner;
 use crate::verify::repair::lines;
 
 /// The label in the place of the prime.
-const LABEL: &str = "s";
+pub(crate) const TURNED: &str = "s";
 
-/// Writes the label of space for the primes of a document in which a line turns a letter into the one with a prime.
-pub(crate) fn label_turned_primes(document: &mut Document) {
+/// Writes the label of space for the primes of a document in which a line turns a letter into the one with a prime;
+/// whether there were any.
+pub(crate) fn label_turned_primes(document: &mut Document) -> bool {
     let Some(matrix) = lines(document).find_map(turning_matrix).cloned() else {
-        return;
+        return false;
     };
     let taken = |s: &&Symbol| {
         s.primes > 1
             || s.subscripts
                 .iter()
-                .any(|label| label == LABEL || label.contains('\''))
+                .any(|label| label == TURNED || label.contains('\''))
             || s.primes == 1 && s.name == matrix.name
     };
     if every_symbol(document).iter().any(taken) {
-        return;
+        return false;
     }
     for node in formulas_mut(document) {
         node.change_symbols(&mut |symbol| {
             if symbol.primes == 1 {
                 symbol.primes = 0;
-                symbol.subscripts.push(LABEL.to_owned());
+                symbol.subscripts.push(TURNED.to_owned());
             }
         });
     }
+    true
 }
 
 /// The matrix R of a line `X' = R X` or `X' = R X R^T`.

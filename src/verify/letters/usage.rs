@@ -107,6 +107,10 @@ pub(crate) struct Usage {
     pub vectors_xyz: bool,
     /// Letters without an index that stand under a derivative, each with the letter it is taken in.
     pub(crate) differentiated: Vec<(Letter, Letter)>,
+    /// Letters that stand beside themselves behind that of a matrix, which comes first: `\omega' = R\omega`.
+    pub(crate) turned: Vec<[Letter; 2]>,
+    /// Symbols with two indices and something else besides: `I_{s,xx}`, `I'_{xx}`.
+    pub(crate) entries: Vec<Symbol>,
     /// Symbols with a δ before them.
     pub(crate) varied: Vec<Symbol>,
     /// Letters of right sides, each with the letter that it is called with: `f(\omega)`.
@@ -161,6 +165,7 @@ impl Usage {
         usage.applied = applied(document);
         usage.angles_of_a_list();
         usage.columns_of_functions();
+        usage.turned_columns();
         let vector = |name: &str| usage.get(&Letter::plain(name)).vector > 0;
         let mut bases = ["e", "b", "u", "a"].iter().map(|name| Letter::plain(name));
         let numbered = |letter: Letter| ["1", "2", "3"].iter().all(|i| usage.has_index(&letter, i));

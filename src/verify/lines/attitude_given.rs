@@ -66,8 +66,12 @@ impl Checker<'_> {
                 })
             )
         };
-        let about =
-            |k: usize| to_space.at(k, k).is_one() && is_sine(to_space.at((k + 2) % 3, (k + 1) % 3));
+        let either = self.reading.turned_primes;
+        let about = |k: usize| {
+            let [up, down] = [(k + 2, k + 1), (k + 1, k + 2)];
+            let positive = |(r, c): (usize, usize)| is_sine(to_space.at(r % 3, c % 3));
+            to_space.at(k, k).is_one() && (positive(up) || either && positive(down))
+        };
         if !(0..3).any(about) {
             return false;
         }

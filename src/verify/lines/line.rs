@@ -223,6 +223,7 @@ impl Checker<'_> {
             || !self.firm && self.solves_motion(&sides, finding)
             || self.is_principal_moment(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
+            || self.names_the_mean(&sides, finding)
             || self.defines(&sides, line, role, finding)
             || self.turns_to_step(&sides, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)

@@ -1,17 +1,18 @@
 //! Steps in time: relations between the angular velocities before and behind a step. A section on another method has
 //! another step, and what the one before it said of the velocity behind the step is over.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::theory::Name;
 use crate::verify::theory::decide::passes_filter;
-use crate::verify::values::atoms::{Entity, Owner};
+use crate::verify::theory::{Name, Premise};
+use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::has_any;
+use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// Words of a sentence that says what a step is.
@@ -27,6 +28,14 @@ const STEP: &[&str] = &[
     "explicit",
     "new value",
     "new state",
+    "advance",
+    "discreti",
+    "we integrate",
+    "integrated by",
+    "integrate by",
+    "march",
+    "recursion",
+    "difference quotient",
 ];
 
 impl Checker<'_> {
@@ -61,6 +70,62 @@ impl Checker<'_> {
         self.steps.clear();
         self.end_premises(&ended);
         self.accept_definition(sides, finding)
+    }
+
+    /// Takes in the mean of the states before and behind a step, `\bar\omega = ½(ω_{k+1} + ω_k)`, of which the step that
+    /// stands before it was made.
+    pub(crate) fn names_the_mean(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let Some(mean) = self.entity_named(symbol).filter(|mean| self.is_free(*mean)) else {
+            return false;
+        };
+        let Owner::Quantity(quantity, _) = self.theory.atoms.info(mean).owner.clone() else {
+            return false;
+        };
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let atoms = &self.theory.atoms;
+        let state = |v: Variable| {
+            let entity = atoms.entity_of(v).filter(|entity| *entity != mean);
+            matches!(atoms.owner(v), Some(Owner::Quantity(q, label)) if *q == quantity && !label.is_empty())
+                && entity.is_some()
+        };
+        let half = Fraction::from_ratio(1, 2);
+        let is_mean = |entry: &Fraction| match entry.variables().as_slice() {
+            [one, two] if state(*one) && state(*two) => {
+                let sum = variable_fraction(*one) + variable_fraction(*two);
+                (half.clone() * sum - entry.clone()).is_zero()
+            }
+            _ => false,
+        };
+        let of_states = value.is_vector() && value.entries.iter().all(is_mean);
+        if !of_states || !self.theory.mentions_entity(mean) {
+            return false;
+        }
+        let now = self
+            .steps
+            .iter()
+            .filter(|(_, section)| *section == self.cases.section());
+        let now: BTreeSet<Name> = now.map(|(name, _)| name.clone()).collect();
+        let premises = self.theory.premises().iter();
+        let steps: Vec<Premise> = premises
+            .filter(|p| now.contains(&p.name))
+            .cloned()
+            .collect();
+        if steps.is_empty() {
+            return false;
+        }
+        // The step is solved with the mean known.
+        self.theory.retain(|premise| !now.contains(&premise.name));
+        let accepted = self.accept_definition(sides, finding);
+        for step in steps {
+            self.theory.assume(step);
+        }
+        accepted
     }
 
     /// Whether a line leads to an angular velocity, or a momentum, that only names have been given with: a mean.

@@ -5,8 +5,8 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
 use crate::verify::values::atoms::{Atoms, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::values::subscript::Subscripts;
-use crate::verify::values::symbol::{Meaning, latex_name};
+use crate::verify::values::subscript::{Subscripts, subscripts};
+use crate::verify::values::symbol::{Meaning, is_on_turned_axes, latex_name};
 
 /// A symbol that the theory does not know.
 pub(crate) fn of_symbol(
@@ -21,6 +21,8 @@ pub(crate) fn of_symbol(
     let of_quantity =
         reading.quantities.contains_key(letter) || reading.components.contains_key(letter);
     let named = !sorted.variant.is_empty() && of_quantity;
+    // The same vector on turned axes is one.
+    let turned = is_on_turned_axes(sorted, reading);
     let always_hatted =
         symbol.style.hat && used.bare == used.hats && letter.name.chars().count() == 1;
     // Beside the unit vector x̂ an x is a coordinate.
@@ -32,7 +34,7 @@ pub(crate) fn of_symbol(
         || (symbol.style.bar && sorted.single.is_some())
         || reading.usage.wholes.is_vector(symbol)
         || sorted.of_named && reading.quantities.get(letter) != Some(&Quantity::Inertia)
-        || (is_vector && !named && !reading.is_scalar(letter))
+        || (is_vector && (!named || turned) && !reading.is_scalar(letter))
         || used.component > 1 && sorted.single.is_some();
     // A letter that some line sets against a square of numbers is a matrix before that line too.
     let square = used.tensor > 0 && symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
@@ -40,7 +42,13 @@ pub(crate) fn of_symbol(
         || sorted.double.is_some()
         || square && !symbol.style.vector
         || symbol.style.vector && reading.usage.applied.contains(letter)
-        || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty();
+        || reading.usage.wholes.is_grid(symbol) && !sorted.variant.is_empty()
+        || has_entries(letter, sorted, reading)
+        || symbol.style.vector
+            && sorted.single.is_none()
+            && used.double > 0
+            && used.component == 0
+            && letter.name.starts_with(char::is_uppercase);
     let entry = used.tensor > 0
         && sorted
             .double
@@ -103,6 +111,21 @@ pub(crate) fn of_symbol(
         }
         _ => Meaning::Whole(entity),
     }
+}
+
+/// Whether the entries of a tensor with the same label are written somewhere: `I_{s,xx}` of `I_s`.
+fn has_entries(letter: &Letter, sorted: &Subscripts, reading: &Reading) -> bool {
+    let inertia = reading.quantities.get(letter) == Some(&Quantity::Inertia);
+    let whole = sorted.single.is_none() && sorted.double.is_none() && !sorted.variant.is_empty();
+    let mut entries = reading.usage.entries.iter();
+    inertia
+        && whole
+        && entries.any(|entry| {
+            Letter::of(entry) == *letter && {
+                let other = subscripts(entry, reading);
+                other.double.is_some() && other.variant == sorted.variant
+            }
+        })
 }
 
 /// Whether a label makes of what moves one of its values: the amplitude φ₀ of φ.

@@ -5,6 +5,7 @@ use crate::verify::letters::attitude_reading::Part;
 use crate::verify::letters::imaginary::is_plain_i;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::space_axes::SpaceAxes;
+use crate::verify::letters::turned_primes::TURNED;
 use crate::verify::letters::usage::Letter;
 use crate::verify::values::about_point::about_a_point;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
@@ -162,11 +163,19 @@ fn by_marks(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
         Some(Quantity::Force) if letter.name != "F" => {
             of_symbol(symbol, &letter, &sorted, reading, atoms)
         }
-        Some(&quantity) if is_quantity(quantity, symbol, &sorted, reading) => {
+        Some(&quantity)
+            if !is_on_turned_axes(&sorted, reading)
+                && is_quantity(quantity, symbol, &sorted, reading) =>
+        {
             of_quantity(quantity, &letter, &sorted, atoms)
         }
         _ => of_symbol(symbol, &letter, &sorted, reading, atoms),
     }
+}
+
+/// Whether a label is that of axes which a matrix of the document turns to: what the symbol is follows from its line.
+pub(crate) fn is_on_turned_axes(sorted: &Subscripts, reading: &Reading) -> bool {
+    reading.turned_primes && sorted.variant == TURNED
 }
 
 /// What a vector's letter stands for where it is written as a number: a component that the document calls so, the

@@ -127,7 +127,7 @@ impl Checker<'_> {
                 .is_some_and(|at| said[at..].matches('⟩').count() == 1);
         let clause = display
             && (closed.is_some_and(ends_with_condition)
-                || opened && (said.ends_with('⟩') || said.ends_with("⟩,")));
+                || opened && ["⟩", "⟩,", "⟩:"].iter().any(|end| said.ends_with(end)));
         match role {
             Role::Assume
                 if display && (concludes_with(said) || says_again(said) || has_named(said)) =>
