@@ -202,3 +202,21 @@ fn a_disturbed_spin_may_be_about_another_axis_instead() {
     assert!(right.ends_with("pp"), "{right}");
     assert!(wrong.ends_with("pr"), "{wrong}");
 }
+
+#[test]
+fn words_may_give_the_spin_about_a_numbered_axis() {
+    let text = |words: &str, sign: &str| {
+        verdicts(&format!(
+            "Assume $I_1 < I_2 < I_3$, principal moments of a free body. {words}\n\n\
+             $$ \\ddot\\omega_1 = {sign}\\frac{{(I_3 - I_1)(I_3 - I_2)}}{{I_1 I_2}}\\Omega^2\\omega_1 $$\n"
+        ))
+    };
+    for words in [
+        "The body spins with a large rate $\\Omega$ about axis 3 while $\\omega_1$, $\\omega_2$ are small. Then",
+        "With the big spin $\\Omega$ on axis 3 and small $\\omega_1$, $\\omega_2$:",
+        "Let $\\Omega$ be the spin about axis 3 and let $\\omega_1$ and $\\omega_2$ be small.",
+    ] {
+        assert_eq!(text(words, "-"), "ap", "{words}");
+        assert_eq!(text(words, ""), "ar", "{words}");
+    }
+}

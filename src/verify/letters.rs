@@ -18,6 +18,7 @@ pub(super) mod frame;
 pub(super) mod half_angles;
 pub(super) mod imaginary;
 pub(super) mod labelled_wheel;
+pub(super) mod marked_symbols;
 pub(super) mod moving_point;
 pub(super) mod named_rates;
 pub(super) mod naming;

@@ -176,6 +176,7 @@ impl Reading {
         reading.wheel_speeds();
         reading.by_custom();
         reading.by_momentum_law(document);
+        reading.by_inverse_momentum_law(document);
         reading.products_apart();
         reading.by_coefficients(document);
         reading.by_moment_law(document);

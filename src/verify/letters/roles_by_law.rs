@@ -7,6 +7,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
+use num_traits::ToPrimitive;
 
 /// What multiplies each component of ω alone: a letter, with that component's index or with none.
 type Coefficients = [Option<(Letter, bool)>; 3];
@@ -95,6 +96,37 @@ impl Reading {
             self.quantities.remove(&other);
         }
         self.quantities.insert(letter, Quantity::Momentum);
+    }
+
+    /// The letter of `\Omega = I^{-1}\Pi`, where nothing else is the angular momentum.
+    pub(crate) fn by_inverse_momentum_law(&mut self, document: &Document) {
+        if self.speaks_of(Quantity::Momentum) {
+            return;
+        }
+        let found = lines(document).find_map(|line| {
+            let [left, right, ..] = line.sides.as_slice() else {
+                return None;
+            };
+            let Kind::Product(factors) = &inner(right).kind else {
+                return None;
+            };
+            let [inverse, momentum] = factors.as_slice() else {
+                return None;
+            };
+            let (Kind::Power(base, exponent), Kind::Symbol(symbol)) =
+                (&inner(&inverse.node).kind, &inner(&momentum.node).kind)
+            else {
+                return None;
+            };
+            let inverse = exponent_of(exponent) == Some(-1) && self.is_inertia(base);
+            let plain = symbol.subscripts.is_empty() && symbol.superscripts.is_empty();
+            let letter = Letter::of(symbol);
+            let free = plain && !self.quantities.contains_key(&letter);
+            (free && inverse && self.is_angular_velocity(left)).then_some(letter)
+        });
+        if let Some(letter) = found {
+            self.quantities.insert(letter, Quantity::Momentum);
+        }
     }
 
     /// The letter of the inertia, or its matrix.
@@ -211,6 +243,15 @@ impl Reading {
 fn index(symbol: &Symbol) -> Option<u8> {
     match symbol.subscripts.as_slice() {
         [only] => axis(only),
+        _ => None,
+    }
+}
+
+/// An exponent that is a number.
+fn exponent_of(node: &Node) -> Option<i64> {
+    match &inner(node).kind {
+        Kind::Number(number) => number.value.to_i64(),
+        Kind::Negate(inside) => exponent_of(inside).map(|value| -value),
         _ => None,
     }
 }

@@ -6,9 +6,6 @@ use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, w
 use crate::verify::letters::wholes::{is_cross, lone, terms};
 use crate::verify::values::written_out::{along_plain_units, along_vectors_xyz, plain_list};
 
-/// Symbols of a kind that are kept: a real document has a few.
-const MOST_NOTED: usize = 40;
-
 impl Usage {
     pub(crate) fn line(&mut self, line: &Line) {
         for side in &line.sides {
@@ -282,17 +279,7 @@ impl Usage {
     }
 
     fn symbol(&mut self, symbol: &Symbol) {
-        let note = |all: &mut Vec<Symbol>| {
-            if all.len() < MOST_NOTED && !all.contains(symbol) {
-                all.push(symbol.clone());
-            }
-        };
-        if symbol.variation {
-            note(&mut self.varied);
-        }
-        if is_labelled_entry(symbol) {
-            note(&mut self.entries);
-        }
+        self.keep_marked(symbol);
         let entry = self.letters.entry(Letter::of(symbol)).or_default();
         let index = symbol.subscripts.iter().find_map(|s| axis(s));
         let index = index.filter(|_| !self.wholes.counts(symbol));
@@ -413,12 +400,4 @@ fn columns(side: &Node) -> Option<usize> {
         Kind::Product(factors) => factors.last().and_then(|factor| columns(&factor.node)),
         _ => None,
     }
-}
-
-/// Whether a symbol has two indices of axes, and a label or a prime besides.
-fn is_labelled_entry(symbol: &Symbol) -> bool {
-    let texts = symbol.subscripts.iter().flat_map(|text| text.split(','));
-    let (indices, labels): (Vec<&str>, Vec<&str>) = texts.partition(|text| axes(text).is_some());
-    let labelled = !labels.is_empty() || !symbol.superscripts.is_empty() || symbol.primes > 0;
-    indices.len() == 1 && labelled
 }

@@ -293,6 +293,8 @@ fn is_quantity(
             // ω_n or ω_0 without marks, beside a vector ω, is a scalar of its own.
             sorted.variant.is_empty() || marked || step_index(&sorted.variant)
         }
+        // The mean of the momenta before and behind a step.
+        Quantity::Momentum if symbol.style.bar && reading.usage.counts_steps() => true,
         Quantity::Momentum | Quantity::Moment => {
             sorted.variant.is_empty()
                 || (POINTS.contains(&sorted.variant.as_str())

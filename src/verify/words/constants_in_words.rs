@@ -172,6 +172,7 @@ impl Checker<'_> {
             return;
         }
         let named = std::mem::take(&mut self.named);
+        self.spins_about_numbered_axis(text, &named, span);
         self.small_behind(text, &named);
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));
         // What is "a constant of the motion" is for laws to say.

@@ -8,10 +8,11 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{axis, inner};
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::{Name, Premise};
-use crate::verify::values::atoms::variable_fraction;
+use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::lower::put_in;
-use crate::verify::values::quantity::Quantity;
-use crate::verify::words::book::lowered;
+use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::symbol::Meaning;
+use crate::verify::words::book::{has_any, lowered};
 use std::collections::{BTreeSet, HashMap};
 
 /// Words before the list.
@@ -81,6 +82,59 @@ impl Checker<'_> {
             self.now_known([node]);
             self.small_turns.extend((0..3).filter(|&c| c != axis));
             self.drop_second_order();
+        }
+    }
+
+    /// "With the big spin ⟨Ω⟩ on axis 3", "spins at ⟨n⟩ about the third axis".
+    pub(crate) fn spins_about_numbered_axis(&mut self, text: &str, named: &[Node], span: Span) {
+        let Some(Kind::Symbol(symbol)) = named.last().map(|node| &inner(node).kind) else {
+            return;
+        };
+        let text = text.trim_start();
+        // "Let ⟨Ω⟩ be the spin about axis 3."
+        let called = ["be the ", "is the ", "denotes the "];
+        let called = called.iter().find_map(|words| text.strip_prefix(words));
+        let spin = ["constant spin ", "spin ", "spin rate ", "rate of spin "];
+        let called = called.and_then(|rest| spin.iter().find_map(|words| rest.strip_prefix(words)));
+        let behind = ["about ", "on ", "around ", "along "];
+        let rest = called.unwrap_or(text);
+        let Some(rest) = behind.iter().find_map(|word| rest.strip_prefix(word)) else {
+            return;
+        };
+        let words: Vec<&str> = rest.split(|c: char| !c.is_alphanumeric()).take(3).collect();
+        let numbered = match words.as_slice() {
+            ["axis", number, ..] => axis(number),
+            ["the", name, "axis"] => numbered_axis(name),
+            _ => None,
+        };
+        let said = lowered(&self.sentence);
+        let clause = said.rsplit([',', ';', ':', '.']).next().unwrap_or_default();
+        let spins = called.is_some() || has_any(clause, &["spin", "rotat", "turns"]);
+        let other = has_any(clause, &["precess", "frame", "wheel", "rotor", "axes"]);
+        let (Some(along), true) = (numbered, spins && !other) else {
+            return;
+        };
+        let (symbol, node) = (symbol.clone(), named.last().cloned());
+        let Meaning::Whole(entity) = self.meaning_of(&symbol) else {
+            return;
+        };
+        let info = self.theory.atoms.info(entity);
+        let own = matches!(info.owner, Owner::Symbol(_)) && info.shape == Shape::Scalar;
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let parts = [0, 1, 2].map(|c| self.theory.atoms.part(omega, c, 0));
+        // What turns about another axis already is no spin of its own.
+        if !own || parts.iter().any(|v| self.theory.rule(*v).is_some()) {
+            return;
+        }
+        let turn = parts[usize::from(along)];
+        let premise = Premise {
+            name: "the spin about the axis that the words give".to_owned(),
+            residuals: vec![variable_fraction(turn) - self.theory.atoms.value(entity, 0, 0)],
+            preferred: vec![turn],
+            definition: false,
+        };
+        if self.take_from_words(premise, span) {
+            self.now_known(&node);
         }
     }
 
@@ -223,12 +277,16 @@ fn axis_instead(text: &str) -> Option<u8> {
     let (_, about) = clause.rsplit_once("about ")?;
     let words = about.split(|c: char| !c.is_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let named = |word: &&str| match *word {
+    let short = words.len() <= 4 && words.contains(&"axis");
+    let mut named = words.into_iter().filter_map(numbered_axis);
+    named.next().filter(|_| short)
+}
+
+fn numbered_axis(word: &str) -> Option<u8> {
+    match word {
         "first" => Some(0),
         "second" => Some(1),
         "third" => Some(2),
         other => axis(other),
-    };
-    let short = words.len() <= 4 && words.contains(&"axis");
-    words.iter().find_map(named).filter(|_| short)
+    }
 }
