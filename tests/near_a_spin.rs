@@ -219,4 +219,6 @@ fn words_may_give_the_spin_about_a_numbered_axis() {
         assert_eq!(text(words, "-"), "ap", "{words}");
         assert_eq!(text(words, ""), "ar", "{words}");
     }
+    let angle = "The body is turned through the angle $\\Omega$ about axis 3; $\\omega_1$ and $\\omega_2$ are small.";
+    assert_eq!(text(angle, "-"), "au");
 }

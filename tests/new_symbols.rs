@@ -238,3 +238,22 @@ $$ \vec N = \dot{{\vec D}} {sign} \vec\omega\times\vec D $$
     assert_eq!(verdicts(&text("+")), "p");
     assert_eq!(verdicts(&text("-")), "r");
 }
+
+#[test]
+fn words_put_a_letter_for_another() {
+    let text = |words: &str, moment: &str| {
+        verdicts(&format!(
+            "Principal axes. {words}\n\n$$ L_3 = {moment} n $$\n"
+        ))
+    };
+    for words in [
+        "If we write $n$ for $\\omega_3$,",
+        "We write $n$ for the spin $\\omega_3$.",
+        "Let $n$ stand for $\\omega_3$.",
+        "Denote $\\omega_3$ by $n$.",
+    ] {
+        assert_eq!(text(words, "I_3"), "p", "{words}");
+        assert_eq!(text(words, "I_2"), "r", "{words}");
+    }
+    assert_eq!(text("A wheel is known by $n$ and $\\omega_3$.", "I_2"), "u");
+}

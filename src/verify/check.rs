@@ -105,6 +105,8 @@ pub(super) struct Checker<'a> {
     pub(super) linear: bool,
     /// Expressions of a list that the words have named last.
     pub(super) named: Vec<Node>,
+    /// The lone symbol that the text had last.
+    pub(super) last_alone: Option<Node>,
     /// Places of lines that were taken in ahead of their turn.
     pub(super) done: BTreeSet<u32>,
     /// Whether a definition stood behind the first use of its symbol.
@@ -226,6 +228,7 @@ impl<'a> Checker<'a> {
             small_turns: BTreeSet::new(),
             linear: false,
             named: vec![],
+            last_alone: None,
             done: BTreeSet::new(),
             looked_ahead: false,
             implicit: BTreeSet::new(),

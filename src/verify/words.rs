@@ -1,5 +1,6 @@
 //! What the words of a document say: roles of lines, premises, moments, what is constant.
 
+pub(super) mod abbreviations;
 pub(super) mod attitude_words;
 pub(super) mod book;
 mod braking;

@@ -76,7 +76,7 @@ impl Checker<'_> {
     /// stands before it was made.
     pub(crate) fn names_the_mean(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
         let [left, right] = sides else { return false };
-        let Kind::Symbol(symbol) = &inner(left).kind else {
+        let (Kind::Symbol(symbol), false) = (&inner(left).kind, self.steps.is_empty()) else {
             return false;
         };
         let Some(mean) = self.entity_named(symbol).filter(|mean| self.is_free(*mean)) else {

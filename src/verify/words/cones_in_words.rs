@@ -29,6 +29,13 @@ const AXES: &[&str] = &[
     "3-axis",
     "third axis",
 ];
+/// What is along the angular velocity.
+const TURNING: &[&str] = &[
+    "angular velocity",
+    "rotation axis",
+    "axis of rotation",
+    "instantaneous axis",
+];
 const ANGLES: &[&str] = &[
     "theta", "vartheta", "alpha", "beta", "gamma", "delta", "nu", "phi",
 ];
@@ -197,7 +204,7 @@ impl Checker<'_> {
     /// The one of momentum and angular velocity that a text speaks of.
     fn vector_of(&self, text: &str, symbols: &[&Symbol]) -> Option<Quantity> {
         let met = in_clause(text, symbols);
-        let speaks = |quantity: Quantity, words: &str| {
+        let speaks = |quantity: Quantity, words: &[&str]| {
             let letter =
                 |s: &Symbol| self.reading.quantities.get(&Letter::of(s)) == Some(&quantity);
             // Plain text has the letter of a vector as a word: "the angle θ between the axis and H".
@@ -206,10 +213,10 @@ impl Checker<'_> {
                 let mut words = text.split([' ', '.']);
                 *of == quantity && words.any(|word| word.eq_ignore_ascii_case(&letter.name))
             });
-            text.contains(words) || spelled || met.iter().any(|(_, s)| letter(s))
+            has_any(text, words) || spelled || met.iter().any(|(_, s)| letter(s))
         };
-        let momentum = speaks(Quantity::Momentum, "angular momentum");
-        let rate = speaks(Quantity::AngularVelocity, "angular velocity");
+        let momentum = speaks(Quantity::Momentum, &["angular momentum"]);
+        let rate = speaks(Quantity::AngularVelocity, TURNING);
         match (momentum, rate) {
             (true, false) => Some(Quantity::Momentum),
             (false, true) => Some(Quantity::AngularVelocity),

@@ -156,6 +156,7 @@ impl Checker<'_> {
             let value = self.lowering(Frame::Moving).value(node);
             self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());
         }
+        self.note_abbreviation(node);
         self.named.push(node.clone());
     }
 

@@ -109,8 +109,9 @@ impl Checker<'_> {
         };
         let said = lowered(&self.sentence);
         let clause = said.rsplit([',', ';', ':', '.']).next().unwrap_or_default();
-        let spins = called.is_some() || has_any(clause, &["spin", "rotat", "turns"]);
-        let other = has_any(clause, &["precess", "frame", "wheel", "rotor", "axes"]);
+        let spins = called.is_some() || has_any(clause, &["spin", "rate", "speed", " at "]);
+        let angle = has_any(clause, &["through", "angle", "turned by", "rotated by"]);
+        let other = angle || has_any(clause, &["precess", "frame", "wheel", "rotor", "axes"]);
         let (Some(along), true) = (numbered, spins && !other) else {
             return;
         };

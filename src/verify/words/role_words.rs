@@ -37,6 +37,8 @@ pub(super) const ASSUME: &[&str] = &[
     "for",
     "by assumption",
     "by hypothesis",
+    "by our choice",
+    "by choice of",
     "from here on",
     "from now on",
     "henceforth",
