@@ -68,7 +68,7 @@ impl Checker<'_> {
             let rest = between.strip_prefix(*word);
             rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(" the ") && described)
         };
-        let (name, of) = if leads(WRITE) && FOR.iter().any(|word| stands(&word)) {
+        let (name, of) = if leads(WRITE) && FOR.iter().any(stands) {
             (first.clone(), second.clone())
         } else if leads(CALL) && BY.contains(&between) {
             (second.clone(), first.clone())
