@@ -149,3 +149,32 @@ fn a_top_precesses_steadily_at_a_constant_angle() {
     assert_eq!(text("-"), "pp");
     assert!(!text("+").ends_with(['p', 'a']));
 }
+
+#[test]
+fn axes_that_do_not_spin_leave_the_spin_to_words() {
+    let text = |spin: &str, second: &str, vertical: &str, steady: &str| {
+        verdicts(&format!(
+            "Wheel of mass $m$ on a pivot $O$, centre of mass at the distance $\\ell$ from $O$ along the axle. Moments of inertia \
+             about $O$: $A$ across the axle, $C$ along it. A frame follows the axle but does not spin: $\\mathbf e_3$ on the axle, \
+             $\\mathbf e_1$ horizontal, and\n\n$$ \\mathbf k = \\sin\\theta\\,\\mathbf e_2 + \\cos\\theta\\,\\mathbf e_3 $$\n\n\
+             The frame turns with\n\n\
+             $$ \\boldsymbol\\Omega = \\dot\\theta\\,\\mathbf e_1 + \\dot\\phi\\sin\\theta\\,\\mathbf e_2 + \\dot\\phi\\cos\\theta\\,\\mathbf e_3 $$\n\n\
+             and the wheel {spin} about the axle. Write $s = \\dot\\psi + \\dot\\phi\\cos\\theta$. Then\n\n\
+             $$ \\mathbf L_O = A\\dot\\theta\\,\\mathbf e_1 + A\\dot\\phi\\sin\\theta\\,\\mathbf e_2 + {second} s\\,\\mathbf e_3 $$\n\n\
+             The weight pulls at the centre of mass:\n\n\
+             $$ \\mathbf M_O = \\ell\\,\\mathbf e_3\\times(-mg\\,\\mathbf k) = mg\\ell\\sin\\theta\\;\\mathbf e_1 $$\n\n\
+             $$ \\mathbf L_O\\cdot\\mathbf k = A\\dot\\phi{vertical}\\theta + C s\\cos\\theta $$\n\n\
+             Now let $\\dot\\theta = 0$ at all times. Then\n\n$$ C s\\,\\dot\\phi - A\\dot\\phi^2\\cos\\theta = {steady} $$\n\n\
+             With the axle horizontal ($\\cos\\theta$ vanishes)\n\n$$ \\dot\\phi = \\frac{{mg\\ell}}{{C s}} $$\n"
+        ))
+    };
+    let (adds, square, weight) = ("only adds $\\dot\\psi$", "\\sin^2", "mg\\ell");
+    assert_eq!(text(adds, "C", square, weight), "aaapppapp");
+    let spins = "spins at $\\dot\\psi$";
+    assert_eq!(text(spins, "C", square, weight), "aaapppapp");
+    assert_eq!(text(adds, "A", square, weight), "aaarppapp");
+    assert_eq!(text(adds, "C", square, "2mg\\ell"), "aaappparp");
+    // A false line changes nothing of what follows.
+    let slip = text(adds, "C", "\\sin", weight);
+    assert!(slip.ends_with("rapp"), "{slip}");
+}

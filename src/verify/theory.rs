@@ -108,6 +108,8 @@ pub(super) struct Theory {
     pub(super) cones: BTreeMap<Variable, (Quantity, Option<u8>)>,
     /// Premises that turned out to speak of a rate, by what they gave.
     of_rates: HashMap<Name, u8>,
+    /// Whether a rule for a rate gave way to one for the value.
+    lost_rate: bool,
     /// What they come to.
     pub(super) solution: Box<Solution>,
     solutions: Solutions,
@@ -134,6 +136,7 @@ impl Theory {
             last_turn: None,
             cones: BTreeMap::new(),
             of_rates: HashMap::default(),
+            lost_rate: false,
             solution: Box::default(),
             solutions: Solutions::default(),
             laws: HashMap::default(),
@@ -214,12 +217,12 @@ impl Theory {
         self.premises.push(premise.clone());
         let taken = if last {
             self.solution.ledger = Ledger::default();
-            let rates = self.rates_met();
+            self.lost_rate = false;
             let taken = self.solve(&premise);
             if taken == Taken::Solved && !self.exhausted {
                 self.solution.case = self.case_at_hand();
             }
-            match self.rates_met() > rates {
+            match self.lost_rate {
                 true => self.rebuild(),
                 false => taken,
             }

@@ -24,6 +24,7 @@ pub(super) mod points_in_words;
 pub(super) mod premise;
 pub(super) mod prose;
 pub(super) mod quantity_names;
+pub(super) mod relative_spin;
 pub(super) mod residuals;
 pub(super) mod role;
 pub(super) mod role_words;

@@ -285,6 +285,9 @@ impl Reading {
             "omega" => Some(Quantity::AngularVelocity),
             // The matrix Ω = RᵀṘ.
             "Omega" if used.tensor > 0 && used.component == 0 => None,
+            "Omega" if directed && !self.has("omega") && self.axes_without_spin => {
+                Some(Quantity::FrameRate)
+            }
             "Omega" if directed && (!self.has("omega") || self.is_frequency_beside_rates()) => {
                 Some(Quantity::AngularVelocity)
             }

@@ -23,6 +23,7 @@ use crate::verify::lines::euler_angles::EulerAngles;
 use crate::verify::lines::summation::Indices;
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::words::moments_in_words::NamedMoment;
+use crate::verify::words::relative_spin::WITHOUT_SPIN;
 use crate::verify::words::text::Text;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -124,6 +125,8 @@ pub(crate) struct Reading {
     pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
+    /// Whether the words have axes that do not spin with the body.
+    pub axes_without_spin: bool,
     /// Whether the words turn from lettered axes to numbered ones that are principal.
     pub turns_to_numbers: bool,
     pub(crate) speaks_of_energy: bool,
@@ -163,6 +166,7 @@ impl Reading {
         reading.one_moment_of_the_row(document);
         reading.by_moments(document);
         reading.flat = reading.is_flat();
+        reading.axes_without_spin = document.says(WITHOUT_SPIN);
         reading.note_totals(document);
         reading.note_periods(document);
         reading.note_arms(document);

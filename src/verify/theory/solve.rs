@@ -158,6 +158,7 @@ impl Theory {
             {
                 let known = self.of_rates.entry(of_rate.name.clone()).or_default();
                 *known = (*known).max(ruled.saturating_add(1));
+                self.lost_rate = true;
             }
             self.solution.case = None;
             self.solution.sources.insert(part, source);

@@ -1,12 +1,12 @@
 //! What words say does not change: "θ, φ̇ and ψ̇ are constant", "turns at the constant rate Ω".
 
 use crate::algebra::Variable;
-use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use crate::notation::ast::{DerivativeStyle, Function, Kind, Node};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
-use crate::verify::letters::usage::Letter;
+use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
@@ -157,6 +157,7 @@ impl Checker<'_> {
             self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());
         }
         self.note_abbreviation(node);
+        self.spins_on_axes(node);
         self.named.push(node.clone());
     }
 
@@ -174,6 +175,7 @@ impl Checker<'_> {
         }
         let named = std::mem::take(&mut self.named);
         self.spins_about_numbered_axis(text, &named, span);
+        self.vanishing_function(text, &named, span);
         self.small_behind(text, &named);
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));
         // What is "a constant of the motion" is for laws to say.
@@ -252,6 +254,35 @@ impl Checker<'_> {
     }
 
     /// Takes in what words say to the end of their section, and reports it; whether it is solved for something.
+    /// "With the axle horizontal (⟨\cos\theta⟩ vanishes)".
+    fn vanishing_function(&mut self, text: &str, named: &[Node], span: Span) {
+        let vanishes = ["vanishes", "is zero", "being zero"];
+        let Some(node) = named
+            .last()
+            .filter(|_| vanishes.iter().any(|w| text.starts_with(w)))
+        else {
+            return;
+        };
+        if !matches!(
+            inner(node).kind,
+            Kind::Function(Function::Sin | Function::Cos, _)
+        ) {
+            return;
+        }
+        let Some(value) = self.lowering(Frame::Moving).scalar(node) else {
+            return;
+        };
+        self.take_from_words(
+            Premise {
+                name: "a function of an angle that vanishes by the words".to_owned(),
+                preferred: value.variables(),
+                residuals: vec![value],
+                definition: false,
+            },
+            span,
+        );
+    }
+
     pub(crate) fn take_from_words(&mut self, premise: Premise, span: Span) -> bool {
         let name = premise.name.clone();
         let taken = self.theory.assume(premise) == Taken::Solved;
