@@ -175,3 +175,19 @@ fn words_for_an_angle_may_stand_before_its_tangent() {
     assert_eq!(ends(root, "I_s\\omega_t}{I_t\\Omega", other), "prp");
     assert_eq!(ends(root, right, "\\Omega}{\\omega_t"), "ppr");
 }
+
+#[test]
+fn one_clause_may_name_two_angles() {
+    let text = |theta: &str, gamma: &str| {
+        verdicts(&format!(
+            "Body axes are principal, $z$ is the drum axis. Take $I_x = I_y = A$ and $I_z = C$; no torque acts. With $\\theta$ the \
+             nutation angle (between $\\vec h$ and the drum axis) and $\\gamma$ the angle between $\\vec\\omega$ and the drum axis, \
+             $\\vec h = I\\vec\\omega$ and $s = \\sqrt{{\\omega_x^2 + \\omega_y^2}}$,\n\n\
+             $$ \\tan\\theta = \\frac{{{theta}}} $$\n\n$$ \\tan\\gamma = \\frac{{{gamma}}} $$\n"
+        ))
+    };
+    let (theta, gamma) = ("A s}{C \\omega_z", "s}{\\omega_z");
+    assert!(text(theta, gamma).ends_with("pp"), "{}", text(theta, gamma));
+    assert!(text(theta, theta).ends_with("pr"));
+    assert!(text(gamma, gamma).ends_with("rp"));
+}

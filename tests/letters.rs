@@ -292,3 +292,26 @@ fn one_of_the_row_of_moments_stands_alone() {
     assert_eq!(text("L", "+"), "refuted");
     assert_eq!(text("N", "-"), "refuted");
 }
+
+#[test]
+fn a_label_and_brackets_stand_beside_names() {
+    let energy = |name: &str, half: &str| {
+        verdicts(&format!(
+            "Principal axes. The rotational energy is\n\n\
+             $$ {name} = {half}(I_1\\omega_1^2 + I_2\\omega_2^2 + I_3\\omega_3^2) $$\n"
+        ))
+    };
+    for name in ["E_{\\mathrm{rot}}", "E_{rot}", "T_{\\text{rot}}", "E_k"] {
+        assert_eq!(energy(name, "\\tfrac12"), ["proved"], "{name}");
+        assert_eq!(energy(name, ""), ["refuted"], "{name}");
+    }
+    let moments = |first: &str| {
+        verdicts(&format!(
+            "$J$ denotes its (constant, symmetric) inertia matrix on body axes, $\\vec u$ the torque of the thrusters. On the \
+             principal axes, with the moments $\\Theta_1$, $\\Theta_2$, $\\Theta_3$,\n\n\
+             $$ u_1 = \\Theta_1\\dot\\omega_1 + ({first})\\omega_2\\omega_3 $$\n"
+        ))
+    };
+    assert_eq!(moments("\\Theta_3 - \\Theta_2"), ["proved"]);
+    assert_eq!(moments("\\Theta_2 - \\Theta_3"), ["refuted"]);
+}

@@ -177,3 +177,22 @@ fn pitching_and_yawing_moments_need_no_third() {
     assert_eq!(text("+"), "app");
     assert_eq!(text("-"), "arp");
 }
+
+#[test]
+fn what_one_wants_is_assumed_and_what_one_compares_is_claimed() {
+    let text = |lead: &str, factor: &str| {
+        verdicts(&format!(
+            "A body is symmetric about its $xy$ plane. I write $P = \\int xy\\,dm$. {lead} $P = 0$. Then\n\n\
+             $$ L_x = {factor}\\omega_x $$\n"
+        ))
+    };
+    assert_eq!(text("I want axes such that", "I_{xx}"), "aap");
+    assert_eq!(text("I want axes such that", "I_{yy}"), "aar");
+    let force = |sign: &str| {
+        verdicts(&format!(
+            "Principal axes. $\\mathbf L = I\\boldsymbol\\omega$. Comparing with step 2,\n\n$$ L_x = {sign}I_1\\omega_x $$\n"
+        ))
+    };
+    assert!(force("").ends_with('p'), "{}", force(""));
+    assert!(!force("-").ends_with(['a', 'p']));
+}

@@ -9,7 +9,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::quantity::{Quantity, Shape};
-use crate::verify::values::subscript::LOADS;
+use crate::verify::values::subscript::{ENERGY_LABELS, LOADS};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::Finding;
 
@@ -70,10 +70,10 @@ pub(crate) fn named_letters(row: &Row) -> Vec<Letter> {
 fn lone_letters(node: &Node) -> Vec<Letter> {
     match &inner(node).kind {
         Kind::Symbol(symbol)
-            if symbol
-                .subscripts
-                .iter()
-                .all(|s| axis(s).is_some() || s.len() <= 2 || LOADS.contains(&s.as_str())) =>
+            if symbol.subscripts.iter().all(|s| {
+                let label = [LOADS, ENERGY_LABELS].concat();
+                axis(s).is_some() || s.len() <= 2 || label.contains(&s.as_str())
+            }) =>
         {
             vec![Letter::of(symbol)]
         }

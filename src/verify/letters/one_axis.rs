@@ -94,8 +94,13 @@ impl Reading {
             return;
         }
         let said = |text: &str| {
-            let at = text.find("⟨Omega⟩");
-            let about = at.is_some_and(|at| text[at..].contains("about"));
+            let Some((before, behind)) = text.split_once("⟨Omega⟩") else {
+                return false;
+            };
+            // Nor does it matter which comes first: "turns about ⟨z⟩ with ⟨Ω⟩".
+            let rate = ["with", "at", "rate", "speed"];
+            let then = rate.iter().any(|word| before.trim_end().ends_with(word));
+            let about = behind.contains("about") || then && before.contains("about");
             about && fixed_axis(text, true).is_some()
         };
         if document.named_sentences().iter().any(|s| said(&s.text)) {

@@ -167,6 +167,10 @@ impl Reading {
             Quantity::FrameRate if letter.name != "Omega" && !self.has("Omega") => {
                 Quantity::AngularVelocity
             }
+            // "On the principal axes, with the moments ⟨Θ_1⟩".
+            Quantity::Moment if matches!(letter.name.as_str(), "Theta" | "J" | "I") => {
+                Quantity::Inertia
+            }
             other => other,
         };
         *self.votes.entry((letter, quantity)).or_default() += weight;

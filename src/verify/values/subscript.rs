@@ -180,6 +180,7 @@ pub(crate) fn tells_nothing_apart(
             marked || !moment && used.component + used.double == 0
         }
         Quantity::Momentum | Quantity::Moment => symbol.style.vector,
+        Quantity::Energy => return used_alone && ENERGY_LABELS.contains(&point),
         Quantity::AngularVelocity => {
             let mut others = met.into_iter().flatten().filter(|s| s.contains('/'));
             let alone = others.all(|s| s == point) || is_of_the_body(symbol, reading);
@@ -192,6 +193,9 @@ pub(crate) fn tells_nothing_apart(
     let load = quantity == Quantity::Moment && LOADS.contains(&point);
     whole && used_alone && (load || POINTS.contains(&point) || point == "0")
 }
+
+/// Labels of the only energy of a document: `E_{rot}`.
+pub(crate) const ENERGY_LABELS: &[&str] = &["rot", "kin", "k"];
 
 /// The two frames that an angular velocity is between: `{}^N\omega^B`, or `\omega_{B/N}` the other way.
 pub(crate) fn between(symbol: &Symbol) -> Option<(String, String)> {

@@ -16,6 +16,8 @@ const AXES: &[&str] = &[
     "axis of symmetry",
     "axis of the body",
     "'s axis",
+    "drum axis",
+    "polar axis",
     "its axis",
     "figure axis",
     "axis of figure",
@@ -89,7 +91,7 @@ impl Checker<'_> {
                 continue;
             }
             let axis = spoken_of && text.contains("axis");
-            for clause in text.split([',', ';', ':']).flat_map(|c| c.split(" while ")) {
+            for clause in text.split([',', ';', ':']).flat_map(parted) {
                 let named = self.names_axis(clause, &symbols);
                 let axis = axis || named.is_some();
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
@@ -115,6 +117,11 @@ impl Checker<'_> {
             return;
         };
         let said = lowered(&self.sentence);
+        // Words that give the angle a letter are heard elsewhere.
+        let letters = said.split(|c: char| !c.is_alphanumeric());
+        if letters.into_iter().any(|word| word == angle.name) {
+            return;
+        }
         let clause = said.rsplit([',', ';', ':']).find(|c| c.contains("angle"));
         let Some(clause) = clause.filter(|clause| !clause.contains("vertical")) else {
             return;
@@ -179,6 +186,7 @@ impl Checker<'_> {
                 "be the angle",
                 "denotes the angle",
             ];
+            let rest = rest.replacen("nutation angle", "angle", 1);
             let plain = symbol.subscripts.is_empty() && ANGLES.contains(&symbol.name.as_str());
             let between = lead.contains("angle between") && lead.ends_with(" is");
             plain
@@ -256,6 +264,26 @@ impl Checker<'_> {
             self.take_law(Law::new(part.name, entity, Value::scalar(value)));
         }
     }
+}
+
+/// The parts of a clause that name an angle each: "⟨θ⟩ the angle …", "and ⟨γ⟩ the angle …", "while …".
+fn parted(clause: &str) -> Vec<&str> {
+    let mut all = vec![];
+    for part in clause.split(" while ") {
+        let named = |at: usize| {
+            let behind = part[at..]
+                .split_once('⟩')
+                .map(|(_, rest)| rest.trim_start());
+            behind.is_some_and(|rest| rest.starts_with("the angle"))
+        };
+        let starts: Vec<usize> = part.match_indices(" and ⟨").map(|(at, _)| at).collect();
+        let cut = starts.into_iter().find(|&at| named(at));
+        match cut {
+            Some(at) => all.extend([&part[..at], &part[at..]]),
+            None => all.push(part),
+        }
+    }
+    all
 }
 
 /// The symbols of a clause with their numbers.

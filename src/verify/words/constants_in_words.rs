@@ -285,7 +285,8 @@ impl Checker<'_> {
 
     pub(crate) fn take_from_words(&mut self, premise: Premise, span: Span) -> bool {
         let name = premise.name.clone();
-        let taken = self.theory.assume(premise) == Taken::Solved;
+        let taken = self.theory.assume(premise);
+        let taken = matches!(taken, Taken::Solved | Taken::Kept);
         if taken {
             self.keep(&name, false);
             self.tell(span, name);

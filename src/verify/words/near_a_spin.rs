@@ -33,6 +33,8 @@ const NEAR: &[&str] = &[
 const OTHERS: &[&str] = &[
     "other components",
     "other two components",
+    "other two rates",
+    "others",
     "other two",
     "other rates",
 ];

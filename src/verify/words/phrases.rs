@@ -306,14 +306,25 @@ pub(crate) fn said_after(text: &str) -> Option<Quantity> {
         "is its ",
         "are the ",
         "denotes the ",
+        "denotes its ",
         "be the ",
+        "be its ",
         "represents the ",
         "is called the ",
         "for the ",
     ]
     .iter()
     .find_map(|lead| text.strip_prefix(lead))?;
-    named_first(rest, 30)
+    named_first(behind_an_aside(rest), 30)
+}
+
+/// What stands behind words in brackets: "(constant, symmetric) inertia matrix".
+fn behind_an_aside(text: &str) -> &str {
+    let inside = text.strip_prefix('(').and_then(|rest| rest.split_once(')'));
+    match inside {
+        Some((aside, rest)) if aside.len() < 100 && !aside.contains('⟨') => rest.trim_start(),
+        _ => text,
+    }
 }
 
 /// Whether the words right after a letter call it the identity: "is the 3 × 3 identity matrix".
