@@ -4,7 +4,7 @@
 mod outline;
 
 use outline::{document, each_plain_reads, plain};
-use polhode::notation::document::{Format, Item};
+use polhode::notation::document::{Format, Item, Row};
 use polhode::notation::read;
 
 /// The formulas of a text and where each begins.
@@ -224,4 +224,16 @@ fn an_order_in_a_sentence_is_a_formula() {
         assert_eq!(places(text), [(1, formula.to_owned())], "{text}");
     }
     assert!(places("> I think so, and he is not > you").is_empty());
+}
+
+#[test]
+fn a_list_may_begin_with_the_letter_a() {
+    let text = "Notes.\n\n    r = (a, b, s)\n\n    (x, y, z) = (a, b, c) + (u, v, w)\n";
+    let (document, _) = read("notes", text, Format::Text);
+    let rows = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(&formula.rows),
+        _ => None,
+    });
+    let lines = rows.flatten().filter(|row| matches!(row, Row::Line(_)));
+    assert_eq!(lines.count(), 2);
 }

@@ -200,3 +200,17 @@ fn a_display_behind_named_tensors_is_a_claim() {
     assert_eq!(text("-"), "p");
     assert_eq!(text("+"), "r");
 }
+
+#[test]
+fn the_tensor_about_the_mass_centre_may_have_a_letter_of_its_own() {
+    let text = |product: &str, moment: &str| {
+        verdicts(&format!(
+            "Let $I_{{xx}}, I_{{xy}}, \\dots$ be the moments and products of inertia about the point $O$, and $J_{{xx}}, J_{{xy}}, \
+             \\dots$ those about the mass centre $G$, which has the coordinates $(a, b, c)$. $I_{{xy}} = \\int xy\\,dm$. With the \
+             mass $m$\n\n$$ I_{{xx}} = J_{{xx}} + m({moment}) $$\n\n$$ I_{{xy}} = J_{{xy}} {product} mab $$\n"
+        ))
+    };
+    assert_eq!(text("+", "b^2 + c^2"), "ppp");
+    assert_eq!(text("-", "b^2 + c^2"), "ppr");
+    assert_eq!(text("+", "a^2 + c^2"), "prp");
+}

@@ -114,3 +114,16 @@ fn a_matrix_that_takes_components_to_other_axes_turns_them() {
     assert!(verdicts(&text(r"\operatorname{tr}\mathbf I")).ends_with('p'));
     assert!(verdicts(&text(r"2\operatorname{tr}\mathbf I")).ends_with('r'));
 }
+
+#[test]
+fn words_call_other_letters_unit_vectors() {
+    let text = |third: &str| {
+        verdicts(&format!(
+            "The unit vectors $\\mathbf a_1$, $\\mathbf a_2$, $\\mathbf a_3$ lie along the principal axes of a body.\n\n\
+             $$ \\boldsymbol\\omega = \\omega_1\\mathbf a_1 + \\omega_2\\mathbf a_2 + \\omega_3\\mathbf a_3 $$\n\n\
+             $$ \\mathbf L = I_1\\omega_1\\mathbf a_1 + I_2\\omega_2\\mathbf a_2 + {third}\\omega_3\\mathbf a_3 $$\n"
+        ))
+    };
+    assert!(text("I_3").ends_with('p'), "{}", text("I_3"));
+    assert!(text("I_2").ends_with('r'), "{}", text("I_2"));
+}

@@ -21,8 +21,8 @@ pub(crate) fn is_greek(word: &str) -> bool {
 }
 
 const WORDS: &[&str] = &[
-    "sin", "cos", "tan", "cot", "exp", "ln", "log", "sqrt", "det", "arctan", "arcsin", "arccos",
-    "sinh", "cosh", "tanh", "cross", "skew", "sum",
+    "sin", "cos", "tan", "cot", "exp", "ln", "log", "sqrt", "det", "tr", "arctan", "arcsin",
+    "arccos", "sinh", "cosh", "tanh", "cross", "skew", "sum",
 ];
 
 /// Whether a word with a bracket right behind it calls a function, as programs write it: `dot(a, b)`, `inv(I)`.

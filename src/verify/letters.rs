@@ -11,6 +11,7 @@ pub(super) mod beginnings;
 pub(super) mod body;
 pub(super) mod carried_place;
 pub(super) mod carried_spin;
+pub(super) mod central_letter;
 pub(super) mod columns;
 pub(super) mod convention;
 pub(super) mod custom;

@@ -24,6 +24,14 @@ const DOT: &str = ".";
 
 const ARROWS: &[&str] = &["=>", "==>", "->", "-->", "<=>", "⇒", "⟹", "→", "⇔", "∴"];
 
+/// Whether a word is a bracket and one letter of a list: the beginning of `(a, b, c)`.
+fn opens_list(word: &str) -> bool {
+    let inside = word
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(','));
+    inside.is_some_and(|letter| letter.len() == 1 && letter.chars().all(char::is_alphabetic))
+}
+
 fn look(word: &str) -> Look {
     let core = word.trim_matches(['.', ',', ';', ':']);
     if ARROWS.contains(&core) {
@@ -45,7 +53,7 @@ fn look(word: &str) -> Look {
     if strong || known(core) || product || is_rate(core) || is_called_by_word(core) {
         return Look::Strong;
     }
-    if word == DOT {
+    if word == DOT || opens_list(word) {
         return Look::Weak;
     }
     if core.contains(['/', '^', '*']) && is_unit(core) {

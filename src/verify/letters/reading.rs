@@ -125,6 +125,8 @@ pub(crate) struct Reading {
     pub moments: Vec<NamedMoment>,
     /// Whether the words name products of inertia.
     pub speaks_of_products: bool,
+    /// The letter of the unit vectors along the axes, where it is none of the usual ones.
+    pub unit_vectors: Option<Letter>,
     /// Whether the words have axes that do not spin with the body.
     pub axes_without_spin: bool,
     /// Whether the words turn from lettered axes to numbered ones that are principal.
@@ -167,6 +169,7 @@ impl Reading {
         reading.by_moments(document);
         reading.flat = reading.is_flat();
         reading.axes_without_spin = document.says(WITHOUT_SPIN);
+        reading.note_unit_vectors(document);
         reading.note_totals(document);
         reading.note_periods(document);
         reading.note_arms(document);
@@ -256,6 +259,23 @@ impl Reading {
             && used.bare == 0
             && met.is_some_and(|all| all.iter().all(|s| axis(s).is_some()))
             && !self.left_sides.contains(letter)
+    }
+
+    /// The letter of three numbered vectors that words call unit vectors: "the unit vectors ⟨a_1⟩, ⟨a_2⟩, ⟨a_3⟩".
+    fn note_unit_vectors(&mut self, document: &Text) {
+        let usual = ["e", "b", "n", "u", "E"].map(Letter::plain);
+        self.unit_vectors = document.sentences().iter().find_map(|sentence| {
+            let text = sentence.named();
+            let (_, behind) = text.split_once("unit vectors")?;
+            let name = behind.split_once('⟨')?.1.split('⟩').next()?.to_owned();
+            let letter = Letter::plain(&name);
+            let numbered = |index: &str| {
+                let mut symbols = sentence.symbols().map(|(symbol, _)| symbol);
+                symbols.any(|s| s.name == name && s.style.vector && s.subscripts == [index])
+            };
+            let triad = ["1", "2", "3"].iter().all(|index| numbered(index));
+            (triad && !usual.contains(&letter)).then_some(letter)
+        });
     }
 
     /// The letters of the attitude, those apart that stand for something else.

@@ -198,7 +198,22 @@ impl TwoPoints {
             }))
         };
         let indexed = || indexed().filter(|_| self.vector.is_none());
-        listed.or_else(custom).or_else(indexed)
+        // Plain text has letters as words: "the coordinates a, b, c".
+        let spelled = || {
+            let lists = ["a, b, c", "a, b and c"];
+            let said = document.items.iter().any(|item| match item {
+                Item::Prose { text, .. } => {
+                    text.contains("coordinates") && lists.iter().any(|list| text.contains(list))
+                }
+                _ => false,
+            });
+            let list = ["a", "b", "c"].map(|name| Symbol {
+                name: name.to_owned(),
+                ..Symbol::default()
+            });
+            Some(list).filter(|list| said && met(list))
+        };
+        listed.or_else(custom).or_else(indexed).or_else(spelled)
     }
 
     /// Two moments about one axis each, in a line with the square of what the words call a distance.

@@ -238,7 +238,8 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     {
         return Some(Meaning::UnitVector(component));
     }
-    let basis = matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
+    let named = reading.unit_vectors.as_ref() == Some(&Letter::of(symbol));
+    let basis = named || matches!(symbol.name.as_str(), "e" | "b" | "n" | "u" | "E");
     if basis
         && (symbol.style.hat
             || symbol.style.vector
