@@ -169,3 +169,14 @@ fn an_index_may_be_summed_over_in_one_component() {
     assert!(text("I_{2l}").ends_with('p'), "{}", text("I_{2l}"));
     assert!(text("I_{1l}").ends_with('r'), "{}", text("I_{1l}"));
 }
+
+#[test]
+fn the_law_of_a_running_index_holds_on_axes_that_do_not_turn() {
+    let text = |lead: &str| {
+        verdicts(&format!(
+            "Repeated indices are summed. $L_i = I_{{ij}}\\omega_j$. {lead}\n\n$$ N_i = \\frac{{dL_i}}{{dt}} $$\n"
+        ))
+    };
+    assert_eq!(text("The law is"), "pp");
+    assert_eq!(text("On body axes"), "pr");
+}

@@ -178,3 +178,25 @@ fn one_of_eulers_equations_may_stand_for_the_three() {
     assert!(text("I_1").ends_with("pp"), "{}", text("I_1"));
     assert!(text("I_2").ends_with("rp"), "{}", text("I_2"));
 }
+
+#[test]
+fn a_simpler_law_takes_the_place_of_the_law_before() {
+    let text = |more: &str| {
+        verdicts(&format!(
+            "The body obeys $I\\dot{{\\vec\\omega}} + \\vec\\omega\\times I\\vec\\omega = \\vec u$ with the control torque $\\vec u$. \\
+             Choose, with a gain $k$ greater than zero,\n\n\
+             $$ \\vec u = \\vec\\omega\\times I\\vec\\omega - kI\\vec\\omega $$\n\nso that\n\n\
+             $$ \\dot{{\\vec\\omega}} = -k\\vec\\omega $$\n\n{more}\n"
+        ))
+    };
+    let simpler = r"With the simpler law without cancellation, that is $\vec u = -kI\vec\omega$, one has
+
+$$ I\dot{\vec\omega} = -kI\vec\omega - \vec\omega\times I\vec\omega $$
+";
+    assert!(text(simpler).ends_with("apap"), "{}", text(simpler));
+    let claimed = r"Therefore
+
+$$ \vec u = -kI\vec\omega $$
+";
+    assert!(text(claimed).ends_with("r"), "{}", text(claimed));
+}

@@ -2,6 +2,7 @@
 
 pub(super) mod accept;
 pub(super) mod angle_between;
+mod another_law;
 pub(super) mod at_the_start;
 pub(super) mod at_the_step;
 pub(super) mod attitude_given;

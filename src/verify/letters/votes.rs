@@ -262,7 +262,14 @@ impl Reading {
                     .iter()
                     .all(|i| self.usage.has_index(letter, i));
                 let values = letter.name == "lambda" && numbered && used.vector == 0 && !beside;
-                (usual || values) && !self.components.contains_key(letter)
+                // Words may give the whole tensor another letter, which stands before vectors alone.
+                let more = |t: &Letter| {
+                    let used = self.usage.get(t);
+                    used.naked + used.tensor + used.double > 0
+                };
+                let whole = used.component + used.double == 0 && !tensors.iter().any(more);
+                let other = matches!(letter.name.as_str(), "D" | "K" | "S" | "P") && whole;
+                (usual || values || other) && !self.components.contains_key(letter)
             }
             // Beside an ω with components, Ω turns something else.
             Quantity::AngularVelocity

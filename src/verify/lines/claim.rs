@@ -66,7 +66,11 @@ impl Checker<'_> {
             if open && self.proved_on_space_axes(sides, finding) {
                 return;
             }
-            if !open && self.proved_about_the_spin(sides, finding) {
+            if !open
+                && (self.is_law_in_space(sides, finding)
+                    || self.chooses_another_law(sides, finding)
+                    || self.proved_about_the_spin(sides, finding))
+            {
                 return;
             }
             if !open && self.names_components(sides, finding) {

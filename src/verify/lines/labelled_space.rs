@@ -3,15 +3,17 @@
 //! With every component turned there they grow beyond what is computed. On axes that do not turn they are short, and hold
 //! there whatever the attitude is.
 
-use crate::notation::ast::{Node, Symbol};
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::source::Span;
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::symbols;
+use crate::verify::letters::usage::{Letter, inner, symbols};
 use crate::verify::theory::decide::{Decision, decide};
 use crate::verify::theory::law::Axes;
-use crate::verify::values::quantity::Shape;
+use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::spatial::{all_in_space, without_label};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::Finding;
+use crate::verify::words::book::{has_any, lowered};
 
 impl Checker<'_> {
     /// Proves a line on axes that do not turn, from what holds on all axes.
@@ -36,6 +38,35 @@ impl Checker<'_> {
                 }
             });
         }
+        self.decided_in_space(&bare, finding)
+    }
+
+    /// Proves the law `N_i = dL_i/dt` of a running index, where nothing before it puts the axes into the body: there it
+    /// holds on axes that do not turn.
+    pub(crate) fn is_law_in_space(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let [left, right] = sides else { return false };
+        let (Kind::Symbol(moment), Kind::TimeDerivative { operand, .. }) =
+            (&inner(left).kind, &inner(right).kind)
+        else {
+            return false;
+        };
+        let Kind::Symbol(momentum) = &inner(operand).kind else {
+            return false;
+        };
+        let of =
+            |s: &Symbol, quantity| self.reading.quantities.get(&Letter::of(s)) == Some(&quantity);
+        let law = of(moment, Quantity::Moment)
+            && of(momentum, Quantity::Momentum)
+            && moment.subscripts == momentum.subscripts;
+        let summed = self.reading.summed.as_ref();
+        let running = summed.is_some_and(|indices| indices.wrote(finding.span));
+        let before = Span::new(0, finding.span.start as usize);
+        let before = lowered(self.document.source.slice(before));
+        let in_body = has_any(&before, &["in the body", "body axes", "body frame"]);
+        law && running && !in_body && self.decided_in_space(sides, finding)
+    }
+
+    fn decided_in_space(&mut self, bare: &[Node], finding: &mut Finding) -> bool {
         let before = self.theory.clone();
         let parted: Vec<String> = before
             .premises()
@@ -50,7 +81,7 @@ impl Checker<'_> {
             setting.attitude.rate_in_space = true;
         });
         let mut proved = false;
-        for read in self.readings(&bare).unwrap_or_default() {
+        for read in self.readings(bare).unwrap_or_default() {
             if let Decision::True(proof) = decide(&mut self.theory, &read.equations) {
                 self.proved(&read, proof, finding);
                 proved = true;

@@ -4,6 +4,7 @@
 
 use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol, Term};
 use crate::notation::document::{Document, Item, Row};
+use crate::source::Span;
 use crate::verify::letters::usage::symbols;
 use crate::verify::lines::defined_squares::is_two;
 use crate::verify::lines::index::{MOST_NODES, size};
@@ -131,6 +132,11 @@ impl Indices {
         self.written
             .iter()
             .find(|written| written.span == line.span)
+    }
+
+    /// Whether a line that stands here has a running index.
+    pub(crate) fn wrote(&self, span: Span) -> bool {
+        self.written.iter().any(|written| written.span == span)
     }
 
     /// An expression in passing names the whole: `$L_i$` is the vector.

@@ -325,6 +325,8 @@ pub(super) const NO_ROLE: &[&str] = &[
     "same set",
     "full set",
     "complete set",
+    "expressed with",
+    "written with",
     "comparing with",
     "compared with",
     "comparison with",

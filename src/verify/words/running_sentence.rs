@@ -125,7 +125,11 @@ impl Checker<'_> {
             || said
                 .rfind(" with ")
                 .is_some_and(|at| said[at..].matches('⟩').count() == 1);
+        // "Choose, with a gain ⟨k⟩ greater than zero," and the display: what is chosen.
+        let chosen = ["Choose", "Take", "Pick", "We choose", "We take"];
+        let chosen = chosen.iter().any(|verb| said.starts_with(verb));
         let clause = display
+            && !chosen
             && (closed.is_some_and(ends_with_condition)
                 || opened && ["⟩", "⟩,", "⟩:"].iter().any(|end| said.ends_with(end)));
         match role {
