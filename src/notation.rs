@@ -13,6 +13,7 @@ mod front_matter;
 mod habits;
 mod latex;
 mod lexer;
+mod long_lines;
 mod macros;
 mod markdown;
 mod notebook;
@@ -32,6 +33,7 @@ use crate::source::{Source, Span};
 use delimiters::Region;
 use document::{Document, Format, Formula, Item, Row};
 use parse::rows::Reading;
+use std::borrow::Cow;
 use std::path::Path;
 use token::Letters;
 use triads::Triads;
@@ -104,6 +106,11 @@ fn read_items(
             items: vec![],
         },
     };
+    let text = match format {
+        Format::Notebook => Cow::Borrowed(text),
+        _ => long_lines::blanked(text, format, troubles),
+    };
+    let text = text.as_ref();
     let macros = |text: &str| Macros::collect(text).with_decimal_comma(decimal_comma);
     match format {
         Format::Notebook => {}

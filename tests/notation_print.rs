@@ -326,3 +326,21 @@ fn a_lone_x_between_operands_is_printed_as_a_factor() {
     assert_eq!(text, "L * x M");
     assert_eq!(plain(&text), outline::node(&tree));
 }
+
+#[test]
+fn a_bracket_behind_dots_is_printed_as_a_factor() {
+    let one = Kind::Symbol(Symbol {
+        name: "I".to_owned(),
+        ..Symbol::default()
+    });
+    let factor = |kind: Kind| Factor {
+        operator: Operator::Juxtaposed,
+        sign: Span::default(),
+        node: node(kind),
+    };
+    let bracket = Kind::Group(Bracket::Round, boxed(one));
+    let tree = node(Kind::Product([Kind::Ellipsis, bracket].map(factor).into()));
+    assert_eq!(print::latex(&tree), r"\ldots * (I)");
+    assert_eq!(latex(&print::latex(&tree)), outline::node(&tree));
+    assert_eq!(plain(&print::unicode(&tree)), outline::node(&tree));
+}

@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::notation::document::{Cell, Document, Format, FrontMatter, Item};
 use crate::notation::macros::Macros;
-use crate::notation::{front_matter, markdown};
+use crate::notation::{front_matter, long_lines, markdown};
 use crate::source::{Source, Span};
 use serde_json::Value;
 
@@ -34,11 +34,12 @@ pub(crate) fn read(
         }
     }
     let mut front = FrontMatter::default();
-    let macros = Macros::collect(&joined).with_decimal_comma(decimal_comma);
+    let shown = long_lines::blanked(&joined, Format::Notebook, troubles);
+    let macros = Macros::collect(&shown).with_decimal_comma(decimal_comma);
     let mut items: Vec<Item> = vec![];
     for (n, cell) in cells.iter().enumerate() {
         let start = cell.span.start as usize;
-        let body = &joined[cell.span.range()];
+        let body = &shown[cell.span.range()];
         let skip = if n == 0 {
             front_matter::take(body, &mut front, troubles)
         } else {
@@ -49,7 +50,7 @@ pub(crate) fn read(
     }
     Document {
         format: Format::Notebook,
-        source: Source::new(name, joined),
+        source: Source::new(name, joined.as_str()),
         cells,
         front_matter: front,
         macros,

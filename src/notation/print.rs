@@ -144,6 +144,13 @@ impl Form {
                 {
                     " * "
                 }
+                // Behind dots a bracket would hold the number of the equation.
+                Operator::Juxtaposed
+                    if printed.starts_with('(')
+                        && matches!(factors[i - 1].node.kind, Kind::Ellipsis) =>
+                {
+                    " * "
+                }
                 // A bracket close behind a letter would hold its arguments.
                 Operator::Juxtaposed if printed.starts_with('(') => "\\,",
                 // Between operands a lone x would be the sign of a cross product.
