@@ -85,3 +85,28 @@ $$ \kappa^2 = \frac{{(I_3 - I_2)({square})}}{{I_1 I_3}}\,\Omega^2 $$
     assert_eq!(verdicts(&document("I_2 - I_1")), "aaapp");
     assert!(!verdicts(&document("I_1 - I_2")).ends_with(['p', 'a']));
 }
+
+#[test]
+fn two_lines_do_not_solve_one_equation_of_motion() {
+    let text = |exponent: &str| {
+        verdicts(&format!(
+            "The function obeys $\\dot V = -2kV$. Then\n\n$$ V(t) = V(0)e^{{-2kt}} $$\n\n\
+             $$ V(t) = V(0)e^{{{exponent}}} $$\n"
+        ))
+    };
+    assert_eq!(text("-2kt"), "aap");
+    assert_eq!(text("-kt"), "aar");
+}
+
+#[test]
+fn an_angular_velocity_decays_as_a_vector() {
+    let text = |exponent: &str| {
+        verdicts(&format!(
+            "With the control torque $u = \\omega\\times I\\omega - kI\\omega$ the body obeys\n\n\
+             $$ \\dot{{\\vec\\omega}} = -k\\vec\\omega $$\n\n\
+             $$ \\vec\\omega(t) = e^{{{exponent}}}\\vec\\omega(0) $$\n"
+        ))
+    };
+    assert!(text("-kt").ends_with("pa"), "{}", text("-kt"));
+    assert!(text("-2kt").ends_with("pr"), "{}", text("-2kt"));
+}

@@ -37,22 +37,27 @@ impl Checker<'_> {
         let (Ok(left), Ok(right)) = (lowering.value(left), lowering.value(right)) else {
             return false;
         };
-        let (Some(left), Some(right)) = (left.as_scalar().cloned(), right.as_scalar().cloned())
-        else {
-            return false;
-        };
-        let Some(factor) = self.growth(&right) else {
-            return false;
-        };
-        if left.numerator().len() > LONGEST {
+        // The rate of another vector is not that of its components, whose axes turn.
+        let as_components = left.is_scalar() || left.entries.iter().all(|e| self.is_spin(e));
+        if !as_components || left.entries.len() != right.entries.len() {
             return false;
         }
-        let [first, second] = [&left, &right].map(|side| self.at_time_zero(side, Self::start_of));
-        if !self.theory.kernels_reduced(first - second).is_zero() {
-            return false;
+        let mut equations = vec![];
+        for (left, right) in left.entries.into_iter().zip(right.entries) {
+            let Some(factor) = self.growth(&right) else {
+                return false;
+            };
+            if left.numerator().len() > LONGEST {
+                return false;
+            }
+            let [first, second] =
+                [&left, &right].map(|side| self.at_time_zero(side, Self::start_of));
+            if !self.theory.kernels_reduced(first - second).is_zero() {
+                return false;
+            }
+            let (rate, multiple) = (self.theory.atoms.derivative(&left), factor * left);
+            equations.push(Equation::of_scalars(rate, multiple));
         }
-        let (rate, multiple) = (self.theory.atoms.derivative(&left), factor * left);
-        let mut equations = vec![Equation::of_scalars(rate, multiple)];
         let to_order = self.keep_order(&mut equations);
         match decide(&mut self.theory, &equations) {
             Decision::True(_) => {
@@ -76,6 +81,15 @@ impl Checker<'_> {
             _ => return false,
         }
         true
+    }
+
+    /// Whether a value is a component of an angular velocity.
+    fn is_spin(&self, value: &Fraction) -> bool {
+        let owner = |entity| &self.theory.atoms.info(entity).owner;
+        let entity = value
+            .as_variable()
+            .and_then(|v| self.theory.atoms.entity_of(v));
+        entity.is_some_and(|e| matches!(owner(e), Owner::Quantity(Quantity::AngularVelocity, _)))
     }
 
     /// Whether the imaginary unit stands in equations.

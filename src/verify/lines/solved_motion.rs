@@ -133,8 +133,7 @@ impl Checker<'_> {
         for _ in 0..2 {
             rate = self.theory.atoms.derivative(&rate);
             slope = self.theory.atoms.derivative(&slope);
-            let factor = self.factor_between(&slope, &given);
-            let Some(factor) = factor.filter(|factor| lasts(&mut self.theory, factor)) else {
+            let Some(factor) = self.factor_between(&slope, &given) else {
                 continue;
             };
             let equations = vec![Equation::of_scalars(rate.clone(), factor * own.clone())];
@@ -156,7 +155,7 @@ impl Checker<'_> {
         }
     }
 
-    /// What an expression is times another one.
+    /// What an expression is times another one, if that does not change.
     fn factor_between(&mut self, value: &Fraction, of: &Fraction) -> Option<Fraction> {
         let moves = |v: &Variable| matches!(self.theory.atoms.atom(*v), Atom::Part { .. });
         let mut linear = of.variables().into_iter().filter(moves).filter_map(|v| {
@@ -173,8 +172,10 @@ impl Checker<'_> {
         ]
         .map(Fraction::from);
         let factor = theirs * above / (own * below);
+        // A factor that moves may have poles, beyond which a start at nothing says nothing.
         let rest = value.clone() - factor.clone() * of.clone();
-        self.theory.normal(&rest).is_zero().then_some(factor)
+        let whole = self.theory.normal(&rest).is_zero();
+        (whole && lasts(&mut self.theory, &factor)).then_some(factor)
     }
 }
 
