@@ -264,3 +264,43 @@ fn the_mean_of_a_step_may_be_named_behind_it() {
     assert!(wrong.ends_with("rp") || wrong.ends_with("up"), "{wrong}");
     assert!(!text(rule, "-", "-").contains("aapp"));
 }
+
+#[test]
+fn an_implicit_step_gives_the_momentum_behind_it() {
+    let text = |step: &str, kept: &str| {
+        verdicts(&format!(
+            "No external torque. All vectors are on body axes, $J$ is the constant inertia matrix. $\\omega = J^{{-1}}L$. \
+             The step is\n\n$$ L_{{k+1}} = L_k + {step} $$\n\n$$ {kept} $$\n"
+        ))
+    };
+    let mean = r"h\,\bar L\times J^{-1}\bar L,\qquad \bar L = \tfrac12(L_k + L_{k+1})";
+    let energy = r"L_{k+1}\cdot J^{-1}L_{k+1} = L_k\cdot J^{-1}L_k";
+    assert_eq!(text(mean, energy), "paap");
+    assert_eq!(text(mean, r"|L_{k+1}|^2 = |L_k|^2"), "paap");
+    let backward = r"h\,L_{k+1}\times J^{-1}L_{k+1}";
+    let shrunk = |sign: &str| format!("|L_{{k+1}}|^2 = |L_k|^2 {sign} |L_{{k+1}} - L_k|^2");
+    assert_eq!(text(backward, &shrunk("-")), "pap");
+    assert!(!text(backward, &shrunk("+")).ends_with(['p', 'a']));
+}
+
+#[test]
+fn the_mean_moves_with_the_state_behind_the_step() {
+    let text = |half: &str| {
+        verdicts(&format!(
+            r"No external torque. All vectors are on body axes, $J$ is the constant inertia matrix. We advance the angular momentum $\Pi$, $\Omega = J^{{-1}}\Pi$, by hats $\widehat{{a}}\,b = a\times b$. Let the midpoint be
+
+$$ \bar\Pi = \tfrac12(\Pi_n + \Pi_{{n+1}}) $$
+
+and let $\bar\Omega = J^{{-1}}\bar\Pi$. The residual in the unknown $\Pi_{{n+1}}$ is, by definition,
+
+$$ R(\Pi_{{n+1}}) = \Pi_{{n+1}} - \Pi_n - h\,\bar\Pi\times J^{{-1}}\bar\Pi $$
+
+and the matrix for Newton's method is
+
+$$ \frac{{\partial R}}{{\partial\Pi_{{n+1}}}} = \mathbf{{1}} - {half}\left(\widehat{{\bar\Pi}}\,J^{{-1}} - \widehat{{\bar\Omega}}\right) $$
+"
+        ))
+    };
+    assert!(text(r"\frac h2").ends_with("aaap"), "{}", text(r"\frac h2"));
+    assert!(text("h").ends_with("aaar"), "{}", text("h"));
+}

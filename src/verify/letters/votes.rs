@@ -10,8 +10,8 @@ use crate::verify::words::legend::{
     names_wheel_speeds,
 };
 use crate::verify::words::phrases::{
-    apposition, calls_identity, letters_named, lists_moments, reaches, said_after, said_before,
-    speaks_of_wheels,
+    apposition, calls_identity, letters_named, lists_moments, names_the_identity, reaches,
+    said_after, said_before, speaks_of_wheels,
 };
 use crate::verify::words::prose::turns_to_numbered_axes;
 use crate::verify::words::residuals::names_a_residual;
@@ -106,6 +106,9 @@ impl Reading {
                     }
                     if names_the_lagrangian(&before) {
                         self.apart.extend(named.iter().take(1).cloned());
+                    }
+                    if names_the_identity(&before) {
+                        self.identities.extend(named.iter().take(1).cloned());
                     }
                     if names_a_size(&before) {
                         self.apart.extend(named.iter().cloned());

@@ -224,6 +224,7 @@ impl Checker<'_> {
             || self.is_principal_moment(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.names_the_mean(&sides, finding)
+            || self.steps_implicitly(&sides, role, finding)
             || self.defines(&sides, line, role, finding)
             || self.turns_to_step(&sides, role, finding)
             || !line.continues && self.slips_in_rates(line, finding)

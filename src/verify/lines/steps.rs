@@ -2,7 +2,7 @@
 //! another step, and what the one before it said of the velocity behind the step is over.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Term};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
@@ -70,6 +70,54 @@ impl Checker<'_> {
         self.steps.clear();
         self.end_premises(&ended);
         self.accept_definition(sides, finding)
+    }
+
+    /// Takes in a step that gives the state behind it by this state itself, or by a mean of both.
+    pub(crate) fn steps_implicitly(
+        &mut self,
+        sides: &[Node],
+        role: Role,
+        finding: &mut Finding,
+    ) -> bool {
+        let [left, right] = sides else { return false };
+        let behind = match &inner(left).kind {
+            Kind::Symbol(symbol) => self.entity_named(symbol),
+            _ => None,
+        };
+        let Some((behind, label)) = behind.and_then(|e| Some((e, self.label_of_state(e)?))) else {
+            return false;
+        };
+        let Some((before, _)) = label.split_once('+') else {
+            return false;
+        };
+        let Ok(value) = self.lowering(Frame::Moving).value(right) else {
+            return false;
+        };
+        let known = value.entries.iter().map(|entry| self.theory.normal(entry));
+        let known: BTreeSet<Variable> = known
+            .collect::<Vec<_>>()
+            .iter()
+            .flat_map(Fraction::variables)
+            .collect();
+        let within: BTreeSet<Entity> = known
+            .into_iter()
+            .filter_map(|v| self.theory.atoms.entity_of(v))
+            .collect();
+        let of_mean = |entity: &Entity| {
+            let label = self.label_of_state(*entity);
+            *entity == behind || label.is_some_and(|label| label != before) && self.is_free(*entity)
+        };
+        within.iter().any(of_mean) && self.turns_to_step(&as_increment(left, right), role, finding)
+    }
+
+    /// The label of a velocity or a momentum.
+    fn label_of_state(&self, entity: Entity) -> Option<String> {
+        match &self.theory.atoms.info(entity).owner {
+            Owner::Quantity(Quantity::AngularVelocity | Quantity::Momentum, label) => {
+                Some(label.clone())
+            }
+            _ => None,
+        }
     }
 
     /// Takes in the mean of the states before and behind a step, `\bar\omega = ½(ω_{k+1} + ω_k)`, of which the step that
@@ -175,6 +223,35 @@ impl Checker<'_> {
         let count = |of: Quantity| owners.iter().filter(|o| is(o, of)).count();
         let velocities = count(Quantity::AngularVelocity);
         velocities > 1 && count(Quantity::Inertia) > 0
-            || count(Quantity::Momentum) > 1 && velocities > 0
+            || count(Quantity::Momentum) > 1 && velocities + count(Quantity::Inertia) > 0
     }
+}
+
+/// `a' = a + h f` as `a' - a = h f`: the step is not solved for what it does not give alone.
+fn as_increment(left: &Node, right: &Node) -> [Node; 2] {
+    let Kind::Sum(terms) = &inner(right).kind else {
+        return [left.clone(), right.clone()];
+    };
+    let lone = |term: &Term| matches!(inner(&term.node).kind, Kind::Symbol(_));
+    let (states, rest): (Vec<Term>, Vec<Term>) = terms.iter().cloned().partition(lone);
+    if states.is_empty() || rest.is_empty() {
+        return [left.clone(), right.clone()];
+    }
+    let whole = Term {
+        negative: false,
+        sign: left.span,
+        node: left.clone(),
+    };
+    let states = states.into_iter().map(|term| Term {
+        negative: !term.negative,
+        ..term
+    });
+    let sum = |terms: Vec<Term>, span| Node {
+        kind: Kind::Sum(terms),
+        span,
+    };
+    [
+        sum(std::iter::once(whole).chain(states).collect(), left.span),
+        sum(rest, right.span),
+    ]
 }

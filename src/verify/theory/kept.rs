@@ -211,15 +211,19 @@ impl Theory {
         [false, true].into_iter().find_map(|rates| {
             let (facts, values) = self.related_values(&done.rest, rates);
             let nonzero = self.nonzero(&done.rest, &values, divisors);
-            let reduction = reduce_where(&done.rest, &values, &nonzero, BUDGET);
-            let Reduction::Zero(certificate) = reduction else {
-                return None;
-            };
-            self.solution.ledger.divide_by(&certificate.multiplier);
-            done.vanishes_by(
-                certificate.multiplier,
-                facts.into_iter().zip(certificate.cofactors),
-            )
+            // What the equation divides by, det I say, the relations may be multiplied by.
+            let sums = divisors.iter().filter(|d| d.len() > 1);
+            let factors = std::iter::once(Polynomial::one()).chain(sums.map(|&d| d.clone()));
+            factors.into_iter().find_map(|factor| {
+                let rest = done.rest.product_within(&factor, MOST_TERMS * 4)?;
+                let reduction = reduce_where(&rest, &values, &nonzero, BUDGET);
+                let Reduction::Zero(certificate) = reduction else {
+                    return None;
+                };
+                let multiplier = certificate.multiplier * factor;
+                self.solution.ledger.divide_by(&multiplier);
+                done.vanishes_by(multiplier, facts.iter().copied().zip(certificate.cofactors))
+            })
         })
     }
 

@@ -2,6 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{FrameLabel, Function, Kind, Node, Symbol};
+use crate::source::Span;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
 use crate::verify::names;
 use crate::verify::theory::law::Dynamics;
@@ -301,6 +302,22 @@ impl Lowering<'_> {
             place.map_or_else(|| variable_fraction(v), |i| at[i].clone())
         };
         Ok(Some(value.map(|entry| substituted(entry, &image))))
+    }
+
+    /// Refuses the component f₁ of a function f(ω) that stands without an argument where steps are counted: nothing says at
+    /// which of them it is meant.
+    pub(crate) fn is_taken_somewhere(&self, symbol: &Symbol, span: Span) -> Result<(), Trouble> {
+        let whole = Symbol {
+            subscripts: vec![],
+            ..symbol.clone()
+        };
+        let component = matches!(symbol.subscripts.as_slice(), [index] if axis(index).is_some());
+        let part = component && self.function_of(&whole).is_some();
+        if !part || !self.reading.usage.counts_steps() {
+            return Ok(());
+        }
+        let message = format!("nothing before says where `{}` is taken", symbol.name);
+        Err(trouble(TroubleKind::Unsupported, span, message))
     }
 
     /// The function that the document gave a name, or a component of it: the f₁ of `f_1(\omega)`.

@@ -172,6 +172,11 @@ impl Lowering<'_> {
                 return Err(unsupported(variable.span, message));
             }
             if variables.len() == 1
+                && let Some(slope) = self.slope_behind_a_step(operand, &value, &by)
+            {
+                return Ok(slope);
+            }
+            if variables.len() == 1
                 && let Some(slope) = self.slope_of_function(operand, &by)
             {
                 return Ok(slope);

@@ -95,6 +95,7 @@ impl Lowering<'_> {
                 if self.in_space {
                     meaning = in_space(meaning, &mut self.theory.atoms);
                 }
+                self.is_taken_somewhere(symbol, node.span)?;
                 let value = self.meaning_value(meaning, 0);
                 if self.reading.marks_skew(symbol) {
                     return value.skew().map_err(ill);

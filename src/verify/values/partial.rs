@@ -3,13 +3,56 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::letters::usage::inner;
+use crate::verify::theory::law::Dynamics;
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
-use crate::verify::values::lower::{Lowering, substituted};
+use crate::verify::values::lower::{Lowering, put_in, substituted};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use num_traits::Zero;
+use std::collections::HashMap;
 
 impl Lowering<'_> {
+    /// The derivative in the state behind a step, `\partial R/\partial\omega_{k+1}`: that state is the unknown, so that
+    /// the step does not give it, and the mean that is made of it moves along. `None` in any other state.
+    pub(crate) fn slope_behind_a_step(
+        &mut self,
+        operand: &Node,
+        value: &Value,
+        by: &Value,
+    ) -> Option<Value> {
+        let places: Option<Vec<u32>> = by.entries.iter().map(Fraction::as_variable).collect();
+        let places = places?;
+        let behind = |v: &u32| matches!(self.theory.atoms.owner(*v), Some(Owner::Quantity(_, label)) if label.contains('+'));
+        if !places.iter().all(behind) {
+            return None;
+        }
+        let mut left_out = self.theory.left_out.clone();
+        let mut means = HashMap::new();
+        for premise in self.theory.premises() {
+            for residual in &premise.residuals {
+                if !residual.variables().iter().any(|v| places.contains(v)) {
+                    continue;
+                }
+                left_out.insert(premise.name.clone());
+                means.extend(mean_in(residual, &premise.preferred, &places));
+            }
+        }
+        let function = match &inner(operand).kind {
+            Kind::Symbol(symbol) => self.function_of(symbol).map(|function| function.value),
+            _ => None,
+        };
+        let written = function.unwrap_or_else(|| value.clone());
+        // A residual is made of a mean, which is made of the state.
+        let once = written.map(|entry| put_in(entry, &means));
+        let written = once.map(|entry| put_in(entry, &means));
+        let before = std::mem::replace(&mut self.theory.left_out, left_out);
+        self.with_dynamics(Dynamics::Forward, |lowering| {
+            let slope = lowering.jacobian(&written, &places);
+            lowering.theory.left_out = before;
+            slope
+        })
+    }
+
     /// Whether the bare letter that a derivative is taken in is not what the same letter with an index is made of: the ω
     /// of `\partial\omega_{k+1}/\partial\omega`, where ω_{k+1} is given by ω_k.
     pub(crate) fn is_of_another_step(
@@ -153,4 +196,26 @@ impl Lowering<'_> {
             }),
         })
     }
+}
+
+/// What a relation gives one symbol by others, if it prefers the symbol: the mean of two states.
+fn mean_in(
+    residual: &Fraction,
+    preferred: &[Variable],
+    places: &[Variable],
+) -> Option<(Variable, Fraction)> {
+    if preferred.iter().any(|v| places.contains(v)) {
+        return None;
+    }
+    let own = preferred
+        .iter()
+        .find(|v| residual.variables().contains(v))?;
+    let part = residual.numerator().coefficient_of(*own, 1);
+    let constant = [&part, residual.denominator()]
+        .iter()
+        .all(|p| p.is_constant().is_some());
+    let part = Fraction::from(part) / Fraction::from(residual.denominator().clone());
+    let mean = variable_fraction(*own) - residual.clone() / part;
+    let solved = constant && !mean.variables().contains(own);
+    solved.then_some((*own, mean))
 }

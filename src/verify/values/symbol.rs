@@ -260,6 +260,12 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
     }
 }
 
+/// Whether a label is that of a state before or behind a step, or, where steps are counted, of the mean of both.
+fn is_state(label: &str, reading: &Reading) -> bool {
+    let between = ["bar", "m", "mid", "half", "1/2", "+"];
+    step_index(label) || between.contains(&label) && reading.usage.counts_steps()
+}
+
 /// Whether this use of the letter is the quantity and not a namesake: a bare Ω in a document whose frame rate is
 /// an indexed Ω is still that; an `I_s` is a moment with a name of its own.
 fn is_quantity(
@@ -292,10 +298,9 @@ fn is_quantity(
         Quantity::Mass | Quantity::Time => !marked && sorted.variant.is_empty(),
         Quantity::AngularVelocity | Quantity::FrameRate => {
             // ω_n or ω_0 without marks, beside a vector ω, is a scalar of its own.
-            sorted.variant.is_empty() || marked || step_index(&sorted.variant)
+            sorted.variant.is_empty() || marked || is_state(&sorted.variant, reading)
         }
-        // The mean of the momenta before and behind a step.
-        Quantity::Momentum if symbol.style.bar && reading.usage.counts_steps() => true,
+        Quantity::Momentum if is_state(&sorted.variant, reading) => true,
         Quantity::Momentum | Quantity::Moment => {
             sorted.variant.is_empty()
                 || (POINTS.contains(&sorted.variant.as_str())

@@ -345,6 +345,17 @@ pub(crate) fn calls_identity(text: &str) -> bool {
     verb && article && named && matrix
 }
 
+/// Whether the words before a letter name the unit matrix: "with the unit matrix ⟨E⟩".
+pub(crate) fn names_the_identity(before: &str) -> bool {
+    let names = [
+        "unit matrix",
+        "identity matrix",
+        "unit tensor",
+        "identity tensor",
+    ];
+    names.iter().any(|name| before.trim_end().ends_with(name))
+}
+
 /// The quantity that a text names first, so many bytes from its beginning at most.
 pub(crate) fn named_first(rest: &str, within: usize) -> Option<Quantity> {
     let near = BOOK
