@@ -253,7 +253,12 @@ impl Checker<'_> {
         // A symbol that is defined here takes any shape, unless it shows one.
         let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
         let shown = sides.first().is_some_and(marked);
-        let new = sides.first().and_then(|side| self.new_symbol(side));
+        let named = |side: &Node| match &inner(side).kind {
+            Kind::Call(head, _) => (**head).clone(),
+            _ => side.clone(),
+        };
+        let new = sides.first().map(named);
+        let new = new.and_then(|side| self.new_symbol(&side));
         let defines = new.is_some_and(|(_, place)| place.is_none()) && !shown;
         let sides = if defines { &sides[1..] } else { sides };
         let index = |s: &String| axis(s).is_some() || axes(s).is_some();
