@@ -191,3 +191,16 @@ fn one_clause_may_name_two_angles() {
     assert!(text(theta, theta).ends_with("pr"));
     assert!(text(gamma, gamma).ends_with("rp"));
 }
+
+#[test]
+fn the_axis_of_a_plate_is_its_axis_of_symmetry() {
+    let text = |across: &str, along: &str| {
+        verdicts(&format!(
+            "Euler's equations without torque on principal axes with $I_1 = I_2$. The angle $\\theta$ between $\\mathbf L$ \
+             and the axis of the plate is given by\n\n\
+             $$ \\tan\\theta = \\frac{{{across}\\sqrt{{\\omega_1^2+\\omega_2^2}}}}{{{along}\\omega_3}} $$\n"
+        ))
+    };
+    assert_eq!(text("I_1", "I_3"), "ap");
+    assert_eq!(text("I_3", "I_1"), "ar");
+}

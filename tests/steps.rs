@@ -304,3 +304,31 @@ $$ \frac{{\partial R}}{{\partial\Pi_{{n+1}}}} = \mathbf{{1}} - {half}\left(\wide
     assert!(text(r"\frac h2").ends_with("aaap"), "{}", text(r"\frac h2"));
     assert!(text("h").ends_with("aaar"), "{}", text("h"));
 }
+
+#[test]
+fn the_unit_matrix_is_named_before_its_letter() {
+    let text = |step: &str, more: &str| {
+        verdicts(&format!(
+            r"A rigid body has principal moments $A$, $B$, $C$ and no external torque.
+
+$$ \dot\omega = f(\omega) $$
+
+$$ K(\omega) = \frac{{\partial f}}{{\partial\omega}} = \begin{{pmatrix}} 0 & (B-C)\omega_3/A & (B-C)\omega_2/A \\ (C-A)\omega_3/B & 0 & (C-A)\omega_1/B \\ (A-B)\omega_2/C & (A-B)\omega_1/C & 0 \end{{pmatrix}} $$
+
+The step is
+
+$$ \omega_{{n+1}} = \omega_n + h\,f(\omega_n), $$
+
+and, with the unit matrix $E$,
+
+$$ \frac{{\partial\omega_{{n+1}}}}{{\partial\omega_n}} = E + {step}\,K(\omega_n). $$
+
+{more}
+"
+        ))
+    };
+    assert_eq!(text("h", ""), "apap");
+    assert_eq!(text(r"\frac h2", ""), "apar");
+    // Which rate the bare f₁ is taken at is not said.
+    assert_eq!(text("h", r"$$ Af_1^2 + Bf_2^2 = Cf_3^2 $$"), "apapu");
+}

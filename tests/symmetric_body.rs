@@ -112,3 +112,24 @@ $$ M_z = K\dot r {last} $$
         "aappp"
     );
 }
+
+#[test]
+fn a_flat_body_obeys_the_theorem_of_perpendicular_axes() {
+    let text = |more: &str| {
+        verdicts(&format!(
+            "The lamina lies in the plane of axes 1 and 2, all principal. The perpendicular axis theorem says\n\n\
+             $$ I_1 + I_2 = I_3 $$\n\n$$ \\dot\\omega_1 = -\\omega_2\\omega_3 + M_1/I_1 $$\n\n{more}\n"
+        ))
+    };
+    assert_eq!(text(""), "ap");
+    assert_eq!(text("$$ I_1 - I_2 = I_3 $$"), "apr");
+    let disc = |sum: &str, own: &str| {
+        verdicts(&format!(
+            "A thin disc has $I_3 = \\frac12mR^2$. The perpendicular axis theorem says ${sum}$ and by symmetry\n\n\
+             $$ I_1 = I_2 = {own}mR^2 $$\n"
+        ))
+    };
+    assert_eq!(disc("I_1 + I_2 = I_3", r"\frac14"), "aap");
+    assert_eq!(disc("I_1 + I_2 = I_3", r"\frac12"), "aar");
+    assert!(!disc("I_1 + I_2 = 2I_3", r"\frac14").starts_with("aa"));
+}

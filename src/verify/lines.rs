@@ -31,6 +31,7 @@ pub(super) mod euler_angles;
 pub(super) mod euler_rates;
 pub(super) mod false_values;
 pub(super) mod first_said;
+mod flat_body;
 pub(super) mod forward;
 pub(super) mod free_inputs;
 pub(super) mod from_rest;

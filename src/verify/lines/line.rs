@@ -221,6 +221,9 @@ impl Checker<'_> {
             || self.is_angle_of_momentum(&sides, finding)
             || !self.firm && self.precesses(&sides, finding)
             || !self.firm && self.solves_motion(&sides, finding)
+            || role == Role::Claim
+                && (self.is_law_of_flat_body(&sides, finding)
+                    || self.are_equal_by_symmetry(&sides, finding))
             || self.is_principal_moment(&sides, finding)
             || self.defines_a_square(&sides, role, finding)
             || self.names_the_mean(&sides, finding)
