@@ -111,3 +111,54 @@ $$ \dot E = 0 $$
     assert_eq!(verdicts(&document("m g d\\,T_0^2")), "paapaap");
     assert_eq!(verdicts(&document("m g d\\,T_0")), "paaraap");
 }
+
+#[test]
+fn where_it_is_let_go_is_where_it_begins() {
+    for words in [
+        r"If it is let go from rest at $\theta = \theta_0$, its angular velocity follows from",
+        r"It is released from rest at $\theta = \theta_0$. Then",
+    ] {
+        let with = |square: &str| {
+            verdicts(&format!(
+                "{ABOUT_AXIS}\n\n$$ I_O\\ddot\\theta = -mgd\\sin\\theta $$\n\n{words}\n\n\
+                 $$ \\dot\\theta^2 = {square}(\\cos\\theta - \\cos\\theta_0) $$\n"
+            ))
+        };
+        assert_eq!(with(r"\frac{2mgd}{I_O}"), "paa", "{words}");
+        assert_eq!(with(r"\frac{mgd}{I_O}"), "par", "{words}");
+    }
+}
+
+#[test]
+fn an_angle_is_small_where_it_is_about_its_sine() {
+    let with = |turned: &str| {
+        verdicts(&format!(
+            "{ABOUT_AXIS}\n\n$$ I_O\\ddot\\theta = -mgd\\sin\\theta $$\n\nWith $\\sin\\theta\\approx\\theta$ this becomes\n\n\
+             $$ I_O\\ddot\\theta = {turned}mgd\\theta $$\n"
+        ))
+    };
+    assert_eq!(with("-"), "pap");
+    assert_eq!(with(""), "par");
+}
+
+#[test]
+fn a_length_may_be_any_again() {
+    let with = |moment: &str| {
+        verdicts(&format!(
+            "A uniform rod of mass $M$ and length $l$ swings about a horizontal pivot $P$ at the distance $s > 0$ from its centre of \
+             mass $G$; $\\theta$ is the angle of the rod from its position of rest. $I_G = \\frac{{1}}{{12}}Ml^2$ and $I_P = I_G + Ms^2$.\n\n\
+             With $s = l/2$ this is $I_P = \\frac13Ml^2$. We go back to a general $s$:\n\n\
+             $$ I_P\\ddot\\theta = -Mgs\\sin\\theta $$\n\n$$ {moment}\\ddot\\theta = -gs\\sin\\theta $$\n"
+        ))
+    };
+    assert!(
+        with(r"\left(\frac{l^2}{12} + s^2\right)").ends_with("appp"),
+        "{}",
+        with(r"\left(\frac{l^2}{12} + s^2\right)")
+    );
+    assert!(
+        with(r"\frac{l^2}{3}").ends_with("appr"),
+        "{}",
+        with(r"\frac{l^2}{3}")
+    );
+}

@@ -76,6 +76,7 @@ pub(super) mod put_in;
 pub(super) mod real_roots;
 pub(super) mod rigid_points;
 pub(super) mod role_by_content;
+mod scalars_of_line;
 pub(super) mod scope;
 pub(super) mod semi_axes;
 pub(super) mod shifted_axis;

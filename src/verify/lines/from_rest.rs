@@ -3,20 +3,36 @@
 //! Such a line holds just where it holds at the beginning and the difference of its sides does not change.
 
 use crate::algebra::{Fraction, Variable};
-use crate::notation::ast::Node;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::inner;
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::lower::put_in;
+use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
+use crate::verify::words::book::lowered;
 use num_traits::Zero;
 use std::collections::HashMap;
 
 const FROM_REST: &[&str] = &["from rest", "at rest", "released", "is let go"];
+
+/// Words right before where a motion starts: "let go from rest at ⟨θ = θ_0⟩".
+const LET_GO: &[&str] = &[
+    "from rest at",
+    "from rest with",
+    "from rest in",
+    "released at",
+    "released from",
+    "released with",
+    "let go at",
+    "let go from",
+    "let go with",
+];
 
 /// A difference between how a symbol changes, what it is and what it was at the beginning.
 pub(crate) struct SinceStart {
@@ -58,6 +74,36 @@ impl Checker<'_> {
         self.accept(sides, Role::Given, finding);
         let how = "it holds at the beginning, and the motion keeps to it";
         finding.remarks.push(how.to_owned());
+        true
+    }
+
+    /// Takes in where a motion starts, which it leaves at once.
+    pub(crate) fn tells_where_it_starts(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let said = lowered(&self.sentence);
+        let near = |words: &&str| {
+            let behind = said.rfind(*words).map(|at| &said[at + words.len()..]);
+            behind.is_some_and(|b| !b.contains(['⟨', ',', ';', ':']) && b.split(' ').count() < 6)
+        };
+        let [left, right] = sides else { return false };
+        let Kind::Symbol(symbol) = &inner(left).kind else {
+            return false;
+        };
+        let Meaning::Whole(entity) = self.meaning_of(symbol) else {
+            return false;
+        };
+        let info = self.theory.atoms.info(entity);
+        let moves = matches!(info.owner, Owner::Symbol(_)) && !info.constant;
+        if self.displayed
+            || !moves
+            || self.entities([right]).contains(&entity)
+            || !LET_GO.iter().any(near)
+        {
+            return false;
+        }
+        finding.verdict = Verdict::Accepted;
+        finding.role = Role::Assume;
+        finding.remarks.push("at the beginning".to_owned());
+        self.now_known(sides);
         true
     }
 

@@ -1,20 +1,18 @@
 //! One line: its equations, and its verdict by its role.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::constancy::keep_their_value;
-use crate::verify::lines::functions::gives_a_rate_by_name;
 use crate::verify::lines::given::is_zero;
 use crate::verify::reason;
 use crate::verify::theory::Name;
 use crate::verify::theory::decide::Equation;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::{Lowering, Trouble, TroubleKind};
-use crate::verify::values::quantity::{Quantity, Shape};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::{Value, units_in_size};
 use crate::verify::verdict::{Finding, Role, Verdict};
 use std::collections::BTreeSet;
@@ -207,6 +205,8 @@ impl Checker<'_> {
             self.tie_weight(&sides, finding);
         }
         let settled = self.has_both_roots(&sides, finding)
+            || self.takes_small_angle(&sides, finding)
+            || self.tells_where_it_starts(&sides, finding)
             || self.vanishes_for(&sides, finding)
             || self.is_angle_of_principal_axes(&sides, role, finding)
             || self.finds_the_root(&sides, finding)
@@ -242,54 +242,6 @@ impl Checker<'_> {
         self.leave_gain_open(gained, finding);
         self.note_flat_body(&sides, line.span);
         self.note_figures(&sides, finding);
-    }
-
-    /// A line that is ill-typed with every vector's letter a vector may make sense with the bare ones as numbers.
-    pub(crate) fn note_scalars(&mut self, sides: &[Node]) {
-        let column = |head: &Node| matches!(&inner(head).kind, Kind::Symbol(s) if self.reading.usage.is_vector(&Letter::of(s)));
-        let function =
-            |side: &Node| matches!(&inner(side).kind, Kind::Call(head, _) if column(head));
-        let names = gives_a_rate_by_name(sides) || sides.first().is_some_and(function);
-        if names || self.given_scalars(sides) {
-            return;
-        }
-        // A symbol that is defined here takes any shape, unless it shows one.
-        let marked = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s.style.vector);
-        let shown = sides.first().is_some_and(marked);
-        let named = |side: &Node| match &inner(side).kind {
-            Kind::Call(head, _) => (**head).clone(),
-            _ => side.clone(),
-        };
-        let new = sides.first().map(named);
-        let new = new.and_then(|side| self.new_symbol(&side));
-        let defines = new.is_some_and(|(_, place)| place.is_none()) && !shown;
-        let sides = if defines { &sides[1..] } else { sides };
-        let index = |s: &String| axis(s).is_some() || axes(s).is_some();
-        let bare = |s: &&Symbol| !s.style.vector && !s.subscripts.iter().any(index);
-        let bare: BTreeSet<Letter> = sides
-            .iter()
-            .flat_map(symbols)
-            .filter(bare)
-            .map(Letter::of)
-            .collect();
-        let several = |letter: &Letter| {
-            let quantity = self.reading.quantities.get(letter);
-            quantity.is_some_and(|q| q.shape() != Shape::Scalar)
-                || self.reading.usage.is_vector(letter)
-        };
-        if !bare.iter().any(several) {
-            return;
-        }
-        let tried = self.read(sides, Frame::Moving);
-        let ill_typed = tried.is_err_and(|trouble| trouble.kind == TroubleKind::IllTyped);
-        let numbers = ill_typed || defines && self.is_made_of_numbers(&sides[0], &bare);
-        if !numbers {
-            return;
-        }
-        self.reading.scalars = bare;
-        if self.read(sides, Frame::Moving).is_err() {
-            self.reading.scalars.clear();
-        }
     }
 
     /// A velocity of the origin that the document speaks of is not zero.

@@ -27,6 +27,11 @@ const FROM_REST: &[&str] = &[
     "swung through",
     "swings through",
     "deflection",
+    "position of rest",
+    "rest position",
+    "equilibrium",
+    "hanging position",
+    "lowest position",
 ];
 /// Words for the mass centre.
 const CENTRE: &[&str] = &[
@@ -73,6 +78,10 @@ impl Checker<'_> {
             .iter()
             .any(|s| CENTRES.contains(&s.as_str()));
         let named = [inertia, mass, distance, gravity].map(|s| self.entity_named(s));
+        // Both points are fixed in the body.
+        if let Some(arm) = named[2] {
+            self.theory.atoms.info_mut(arm).constant = true;
+        }
         let [inertia, mass, gravity, arm, angle] =
             [inertia, mass, gravity, distance, &swung].map(|s| self.value_of(s, sides[0].span));
         let (mass, arm, angle) = (mass?, arm?, angle?);

@@ -8,6 +8,10 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::{Name, Premise};
+use crate::verify::words::book::{has_any, lowered};
+
+/// Words that leave a value behind.
+const AGAIN: &[&str] = &["back to", "return to", "returning to", "again"];
 
 impl Checker<'_> {
     /// Whether a vector that the case at hand supposes to be something is now supposed to vanish: "with ⟨u = −Dω⟩", and then
@@ -31,6 +35,27 @@ impl Checker<'_> {
         };
         let mut premises = self.theory.premises().iter();
         premises.any(|p| supposed(p) && by_others(p))
+    }
+
+    /// Ends what lines supposed of a symbol that is any again: "we go back to a general ⟨s⟩".
+    pub(crate) fn is_any_again(&mut self, node: &Node) {
+        let said = lowered(&self.sentence);
+        let any = ["general", "arbitrary"]
+            .iter()
+            .any(|word| said.trim_end().ends_with(word));
+        let (Kind::Symbol(symbol), true) = (&inner(node).kind, any && has_any(&said, AGAIN)) else {
+            return;
+        };
+        let Some(entity) = self.entity_named(symbol) else {
+            return;
+        };
+        let atoms = &self.theory.atoms;
+        let own = |v: &u32| atoms.entity_of(*v) == Some(entity);
+        let premises = self.theory.premises().iter();
+        let supposed =
+            premises.filter(|p| p.name.starts_with("line ") && p.preferred.iter().any(own));
+        let ended = supposed.map(|p| p.name.clone()).collect();
+        self.end_premises(&ended);
     }
 
     /// Lines that say of another component that it is the symbol on the right: ⟨ω₂ = n⟩ where the line at hand has ⟨ω₃ = n⟩.

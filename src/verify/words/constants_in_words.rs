@@ -150,6 +150,7 @@ impl Checker<'_> {
         }
         self.turns_near(node);
         self.rate_of_free_motion(node);
+        self.is_any_again(node);
         self.small_before(node);
         self.turning_axes(node);
         if before.ends_with("vertical is") {

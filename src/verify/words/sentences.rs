@@ -1,6 +1,6 @@
 //! The sentences of a document, with the symbols that stand in them.
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
@@ -109,6 +109,7 @@ pub(crate) fn sentences(document: &Document, paragraphs: Paragraphs) -> Vec<Sent
                 for row in &formula.rows {
                     let lone = match row {
                         Row::Expression(node) => lone(node),
+                        Row::Line(line) => bounded(line).filter(|_| !formula.display),
                         _ => None,
                     };
                     open.push(lone.map_or(Piece::Formula, |s| Piece::Symbol(s, formula.span)));
@@ -130,6 +131,26 @@ pub(crate) fn sentences(document: &Document, paragraphs: Paragraphs) -> Vec<Sent
     all.push(open);
     all.retain(|sentence| !sentence.pieces.is_empty());
     all
+}
+
+/// The symbol that a formula bounds by a number, the s of "the distance ⟨s > 0⟩".
+fn bounded(line: &Line) -> Option<&Symbol> {
+    let [left, right] = line.sides.as_slice() else {
+        return None;
+    };
+    let bounds = |relation: &Relation| {
+        matches!(
+            relation,
+            Relation::Greater | Relation::Less | Relation::NotEqual
+        )
+    };
+    match (&left.kind, &right.kind) {
+        (Kind::Symbol(symbol), Kind::Number(_)) => {
+            let all = line.relations.iter().all(|(relation, _)| bounds(relation));
+            all.then_some(symbol)
+        }
+        _ => None,
+    }
 }
 
 /// The symbol that a formula is, the matrix `R(q)` of a quaternion included.
