@@ -315,3 +315,17 @@ fn a_label_and_brackets_stand_beside_names() {
     assert_eq!(moments("\\Theta_3 - \\Theta_2"), ["proved"]);
     assert_eq!(moments("\\Theta_2 - \\Theta_3"), ["refuted"]);
 }
+
+#[test]
+fn what_is_put_in_names_no_letter_of_the_result() {
+    let text = r"
+The axes are carried by the body. The law of angular momentum is
+
+$$\vec{M} = \left(\frac{d\vec{H}}{dt}\right)_{xyz} + \vec{\omega}\times\vec{H}$$
+
+The axes are principal. Substituting the angular momentum and collecting terms:
+
+$$M_x = I_x\dot\omega_x + (I_z-I_y)\omega_y\omega_z$$
+";
+    assert_eq!(verdicts(text), "pp");
+}

@@ -82,6 +82,7 @@ pub(super) mod semi_axes;
 pub(super) mod shifted_axis;
 pub(super) mod signs;
 pub(super) mod small;
+pub(super) mod small_angle;
 mod solved_motion;
 pub(super) mod space_line;
 pub(super) mod squares;

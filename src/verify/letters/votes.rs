@@ -288,6 +288,16 @@ impl Reading {
             }
             Quantity::Mass => used.vector + used.component == 0 && self.is_mass(letter),
             Quantity::Momentum if letter.name == "p" || used.resultant > 0 => false,
+            // Words that stand nearer to a moment than to the momentum beside it.
+            Quantity::Momentum
+                if matches!(letter.name.as_str(), "M" | "tau" | "Gamma")
+                    && ["H", "L", "h"].iter().any(|name| {
+                        let other = self.usage.get(&Letter::plain(name));
+                        other.vector + other.component > 0
+                    }) =>
+            {
+                false
+            }
             // Beside an inertia I, a vector with one index at most.
             Quantity::Momentum if letter.name == "J" => {
                 let inertia = self.usage.letters.contains_key(&Letter::plain("I"));

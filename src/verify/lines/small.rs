@@ -15,7 +15,6 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
-use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::small_words::{
     BEFORE, BEHIND, KEPT, is_hardly_changed, takes_first_order,
 };
@@ -112,29 +111,7 @@ impl Checker<'_> {
         self.others_are_small(text);
     }
 
-    /// Takes in `\sin\theta \approx \theta`: the angle is small from here on.
-    pub(crate) fn takes_small_angle(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
-        let [left, right] = sides else { return false };
-        let Kind::Function(Function::Sin | Function::Tan, argument) = &inner(left).kind else {
-            return false;
-        };
-        let (Kind::Symbol(of), Kind::Symbol(angle)) = (&inner(argument).kind, &inner(right).kind)
-        else {
-            return false;
-        };
-        let approximate = self.figures.relations.contains(&Relation::Approximate);
-        if of != angle || !approximate {
-            return false;
-        }
-        self.call_small(right);
-        self.linear = true;
-        finding.verdict = Verdict::Accepted;
-        finding.role = Role::Assume;
-        finding.remarks.push("the angle is small".to_owned());
-        true
-    }
-
-    fn call_small(&mut self, node: &Node) {
+    pub(crate) fn call_small(&mut self, node: &Node) {
         if let Kind::Tuple(entries) = &inner(node).kind {
             return entries.iter().for_each(|entry| self.call_small(entry));
         }

@@ -157,7 +157,15 @@ fn is_aside(before: &str, behind: &str) -> bool {
     let verbs = [
         "becomes", "gives", "yields", "reads", "this is", "we get", "we find", "we have",
     ];
-    ASIDE.iter().any(|words| before.ends_with(words)) && has_any(behind, &verbs)
+    let adjectives = ["angular ", "total ", "external "];
+    let before = adjectives
+        .iter()
+        .fold(before, |words, adjective| words.trim_end_matches(adjective));
+    let brought_in = |ways: &[&str]| ways.iter().any(|words| before.ends_with(words));
+    // "Substituting the angular momentum and collecting terms:" announces what comes of it.
+    let announces = behind.contains(" and ") || behind.trim_end().ends_with(':');
+    brought_in(ASIDE) && has_any(behind, &verbs)
+        || brought_in(&["inserting the ", "substituting the "]) && announces
 }
 
 /// The quantity that the words before a formula name, where they come close to it.
