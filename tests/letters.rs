@@ -327,5 +327,5 @@ The axes are principal. Substituting the angular momentum and collecting terms:
 
 $$M_x = I_x\dot\omega_x + (I_z-I_y)\omega_y\omega_z$$
 ";
-    assert_eq!(verdicts(text), "pp");
+    assert_eq!(verdicts(text), ["proved", "proved"]);
 }
