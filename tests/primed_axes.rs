@@ -35,3 +35,41 @@ fn primes_of_axes_that_are_turned_are_others() {
                 $$ I_{x'} = I_x + m d^2 $$\n";
     assert!(!verdicts(text).ends_with('p'));
 }
+
+/// The verdict on a line about axes that words turn about z.
+fn turned(line: &str) -> Option<char> {
+    let text = format!(
+        "The product of inertia is $I_{{xy}} = \\int xy\\,dm$, and $I_{{xz}} = I_{{yz}} = 0$. Turn the axes about $z$ \
+         through an angle $\\theta$ (from $x$ towards $y$) and call them $x'$ and $y'$. On them\n\n$$ {line} $$\n"
+    );
+    verdicts(&text).chars().last()
+}
+
+#[test]
+fn words_turn_axes_in_a_plane() {
+    let product = r"I_{x'y'} = I_{xy}\cos 2\theta + \frac12(I_x - I_y)\sin 2\theta";
+    assert_eq!(turned(product), Some('p'));
+    assert_eq!(turned(&product.replace('+', "-")), Some('r'));
+    assert_eq!(turned(r"I_{x'} + I_{y'} = I_x + I_y"), Some('p'));
+    let moment =
+        r"I_{x'} = \frac{I_x + I_y}{2} + \frac{I_x - I_y}{2}\cos 2\theta - I_{xy}\sin 2\theta";
+    assert_eq!(turned(moment), Some('p'));
+    assert_eq!(turned(&moment.replacen("x'", "y'", 1)), Some('r'));
+}
+
+#[test]
+fn an_angle_may_be_chosen_and_principal_axes_numbered_behind_it() {
+    let text = |last: &str| {
+        format!(
+            "The product of inertia is $I_{{xy}} = \\int xy\\,dm$, and $I_{{xz}} = I_{{yz}} = 0$. The axes $x'$, $y'$ are \
+             rotated by $\\theta$ about the $z$ axis, and the product of inertia is\n\n$$ I_{{x'y'}} = I_{{xy}}\\cos \
+             2\\theta + \\frac12(I_x - I_y)\\sin 2\\theta $$\n\nChoose the angle such that\n\n$$ \\tan 2\\theta = \
+             \\frac{{2 I_{{xy}}}}{{I_y - I_x}} $$\n\nWith this choice $I_{{x'y'}} = 0$.\n\nNumber the principal axes \
+             1, 2, 3. Euler's equations are\n\n$$ {last} $$\n"
+        )
+    };
+    let euler = r"M_1 = I_1\dot\omega_1 - (I_2 - I_3)\omega_2\omega_3";
+    assert_eq!(verdicts(&text(euler)), "papapp");
+    let false_one = euler.replace("I_2 - I_3", "I_3 - I_2");
+    assert!(verdicts(&text(&false_one)).ends_with('r'));
+}

@@ -196,3 +196,15 @@ fn what_one_wants_is_assumed_and_what_one_compares_is_claimed() {
     assert!(force("").ends_with('p'), "{}", force(""));
     assert!(!force("-").ends_with(['a', 'p']));
 }
+
+#[test]
+fn words_of_a_latex_paragraph_reach_the_display_below_it() {
+    use polhode::notation::{document::Format, read};
+    let text = "No torque acts on a body with the principal moments $I_1$, $I_2$, $I_3$.\n\nChoose the angle such that\n\n\
+                $$ \\tan 2\\theta = \\frac{2 I_2}{I_1} $$\n";
+    for format in [Format::Markdown, Format::Latex] {
+        let (document, _) = read("chosen", text, format);
+        let found = polhode::verify::check(&document).findings;
+        assert_eq!(found[0].role.name(), "assume", "{format:?}");
+    }
+}

@@ -36,6 +36,7 @@ pub(super) mod suppositions;
 pub(super) mod symmetric_body;
 pub(super) mod text;
 pub(super) mod torque_free;
+pub(super) mod turned_in_plane;
 pub(super) mod turning_axes;
 pub(super) mod uniform_box;
 pub(super) mod wheel_speed;

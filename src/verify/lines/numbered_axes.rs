@@ -7,6 +7,20 @@ use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
 
 impl Checker<'_> {
+    /// Ends what lines supposed of the products of inertia on other axes, before numbers name the principal ones.
+    pub(crate) fn leave_lettered_axes(&mut self) {
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let products = [3, 4, 5].map(|c| self.theory.atoms.part(inertia, c, 0));
+        let premises = self.theory.premises().iter();
+        let of_products = premises.filter(|premise| {
+            let mut residuals = premise.residuals.iter();
+            premise.name.starts_with("line ")
+                && residuals.any(|r| r.variables().iter().any(|v| products.contains(v)))
+        });
+        let ended = of_products.map(|premise| premise.name.clone()).collect();
+        self.end_premises(&ended);
+    }
+
     /// Numbered components in a line, where moments of inertia are numbered and about x and y as well: nothing says
     /// whether the two sets of axes are one.
     pub(crate) fn on_numbered_axes(&self, sides: &[Node]) -> Option<String> {
@@ -25,7 +39,7 @@ impl Checker<'_> {
             let letter = Letter::of(symbol);
             let numbered = matches!(symbol.subscripts.as_slice(), [s] if matches!(s.as_str(), "1" | "2" | "3"));
             let beside = match moment(&letter) {
-                true => lettered(&letter),
+                true => lettered(&letter) && !self.reading.turns_to_numbers,
                 false => told_apart && quantities.contains_key(&letter),
             };
             numbered && beside

@@ -103,6 +103,10 @@ impl Checker<'_> {
         }
         let alone_left = matches!(undotted(left).kind, Kind::Symbol(_));
         let number = |side: &Node| symbols(side).is_empty();
+        // "Choose the angle such that ⟨tan 2θ = …⟩".
+        if matches!(&inner(left).kind, Kind::Function(..)) && self.chooses_such_that() {
+            return role;
+        }
         // "We take ⟨|h|² = 2 J T⟩": no definition, and no law that it could be.
         if self.picked && !self.displayed && role == Role::Assume && !alone_left {
             return role;
@@ -120,6 +124,15 @@ impl Checker<'_> {
             true => role,
             false => Role::Claim,
         }
+    }
+
+    fn chooses_such_that(&self) -> bool {
+        let said = lowered(&self.sentence);
+        let said = said.trim_end_matches(|c: char| c == '.' || c.is_whitespace());
+        let such = ["such that", "so that"]
+            .iter()
+            .find_map(|words| said.strip_suffix(words));
+        such.is_some_and(|before| has_any(before, &["choose", "take", "pick"]))
     }
 
     /// Whether a line goes on with an assumption that the same formula makes of another axis: `M_1 = -k\omega_1,

@@ -153,6 +153,7 @@ impl Checker<'_> {
         self.is_any_again(node);
         self.small_before(node);
         self.turning_axes(node);
+        self.turns_in_plane(node);
         if before.ends_with("vertical is") {
             let value = self.lowering(Frame::Moving).value(node);
             self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());

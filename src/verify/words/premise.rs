@@ -18,7 +18,8 @@ use crate::verify::values::atoms::Entity;
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
-use crate::verify::words::prose::Said;
+use crate::verify::words::book::lowered;
+use crate::verify::words::prose::{Said, turns_to_numbered_axes};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -26,7 +27,12 @@ impl Checker<'_> {
     /// Takes in a premise that words set.
     pub(crate) fn take(&mut self, said: Said, span: Span) {
         // Of two sets of axes, the words do not tell which is principal.
-        if said == Said::Principal && self.reading.usage.has_primed_axes() {
+        let numbered = turns_to_numbered_axes(&lowered(&self.sentence));
+        let apart = self.reading.usage.has_primed_axes() && !numbered;
+        if said == Said::Principal && numbered {
+            self.leave_lettered_axes();
+        }
+        if said == Said::Principal && apart {
             return;
         }
         if said == Said::Principal && self.central_axes_are_principal(span) {

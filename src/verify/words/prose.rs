@@ -284,12 +284,17 @@ fn named_plane(text: &str) -> Option<(u8, u8)> {
         .map(|(_, plane)| *plane)
 }
 
-/// "From here on the axes 1, 2, 3 are principal."
+/// "From here on the axes 1, 2, 3 are principal", "number the principal axes 1, 2, 3".
 pub(crate) fn turns_to_numbered_axes(text: &str) -> bool {
     let words: Vec<&str> = text
         .split(|c: char| !c.is_alphanumeric())
         .filter(|word| !word.is_empty() && *word != "and")
         .collect();
+    let named = |w: &[&str]| w[..2] == ["principal", "axes"] && w[2..] == ["1", "2", "3"];
+    let numbered = words.contains(&"number") || words.contains(&"label");
+    if numbered && words.windows(5).any(named) {
+        return true;
+    }
     words
         .windows(4)
         .any(|w| w[..3] == ["1", "2", "3"] && w[3] == "are")

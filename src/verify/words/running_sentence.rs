@@ -58,6 +58,11 @@ fn has_named(sentence: &str) -> bool {
 impl Checker<'_> {
     /// Hears words, and takes what they set.
     pub(crate) fn prose(&mut self, text: &str, span: Span) {
+        // What stands between a paragraph and its display ends no sentence.
+        if text.trim().is_empty() {
+            self.sentence.push(' ');
+            return;
+        }
         let lower = lowered(text);
         let opens_case = self.note_case(&lower, span, self.broken);
         // After a display, a new paragraph that opens with a capital, or another case, opens a sentence too, and so does
