@@ -332,3 +332,47 @@ $$ \frac{{\partial\omega_{{n+1}}}}{{\partial\omega_n}} = E + {step}\,K(\omega_n)
     // Which rate the bare f₁ is taken at is not said.
     assert_eq!(text("h", r"$$ Af_1^2 + Bf_2^2 = Cf_3^2 $$"), "apapu");
 }
+
+/// The verdict on a last line behind an Euler step and a midpoint step by the function of the rate.
+fn midpoint(line: &str) -> String {
+    let text = format!(
+        r"A free body has the principal moments $A$, $B$, $C$. Its equations $\dot\omega = f(\omega)$ have the right-hand side
+
+$$ f(\omega) = \begin{{pmatrix}} \frac{{B-C}}{{A}}\omega_2\omega_3 \\ \frac{{C-A}}{{B}}\omega_3\omega_1 \\ \frac{{A-B}}{{C}}\omega_1\omega_2 \end{{pmatrix}} $$
+
+## Euler
+
+The step of size $h$ is defined by
+
+$$ \omega^{{(n+1)}} = \omega^{{(n)}} + h\,f(\omega^{{(n)}}) $$
+
+It changes the energy $T = \frac12(A\omega_1^2 + B\omega_2^2 + C\omega_3^2)$ by
+
+$$ T^{{(n+1)}} - T^{{(n)}} = \frac12 h^2\left(A f_1^2 + B f_2^2 + C f_3^2\right) $$
+
+where $f_i$ are the components of $f(\omega^{{(n)}})$.
+
+## Midpoint
+
+Define the half step
+
+$$ \omega^{{*}} = \omega^{{(n)}} + \frac{{h}}{{2}}\,f(\omega^{{(n)}}) $$
+
+and the full step, which replaces the one above,
+
+$$ \omega^{{(n+1)}} = \omega^{{(n)}} + h\,f(\omega^{{*}}) $$
+
+Then
+
+$$ {line} $$
+"
+    );
+    verdicts(&text)
+}
+
+#[test]
+fn a_half_step_leads_to_a_full_one_and_components_are_taken_where_words_say() {
+    let first = r"\omega_1^{(n+1)} = \omega_1^{(n)} + h\,\frac{B-C}{A}\omega_2^{*}\omega_3^{*}";
+    assert_eq!(midpoint(first), "apappaap");
+    assert!(midpoint(&first.replace("B-C", "C-B")).ends_with('r'));
+}

@@ -220,10 +220,10 @@ It vanishes for
 
 $$ \tan2\theta = \frac{2I_{xy}}{I_{yy} - I_{xx}} $$
 ";
-    assert_eq!(verdicts(text), "aa");
+    assert_eq!(verdicts(text), "pa");
     assert_eq!(
         verdicts(&text.replace("I_{yy} - I_{xx}}", "I_{xx} - I_{yy}}")),
-        "ar"
+        "pr"
     );
 }
 

@@ -123,8 +123,8 @@ pub(super) struct Checker<'a> {
     pub(super) instant_behind: bool,
     /// Names of premises with the level of the heading that they stand under.
     pub(super) scopes: Vec<(String, u8)>,
-    /// Lines that say what a step is, and in which section.
-    pub(super) steps: Vec<(String, u32)>,
+    /// Lines that say what a step is, and in which section and case.
+    pub(super) steps: Vec<(String, (u32, u32))>,
     pub(super) level: u8,
     /// The case that is looked at.
     pub(super) cases: Cases,

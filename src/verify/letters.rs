@@ -13,6 +13,7 @@ pub(super) mod carried_place;
 pub(super) mod carried_spin;
 pub(super) mod central_letter;
 pub(super) mod columns;
+pub(super) mod components_at;
 pub(super) mod convention;
 pub(super) mod custom;
 pub(super) mod frame;

@@ -3,6 +3,7 @@
 use crate::notation::document::Document;
 use crate::verify::check::Checker;
 use crate::verify::letters::central_letter::bar_central_letter;
+use crate::verify::letters::components_at::take_components_at;
 use crate::verify::letters::convention::UNDECIDED;
 use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::primed_axes::label_primed_axes;
@@ -23,6 +24,7 @@ use crate::verify::words::text::Text;
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
+    take_components_at(&mut document);
     let turned_primes = label_turned_primes(&mut document);
     bar_central_letter(&mut document);
     lower_labels(&mut document);

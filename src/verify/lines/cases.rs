@@ -60,9 +60,9 @@ const COUNTED: &[&str] = &[
 const RUN_IN: u8 = 5;
 
 impl Cases {
-    /// How many headings stand before.
-    pub(crate) fn section(&self) -> u32 {
-        self.section
+    /// How many headings stand before, and how many cases of the section.
+    pub(crate) fn place(&self) -> (u32, u32) {
+        (self.section, self.now)
     }
 
     /// Whether a premise is an assumption of the case at hand.

@@ -9,6 +9,7 @@ use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::theory::{Name, Premise};
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
+use crate::verify::values::call::name_of_function;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::has_any;
@@ -60,16 +61,37 @@ impl Checker<'_> {
             let mut equations = read.equations.iter();
             equations.all(|e| passes_filter(&mut checker.theory, &e.residual) == Some(true))
         };
+        // A half step gives another state.
+        let lone = match &inner(&sides[0]).kind {
+            Kind::Symbol(symbol) => self.entity_named(symbol),
+            _ => None,
+        };
         let steps = self.steps.iter();
-        let (before, now): (Vec<_>, Vec<_>) = steps.partition(|(_, s)| *s < self.cases.section());
+        let (before, now): (Vec<_>, Vec<_>) = steps.partition(|(_, s)| *s < self.cases.place());
         let ended: BTreeSet<Name> = before.into_iter().map(|(name, _)| name.clone()).collect();
         let first = ended.is_empty() && role == Role::Claim;
-        if !now.is_empty() || first && !self.steps_to_new(sides) || holds(self) {
+        let now = now
+            .into_iter()
+            .any(|(name, _)| lone.is_none_or(|state| self.gives(name, state)));
+        if now || first && !self.steps_to_new(sides) || holds(self) {
             return false;
         }
         self.steps.clear();
         self.end_premises(&ended);
         self.accept_definition(sides, finding)
+    }
+
+    /// Whether a premise speaks of a state.
+    fn gives(&self, name: &Name, state: Entity) -> bool {
+        let premises = self.theory.premises().iter();
+        let mut said = premises
+            .filter(|p| p.name == *name)
+            .flat_map(|p| &p.residuals);
+        said.any(|r| {
+            r.variables()
+                .iter()
+                .any(|v| self.theory.atoms.entity_of(*v) == Some(state))
+        })
     }
 
     /// Takes in a step that gives the state behind it by this state itself, or by a mean of both.
@@ -157,7 +179,7 @@ impl Checker<'_> {
         let now = self
             .steps
             .iter()
-            .filter(|(_, section)| *section == self.cases.section());
+            .filter(|(_, place)| *place == self.cases.place());
         let now: BTreeSet<Name> = now.map(|(name, _)| name.clone()).collect();
         let premises = self.theory.premises().iter();
         let steps: Vec<Premise> = premises
@@ -208,7 +230,7 @@ impl Checker<'_> {
     pub(crate) fn note_step(&mut self, sides: &[Node], finding: &Finding) {
         if finding.verdict == Verdict::Accepted && self.relates_steps(sides) {
             let name = self.line_name(finding);
-            self.steps.push((name, self.cases.section()));
+            self.steps.push((name, self.cases.place()));
             self.now_known(sides);
         }
     }
@@ -222,8 +244,24 @@ impl Checker<'_> {
         let is = |owner: &&Owner, of: Quantity| matches!(owner, Owner::Quantity(q, _) if *q == of);
         let count = |of: Quantity| owners.iter().filter(|o| is(o, of)).count();
         let velocities = count(Quantity::AngularVelocity);
-        velocities > 1 && count(Quantity::Inertia) > 0
+        let body = count(Quantity::Inertia) > 0 || sides.iter().any(|side| self.calls_rate(side));
+        velocities > 1 && body
             || count(Quantity::Momentum) > 1 && velocities + count(Quantity::Inertia) > 0
+    }
+}
+
+impl Checker<'_> {
+    /// Whether the f of a law \dot\omega = f(\omega) is called.
+    fn calls_rate(&self, node: &Node) -> bool {
+        let named = |head: &Node| match &inner(head).kind {
+            Kind::Symbol(symbol) => self
+                .functions
+                .get(&name_of_function(&symbol.name, &symbol.subscripts))
+                .is_some_and(|function| function.value.is_vector()),
+            _ => false,
+        };
+        matches!(&node.kind, Kind::Call(head, _) if named(head))
+            || node.children().any(|child| self.calls_rate(child))
     }
 }
 

@@ -262,7 +262,7 @@ fn constant(symbol: &Symbol, sorted: &Subscripts, reading: &Reading) -> Option<M
 
 /// Whether a label is that of a state before or behind a step, or, where steps are counted, of the mean of both.
 fn is_state(label: &str, reading: &Reading) -> bool {
-    let between = ["bar", "m", "mid", "half", "1/2", "+"];
+    let between = ["bar", "m", "mid", "half", "1/2", "+", "*", "^*"];
     step_index(label) || between.contains(&label) && reading.usage.counts_steps()
 }
 
