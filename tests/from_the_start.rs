@@ -68,3 +68,27 @@ $$ I_1\dot\omega_1 = 0 $$
         assert_eq!(verdicts(&text(given)), "aapr", "{given}");
     }
 }
+
+#[test]
+fn a_chain_in_numbers_says_what_was_kept_from_the_start() {
+    let text = |last: &str| {
+        verdicts(&format!(
+            r"A free body has the principal moments $J_1 = 2$, $J_2 = 3$ and $J_3 = 4$. It is released with
+
+$$ \boldsymbol\omega(0) = (2,\ 0,\ 1) $$
+
+No torque acts, so the kinetic energy $K$ and the length $h$ of the angular momentum keep their initial values. The starting values give
+
+$$ {last} $$
+"
+        ))
+        .split_off(4)
+    };
+    assert_eq!(text(r"K = \tfrac12(2\cdot 2^2 + 4\cdot 1^2) = 6"), "a");
+    assert_eq!(text(r"K = \tfrac12(2\cdot 2^2 + 3\cdot 1^2) = 5.5"), "r");
+    assert_eq!(text(r"h^2 = 4\cdot 2^2 + 16\cdot 1^2 = 32"), "a");
+    assert_ne!(text(r"h^2 = 4\cdot 2^2 + 16\cdot 1^2 = 34"), "a");
+    let circle = r"2\omega_1^2 + 3\omega_2^2 + 4\omega_3^2 = 12";
+    assert_eq!(text(circle), "a");
+    assert_eq!(text(&circle.replace("12", "16")), "r");
+}

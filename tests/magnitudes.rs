@@ -120,3 +120,16 @@ $$ I_1 = {one}ms^2, \qquad I_2 = {other}ms^2 $$
     let exchanged = text(r"\frac{1}{12}", r"\frac{7}{12}");
     assert_eq!(exchanged[4..], ["undecided", "undecided"]);
 }
+
+#[test]
+fn words_call_a_letter_the_length_of_the_momentum() {
+    let line = |last: &str| {
+        let text = format!(
+            "With the principal moments $I_1$, $I_2$, $I_3$ the length $h$ of the angular momentum follows from\n\n$$ {last} $$\n"
+        );
+        verdicts(&text).pop()
+    };
+    let square = r"h^2 = I_1^2\omega_1^2 + I_2^2\omega_2^2 + I_3^2\omega_3^2";
+    assert_eq!(line(square), Some("proved"));
+    assert_eq!(line(&square.replace("I_3^2", "I_3")), Some("refuted"));
+}

@@ -19,12 +19,11 @@ const NAMED: &[&str] = &[
 ];
 
 impl Triads {
-    /// Those of a text: all three are words of it, and no coordinate is a factor that the letter could multiply.
+    /// Those of a text: all three are words of it, and no coordinate is a factor that the letter could multiply, or they
+    /// stand before the unit vectors.
     pub(crate) fn of(text: &str) -> Self {
         let labels = labels_of_rates(text);
-        if has_coordinates(text) {
-            return Self { vectors: 0, labels };
-        }
+        let coordinates = has_coordinates(text);
         let letter = |c: char| !c.is_alphanumeric() && c != '_';
         let words: BTreeSet<&[u8]> = text
             .split(letter)
@@ -36,6 +35,7 @@ impl Triads {
             let all = [b'x', b'y', b'z'];
             head.is_ascii_alphabetic()
                 && head != b'd'
+                && (!coordinates || is_along_units(text, head.into()))
                 && all
                     .iter()
                     .all(|&axis| words.contains([head, axis].as_slice()))
@@ -77,6 +77,14 @@ fn labels_of_rates(text: &str) -> u64 {
 
 fn bit(letter: u8) -> u64 {
     1 << (letter - b'A')
+}
+
+/// `Qx i + Qy j + Qz k`.
+fn is_along_units(text: &str, head: char) -> bool {
+    let parts = [('x', 'i'), ('y', 'j'), ('z', 'k')];
+    parts
+        .iter()
+        .all(|(axis, unit)| text.contains(&format!("{head}{axis} {unit}")))
 }
 
 /// Whether a y or a z, which cross nothing, stands beside a sign of a formula.

@@ -22,6 +22,7 @@ pub(super) mod imaginary;
 pub(super) mod labelled_wheel;
 pub(super) mod marked_symbols;
 pub(super) mod moving_point;
+pub(super) mod named_axes;
 pub(super) mod named_rates;
 pub(super) mod naming;
 pub(super) mod one_axis;

@@ -5,6 +5,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::central_letter::bar_central_letter;
 use crate::verify::letters::components_at::take_components_at;
 use crate::verify::letters::convention::UNDECIDED;
+use crate::verify::letters::named_axes::number_named_axes;
 use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::primed_axes::label_primed_axes;
 use crate::verify::letters::raised_labels::lower_labels;
@@ -19,12 +20,14 @@ use crate::verify::lines::trust::{unexplained, withhold};
 use crate::verify::reason;
 use crate::verify::verdict::Report;
 use crate::verify::words::euler_words::sequences;
+use crate::verify::words::sizes_of_vectors::sizes_of_vectors;
 use crate::verify::words::text::Text;
 
 /// Checks every line of a document.
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
     take_components_at(&mut document);
+    let axis_labels = number_named_axes(&mut document);
     let turned_primes = label_turned_primes(&mut document);
     bar_central_letter(&mut document);
     lower_labels(&mut document);
@@ -39,6 +42,8 @@ pub fn check(document: &Document) -> Report {
     reading.summed = summed;
     reading.turned_primes = turned_primes;
     reading.states = states;
+    reading.axis_labels = axis_labels;
+    reading.sizes = sizes_of_vectors(document, &reading.usage);
     // Steps in general inertia matrices are long.
     let any_axes = reading.writes_no_components(document);
     reading.on_chosen_axes = any_axes && reading.usage.counts_steps();

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
+use crate::verify::letters::named_axes::written;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::symbols;
 use crate::verify::values::atoms::Atoms;
@@ -28,7 +29,7 @@ pub(super) fn spell(document: &Document, reading: &Reading, atoms: &mut Atoms) {
             };
             for symbol in nodes.into_iter().flat_map(symbols) {
                 if let Meaning::Component(entity, component) = meaning(symbol, reading, atoms) {
-                    atoms.spell(entity, component, || latex(symbol));
+                    atoms.spell(entity, component, || latex(symbol, reading));
                 }
             }
         }
@@ -36,7 +37,7 @@ pub(super) fn spell(document: &Document, reading: &Reading, atoms: &mut Atoms) {
 }
 
 /// A symbol in LaTeX, marks of a vector left off.
-fn latex(symbol: &Symbol) -> String {
+fn latex(symbol: &Symbol, reading: &Reading) -> String {
     let mut text = latex_name(&symbol.name);
     if symbol.style.calligraphic {
         text = format!("\\mathcal{{{text}}}");
@@ -48,6 +49,10 @@ fn latex(symbol: &Symbol) -> String {
         text = format!("\\delta {text}");
     }
     let index = symbol.subscripts.join(",");
+    let index = match &reading.axis_labels {
+        Some(labels) => written(&index, labels),
+        None => index,
+    };
     match index.chars().count() {
         0 => {}
         1 => text.push_str(&format!("_{index}")),

@@ -64,7 +64,9 @@ fn look(word: &str) -> Look {
         .split(|c: char| !c.is_alphanumeric())
         .filter(|run| !run.is_empty());
     let called = |run: &str| plain_words::is_call(run) && core.contains(&format!("{run}("));
-    let english = |run: &str| is_english(run) && !known(run) && !called(run);
+    // The a of `(a+b)` is no article.
+    let term = |run: &str| run == "a" && core.contains(['+', '-', '*', '/']);
+    let english = |run: &str| is_english(run) && !known(run) && !called(run) && !term(run);
     if core.is_empty() || sentence_letter || runs.any(english) {
         return Look::Words;
     }
@@ -86,12 +88,20 @@ fn is_english(run: &str) -> bool {
     // The dwz of `dwz/dt`, and the dm of an integral.
     let differential = run
         .strip_prefix('d')
-        .is_some_and(|rest| plain_words::word(rest).is_some());
+        .is_some_and(|rest| plain_words::word(rest).is_some() || is_component(rest));
     if differential {
         return false;
     }
     let letters = run.chars().filter(|c| c.is_alphabetic()).count();
     letters > 2 || SHORT.contains(&run.to_ascii_lowercase().as_str()) && !matches!(run, "A")
+}
+
+/// A letter and its axis: `Qx`, `v1`.
+fn is_component(run: &str) -> bool {
+    let mut characters = run.chars();
+    let letter = characters.next().is_some_and(char::is_alphabetic);
+    let axis = matches!(characters.next(), Some('x' | 'y' | 'z' | '1' | '2' | '3'));
+    letter && axis && characters.next().is_none()
 }
 
 /// `dT/dt`.

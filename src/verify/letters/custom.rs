@@ -190,9 +190,12 @@ impl Reading {
 
     /// Whether an i, j or k without a mark is a unit vector: where sums along them are, other than those of a quaternion.
     pub(crate) fn is_plain_unit(&self, symbol: &Symbol) -> bool {
-        self.usage.plain_units
-            && self.attitude.quaternion.is_none()
-            && !self.usage.get(&Letter::of(symbol)).moving
+        let moves = |letter: &Letter| self.usage.get(letter).moving;
+        // A current i changes in time, and so do the vectors of a triad, more than one of them.
+        let triad = ["i", "j", "k"].map(Letter::plain);
+        let alone = triad.iter().filter(|letter| moves(letter)).count() < 2;
+        let current = moves(&Letter::of(symbol)) && alone;
+        self.usage.plain_units && self.attitude.quaternion.is_none() && !current
     }
 
     /// Whether a position stands beside the velocity of a body, so that the velocity may be that of another point.

@@ -12,6 +12,7 @@ use crate::verify::letters::frame::Frames;
 use crate::verify::letters::imaginary::has_imaginary_unit;
 use crate::verify::letters::labelled_wheel::LabelledWheel;
 use crate::verify::letters::moving_point::MovingPoint;
+use crate::verify::letters::named_axes::Labels;
 use crate::verify::letters::particles::{measures_from_centre, place_in_rigid_body};
 use crate::verify::letters::rivals::has_differences;
 use crate::verify::letters::round_axes::RoundAxes;
@@ -129,6 +130,10 @@ pub(crate) struct Reading {
     pub unit_vectors: Option<Letter>,
     /// Whether the words have axes that do not spin with the body.
     pub axes_without_spin: bool,
+    /// Letters of the length of a vector, by words.
+    pub(crate) sizes: BTreeMap<Letter, Quantity>,
+    /// What the document calls the axes of the body, where that is neither x, y, z nor 1, 2, 3.
+    pub(crate) axis_labels: Option<Labels>,
     /// Whether the words turn from lettered axes to numbered ones that are principal.
     pub turns_to_numbers: bool,
     pub(crate) speaks_of_energy: bool,

@@ -10,6 +10,7 @@ use crate::verify::lines::growth::{LONGEST, lasts};
 use crate::verify::lines::line::Read;
 use crate::verify::names;
 use crate::verify::theory::Theory;
+use crate::verify::theory::decide::{Decision, Equation, decide};
 use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
 use crate::verify::values::lower::put_in;
 use crate::verify::values::quantity::Quantity;
@@ -44,16 +45,14 @@ fn keeps(theory: &mut Theory, difference: &Fraction) -> bool {
 impl Checker<'_> {
     /// Takes in a line whose sides change at the same rate and are equal at the beginning.
     pub(crate) fn goes_on(&mut self, sides: &[Node], read: &Read, finding: &mut Finding) -> bool {
-        let [equation] = read.equations.as_slice() else {
-            return false;
-        };
-        let entries = equation.residual.entries.clone();
+        let entries = read.residuals().filter(|entry| !entry.is_zero());
+        let entries: Vec<Fraction> = entries.cloned().collect();
         entries.iter().for_each(|entry| self.keep_beginnings(entry));
         let same = self.theory.within(MOST_TERMS, |theory| {
             let mut entries = entries.iter();
             entries.all(|entry| keeps(theory, entry)) && !theory.exhausted
         });
-        if !same {
+        if !same || entries.is_empty() {
             return false;
         }
         let starts = match self.value_at_the_beginning(sides) {
@@ -73,7 +72,37 @@ impl Checker<'_> {
                 finding.remarks.push(how.to_owned());
             }
         }
+        if !starts && self.starts_otherwise(sides, entries, finding) {
+            return true;
+        }
         starts && finding.verdict == Verdict::Accepted
+    }
+
+    /// Refutes a line of which the difference keeps a value that it is known to have had at the beginning, and not zero.
+    fn starts_otherwise(
+        &mut self,
+        sides: &[Node],
+        differences: Vec<Fraction>,
+        finding: &mut Finding,
+    ) -> bool {
+        let starts = differences.iter().map(|entry| self.at_zero(entry));
+        let Some(starts) = starts.collect::<Option<Vec<Fraction>>>() else {
+            return false;
+        };
+        let nothing = Fraction::zero;
+        let equations = starts
+            .into_iter()
+            .map(|start| Equation::of_scalars(start, nothing()));
+        let read = Read::of(equations.collect());
+        let decision = decide(&mut self.theory, &read.equations);
+        let refuted = matches!(decision, Decision::False(_));
+        if refuted {
+            self.failed(sides, &read, decision, finding);
+            finding
+                .remarks
+                .push("what does not change is otherwise at the beginning".to_owned());
+        }
+        refuted
     }
 
     /// Whether the right side has the value at t = 0 that an earlier line gives the left; `None` where there is none.

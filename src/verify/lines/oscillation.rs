@@ -7,7 +7,7 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::laws_in_words::{calls_frequency_of_swings, is_of_swings};
 use crate::verify::theory::decide::{Decision, Equation, decide};
-use crate::verify::values::atoms::{Atom, Owner};
+use crate::verify::values::atoms::{Atom, Owner, variable_fraction};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Diagnosis, Finding, Role, Verdict};
 use crate::verify::words::book::lowered;
@@ -46,7 +46,8 @@ impl Checker<'_> {
     pub(crate) fn note_oscillation(&mut self, sides: &[Node], finding: &Finding) {
         let firm = matches!(finding.verdict, Verdict::Accepted | Verdict::Proved(_));
         let left_open = finding.verdict == Verdict::Undecided && self.oscillation.is_none();
-        if !firm && !left_open || sides.len() != 2 {
+        let refuted = finding.verdict == Verdict::Refuted;
+        if !firm && !left_open && !refuted || sides.len() != 2 {
             return;
         }
         if !self.theory.atoms.has_second_rates() && !sides.iter().any(is_rate_of_rate) {
@@ -61,16 +62,31 @@ impl Checker<'_> {
         let [residual] = equation.residual.entries.as_slice() else {
             return;
         };
-        let exact = self.square_of_frequency(residual);
+        let Some(residual) = (match refuted {
+            true => self.motion_in_place_of(residual),
+            false => Some(residual.clone()),
+        }) else {
+            return;
+        };
+        let exact = self.square_of_frequency(&residual);
         let near_zero = exact.is_none();
-        if let Some(square) = exact.or_else(|| self.square_near_zero(residual)) {
+        if let Some(square) = exact.or_else(|| self.square_near_zero(&residual)) {
             self.oscillation = Some(Oscillation {
                 at: self.findings.len(),
                 square,
                 near_zero,
-                firm,
+                firm: firm || refuted,
             });
         }
+    }
+
+    /// What the laws have the second rate in a false equation of motion be.
+    fn motion_in_place_of(&mut self, residual: &Fraction) -> Option<Fraction> {
+        let second = |v: &u32| matches!(self.theory.atoms.atom(*v), Atom::Part { order: 2, .. });
+        let rate = residual.variables().into_iter().find(second)?;
+        let value = self.theory.normal(&variable_fraction(rate));
+        let known = !value.variables().contains(&rate);
+        known.then(|| variable_fraction(rate) - value)
     }
 
     /// The same of an equation with the sine of an angle, for small angles.

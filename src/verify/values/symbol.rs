@@ -15,6 +15,7 @@ use crate::verify::values::spatial::{in_space, without_body_label, without_label
 use crate::verify::values::subscript::{
     POINTS, Subscripts, another_point, is_main_point, step_index, subscripts, tells_nothing_apart,
 };
+use crate::verify::words::sizes_of_vectors::is_bare;
 
 /// What a symbol stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -122,6 +123,15 @@ fn by_marks(symbol: &Symbol, reading: &Reading, atoms: &mut Atoms) -> Meaning {
     if let Some(wheel) = reading.labelled_wheel.as_ref().filter(|w| w.is(symbol)) {
         let wheels = atoms.quantity(Quantity::RelativeMomentum);
         return Meaning::Component(wheels, wheel.axis);
+    }
+    if let Some(&quantity) = reading
+        .sizes
+        .get(&Letter::of(symbol))
+        .filter(|_| is_bare(symbol))
+    {
+        let owner = Owner::Quantity(quantity, MAGNITUDE.to_owned());
+        let latex = latex_name(&symbol.name);
+        return Meaning::Whole(atoms.entity(&owner, Shape::Scalar, false, &latex));
     }
     let mut sorted = subscripts(symbol, reading);
     let letter = Letter::of(symbol);

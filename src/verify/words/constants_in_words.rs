@@ -158,6 +158,7 @@ impl Checker<'_> {
             let value = self.lowering(Frame::Moving).value(node);
             self.vertical = value.ok().filter(Value::is_vector).or(self.vertical.take());
         }
+        self.spin_is_about(node);
         self.note_abbreviation(node);
         self.spins_on_axes(node);
         self.named.push(node.clone());

@@ -3,6 +3,7 @@
 use crate::notation::document::Formula;
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::letters::named_axes::heard;
 use crate::verify::letters::space_axes::turns_to_body;
 use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
@@ -168,6 +169,9 @@ impl Checker<'_> {
     /// A formula stands in the sentence as its letters and digits and a mark; a display with a stop in it ends it.
     pub(crate) fn hear_formula(&mut self, formula: &Formula) {
         let plain = self.as_heard(formula.span);
+        let labels = self.reading.axis_labels.as_ref();
+        let axis = labels.and_then(|labels| heard(&self.sentence, &plain, labels));
+        let plain = axis.map_or(plain, str::to_owned);
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
         if closes_sentence(self.document, formula) {
