@@ -204,3 +204,55 @@ fn the_axis_of_a_plate_is_its_axis_of_symmetry() {
     assert_eq!(text("I_1", "I_3"), "ap");
     assert_eq!(text("I_3", "I_1"), "ar");
 }
+
+/// The verdicts on lines about a free top whose moments only have labels.
+fn labelled(lines: [&str; 2]) -> String {
+    let [angle, spin] = lines;
+    verdicts(&format!(
+        r"A slender top floats without torque. Its symmetry axis is $\hat{{\mathbf s}}$; $\omega_s$ is the component of $\boldsymbol\omega$ along $\hat{{\mathbf s}}$ and $\omega_\perp$ the length of the part across it. The angular velocity leans from the symmetry axis by $\alpha$, the angular momentum by $\theta$:
+
+$$ \tan\alpha = \frac{{\omega_\perp}}{{\omega_s}} $$
+
+$$ \tan\theta = {angle} $$
+
+Seen from space the symmetry axis goes round the fixed direction of $\mathbf L$ at the rate
+
+$$ \dot\phi = \frac{{L}}{{I_t}} $$
+
+while the top spins about its own axis, relative to the precessing plane, at
+
+$$ \dot\psi = {spin} $$
+
+$$ \dot\phi\,\sin(\theta - \alpha) = \dot\psi\,\sin\alpha $$
+
+$$ T = \frac12\left(I_t\omega_\perp^2 + I_s\omega_s^2\right) $$
+"
+    ))
+}
+
+#[test]
+fn labels_tell_the_moments_of_a_symmetric_body() {
+    let angle = r"\frac{I_t\,\omega_\perp}{I_s\,\omega_s}";
+    let spin = r"\omega_s - \dot\phi\cos\theta = \frac{I_t - I_s}{I_t}\,\omega_s";
+    assert_eq!(labelled([angle, spin]), "ppappp");
+    let turned = r"\frac{I_s\,\omega_\perp}{I_t\,\omega_s}";
+    assert_eq!(&labelled([turned, spin])[1..2], "r");
+    let false_spin = spin.replace("I_t - I_s", "I_s - I_t");
+    assert_eq!(&labelled([angle, &false_spin])[3..4], "r");
+}
+
+#[test]
+fn axes_that_words_lay_out_are_not_those_with_numbers() {
+    let text = r"The disc has the moments $J_d = \frac14mR^2$ and $J_p = \frac12mR^2$ for a diameter and for the normal. Its axes $\mathbf e_1$, $\mathbf e_2$, $\mathbf e_3$ are principal, and we take
+
+$$ \boldsymbol\omega = \Omega\sin\beta\,\mathbf e_1 + \Omega\cos\beta\,\mathbf e_3 $$
+
+$$ \mathbf L = J_d\,\Omega\sin\beta\,\mathbf e_1 + J_p\,\Omega\cos\beta\,\mathbf e_3 $$
+
+Let $z$ run along the shaft, $y$ along $\mathbf e_2$, and $x$ complete the frame. Then
+
+$$ I_{zz} = J_d\sin^2\beta + J_p\cos^2\beta $$
+";
+    let found = verdicts(text);
+    assert!(found.ends_with("pu"), "{found}");
+}

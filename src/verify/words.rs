@@ -11,6 +11,7 @@ pub(super) mod cones_in_words;
 pub(super) mod constants_in_words;
 pub(super) mod euler_words;
 pub(super) mod free_motion_rates;
+pub(super) mod labelled_moments;
 pub(super) mod legend;
 pub(super) mod moments_by_adjective;
 pub(super) mod moments_in_words;

@@ -191,6 +191,7 @@ impl Checker<'_> {
                 .is_between_states(read)
                 .or_else(|| self.doubt(read))
                 .or_else(|| self.on_numbered_axes(sides))
+                .or_else(|| self.on_lettered_axes(sides))
                 .or_else(|| self.turns_with_the_axes(sides)),
             _ => None,
         };

@@ -2,9 +2,19 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::verify::check::Checker;
-use crate::verify::letters::usage::{Letter, symbols};
+use crate::verify::letters::usage::{Letter, axes, axis, symbols};
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
+
+/// Words of axes that are laid out anew.
+const LAID_OUT: &[&str] = &[
+    "complete the frame",
+    "completes the frame",
+    "completing the frame",
+    "complete the triad",
+    "completes the triad",
+    "completing the triad",
+];
 
 impl Checker<'_> {
     /// Ends what lines supposed of the products of inertia on other axes, before numbers name the principal ones.
@@ -49,6 +59,33 @@ impl Checker<'_> {
         let found = found.find(|symbol| !self.is_own_and_said(symbol))?;
         Some(format!(
             "nothing before says whether `{}` is about the axes x, y, z",
+            found.name
+        ))
+    }
+
+    /// Lettered components in a line, where others are numbered and words lay out axes x, y, z of their own: "let ⟨z⟩ run
+    /// along the shaft and ⟨x⟩ complete the frame".
+    pub(crate) fn on_lettered_axes(&self, sides: &[Node]) -> Option<String> {
+        if !self.text.says(LAID_OUT) {
+            return None;
+        }
+        let usage = &self.reading.usage;
+        let of_body = |letter: &&Letter| self.reading.quantities.contains_key(*letter);
+        let mut letters = usage.subscripts.keys().filter(of_body);
+        let numbered =
+            letters.any(|letter| ["1", "2", "3"].iter().any(|i| usage.has_index(letter, i)));
+        let lettered = |symbol: &&Symbol| {
+            let place = |index: &String| axis(index).is_some() || axes(index).is_some();
+            let letter = |index: &String| place(index) && index.starts_with(['x', 'y', 'z']);
+            self.reading.quantities.contains_key(&Letter::of(symbol))
+                && symbol.subscripts.iter().any(letter)
+        };
+        let mut met = sides.iter().flat_map(symbols).filter(lettered);
+        let found = met
+            .find(|symbol| !self.is_own_and_said(symbol))
+            .filter(|_| numbered)?;
+        Some(format!(
+            "nothing before ties the axes of `{}` to the numbered ones",
             found.name
         ))
     }

@@ -16,6 +16,7 @@ use crate::verify::values::symbol::MAGNITUDE;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use crate::verify::words::book::{has_any, lowered};
+use crate::verify::words::free_motion_rates::spins_about_own_axis;
 use num_traits::{One, Zero};
 
 const NAME: &str = "rate of the axis about the angular momentum";
@@ -74,6 +75,16 @@ impl Checker<'_> {
         let words = lowered(&self.sentence);
         let called = words.contains("precess") && has_any(&words, FROM_SPACE)
             || words.contains("axis") && self.goes_round_momentum();
+        let tail = words.rsplit('⟩').next().unwrap_or_default();
+        if spins_about_own_axis(tail) {
+            return called && self.spins_beside(sides, finding);
+        }
+        // Lines further on are of something else.
+        let said = GOES_ROUND.iter().chain(FROM_SPACE).chain(&["precess"]);
+        let last = said.filter_map(|said| words.rfind(said)).max();
+        if last.is_some_and(|at| words[at..].matches('⟩').count() > 2) {
+            return false;
+        }
         let rated = matches!(
             &left.kind,
             Kind::TimeDerivative { order: 1, .. } | Kind::Symbol(_)

@@ -50,6 +50,15 @@ const TURNING: &[&str] = &[
 const ANGLES: &[&str] = &[
     "theta", "vartheta", "alpha", "beta", "gamma", "delta", "nu", "phi",
 ];
+/// How a vector stands off the axis.
+const LEANS: &[&str] = &[
+    "leans",
+    "is inclined",
+    "are inclined",
+    "is tilted",
+    "are tilted",
+    "deviates",
+];
 /// A part of the angular velocity.
 struct Part {
     name: &'static str,
@@ -68,6 +77,8 @@ const PARTS: [Part; 2] = [
             "perpendicular to the",
             "equatorial",
             "across the",
+            "across it",
+            "across ⟨",
         ],
         labels: &["t", "T", "tr", "perp", "⊥", "n", "12"],
     },
@@ -77,6 +88,8 @@ const PARTS: [Part; 2] = [
         said: &[
             "axial",
             "along the",
+            "along ⟨",
+            "along it",
             "about the symmetry axis",
             "about the axis of symmetry",
             "about its axis",
@@ -100,11 +113,15 @@ impl Checker<'_> {
                 continue;
             }
             let axis = spoken_of && text.contains("axis");
+            let leans = axis && has_any(&text, LEANS);
             for clause in text.split([',', ';', ':']).flat_map(parted) {
                 let named = self.names_axis(clause, &symbols);
                 let axis = axis || named.is_some();
                 if axis && clause.contains("angle") && !clause.contains("vertical") {
                     self.note_cone(clause, &symbols, named, last);
+                }
+                if leans {
+                    self.note_lean(clause, &symbols);
                 }
                 for part in PARTS.iter().filter(|part| has_any(clause, part.said)) {
                     self.note_part(clause, &symbols, part);
@@ -172,6 +189,24 @@ impl Checker<'_> {
                     axis(&symbol.name).filter(|_| spoken && plain)
                 })
         })
+    }
+
+    /// "The angular velocity leans from the axis by ⟨α⟩", "the angular momentum by ⟨θ⟩".
+    fn note_lean(&mut self, clause: &str, symbols: &[&Symbol]) {
+        let met = in_clause(clause, symbols);
+        let named = met.iter().find(|(at, symbol)| {
+            let mark = format!(" by ⟨{at}⟩");
+            symbol.subscripts.is_empty()
+                && ANGLES.contains(&symbol.name.as_str())
+                && clause.contains(&mark)
+        });
+        let (Some((_, angle)), Some(quantity)) = (named, self.vector_of(clause, symbols)) else {
+            return;
+        };
+        if let Meaning::Whole(entity) = self.meaning_of(angle) {
+            let variable = self.theory.atoms.part(entity, 0, 0);
+            self.theory.cones.insert(variable, (quantity, None));
+        }
     }
 
     /// `last` is the vector that the sentence before speaks of, which "the angle between it and the axis" is of.

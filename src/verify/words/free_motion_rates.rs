@@ -7,8 +7,10 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
+use crate::verify::letters::usage::undotted;
 use crate::verify::theory::{Premise, Taken};
 use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::Finding;
 use crate::verify::words::book::{has_any, lowered};
 
 const NAME: &str = "rate of the spin beside that of the precession";
@@ -39,6 +41,11 @@ const OWN_AXIS: &[&str] = &[
     "its figure axis",
 ];
 
+/// Whether words have a body spin about its own axis.
+pub(crate) fn spins_about_own_axis(words: &str) -> bool {
+    has_any(words, SPINS) && has_any(words, OWN_AXIS)
+}
+
 impl Checker<'_> {
     /// Takes a rate that the words before it call one of these.
     pub(crate) fn rate_of_free_motion(&mut self, node: &Node) {
@@ -56,13 +63,30 @@ impl Checker<'_> {
         let behind = clause.rsplit('⟩').next().unwrap_or_default();
         let precesses = clause.rsplit_once("precess").map(|(_, behind)| behind);
         let beside = precesses.is_some_and(|behind| behind.matches('⟩').count() <= 1);
-        if has_any(behind, SPINS) && has_any(behind, OWN_AXIS) {
+        if spins_about_own_axis(behind) {
             if precesses.is_some() && self.goes_round_momentum_in(clause) {
                 self.take_spin(node);
             }
         } else if beside && self.goes_round_momentum_in(clause) {
             self.take_rate_round_momentum(node);
         }
+    }
+
+    /// Decides a line that gives such a spin behind words for it, "while it spins about its own axis at ⟨\dot\psi = …⟩".
+    pub(crate) fn spins_beside(&mut self, sides: &[Node], finding: &mut Finding) -> bool {
+        let Some(rate) = sides.first() else {
+            return false;
+        };
+        let new = self.new_symbol(undotted(rate)).is_some();
+        let before = self.theory.premises().len();
+        if new {
+            self.take_spin(rate);
+        }
+        let taken = self.theory.premises().len() > before;
+        if taken {
+            self.claim(sides, finding);
+        }
+        taken
     }
 
     fn take_spin(&mut self, rate: &Node) {

@@ -6,6 +6,7 @@ use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::letters::usage::{Letter, Usage, inner, symbols};
 use crate::verify::words::book::{Book, has_any, lowered};
+use crate::verify::words::labelled_moments::labelled_moments;
 use crate::verify::words::moments_in_words::NamedMoment;
 use std::sync::LazyLock;
 
@@ -53,6 +54,7 @@ static SYMMETRIC: LazyLock<Book> =
 /// The moments that stand for several components, each with those.
 pub(crate) fn equal_moments(document: &Document, usage: &Usage) -> Vec<NamedMoment> {
     listed(document, usage)
+        .or_else(|| labelled_moments(document))
         .or_else(|| unwritten(document, usage).map(|moment| vec![moment]))
         .unwrap_or_default()
 }
