@@ -243,7 +243,7 @@ fn labels_tell_the_moments_of_a_symmetric_body() {
 
 #[test]
 fn axes_that_words_lay_out_are_not_those_with_numbers() {
-    let text = r"The disc has the moments $J_d = \frac14mR^2$ and $J_p = \frac12mR^2$ for a diameter and for the normal. Its axes $\mathbf e_1$, $\mathbf e_2$, $\mathbf e_3$ are principal, and we take
+    let text = r"The disc has the moments $J_d = \frac14mR^2$ and $J_p = \frac12mR^2$ for a diameter and for the normal. Its axes $\mathbf e_1$, $\mathbf e_2$, $\mathbf e_3$ are principal, with $\omega_3 = \Omega\cos\beta$, and we take
 
 $$ \boldsymbol\omega = \Omega\sin\beta\,\mathbf e_1 + \Omega\cos\beta\,\mathbf e_3 $$
 

@@ -93,6 +93,10 @@ pub(super) struct Checker<'a> {
     /// False lines so far.
     pub(super) slips: Vec<Slip>,
     pub(super) sentence: String,
+    /// The words of the paragraph that led into the display before, where the sentence goes on.
+    pub(super) led_in: String,
+    /// Whether a display stands right behind the item at hand.
+    pub(super) goes_into_display: bool,
     /// What lines on the body's axes suppose, where other lines stand on axes of fixed orientation.
     pub(super) on_body: Vec<Premise>,
     /// The vertical on the axes used, where the words say what it is there.
@@ -222,6 +226,8 @@ impl<'a> Checker<'a> {
             slips: vec![],
             doubts: Doubts::default(),
             sentence: String::new(),
+            led_in: String::new(),
+            goes_into_display: false,
             on_body: vec![],
             vertical: None,
             small: BTreeSet::new(),

@@ -1,6 +1,6 @@
 //! Checks a document in each of the readings that it leaves open, and keeps the one that most of its lines bear out.
 
-use crate::notation::document::Document;
+use crate::notation::document::{Document, Item};
 use crate::verify::check::Checker;
 use crate::verify::letters::central_letter::bar_central_letter;
 use crate::verify::letters::components_at::take_components_at;
@@ -121,12 +121,20 @@ fn tried<'d>(document: &'d Text<'d>, reading: &Reading) -> Report {
     checked(document, reading).0
 }
 
+/// Whether a display stands behind a paragraph.
+fn goes_into_display(behind: &[Item]) -> bool {
+    let blank = |item: &&Item| matches!(item, Item::Prose { text, .. } if text.trim().is_empty());
+    let next = behind.iter().find(|item| !blank(item));
+    matches!(next, Some(Item::Formula(formula)) if formula.display)
+}
+
 fn checked<'d>(document: &'d Text<'d>, reading: Reading) -> (Report, bool) {
     let mut checker = Checker::new(document, reading);
     for (at, item) in document.items.iter().enumerate() {
         checker.look_ahead(at);
         checker.hear_ahead(at);
         checker.hear_instant(at);
+        checker.goes_into_display = goes_into_display(&document.items[at + 1..]);
         checker.item(item);
         // A reading that is only tried and grows beyond its budget goes no further.
         if checker.theory.terms_left == Some(0) {

@@ -12,6 +12,7 @@ use crate::verify::reason::{RESTS_ON_GIVEN, TAKEN_AS_GIVEN};
 use crate::verify::theory::{MOMENTARY, Name, Rule, Taken, Theory};
 use crate::verify::values::atoms::{Atom, variable_fraction};
 use crate::verify::values::figures::{Alternative, is_number};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
@@ -78,6 +79,15 @@ impl Checker<'_> {
             })
         };
         value.entries.iter().all(&mut free)
+    }
+
+    /// Whether a side is the angular velocity, and nothing gives all of its components yet.
+    pub(crate) fn is_rate_with_a_free_part(&mut self, side: &Node) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let whole = self.theory.atoms.vector(omega, 0);
+        let value = self.lowering(Frame::Moving).value(side);
+        let own = value.is_ok_and(|value| value.entries == whole);
+        own && whole.iter().any(|part| self.theory.normal(part) == *part)
     }
 
     /// Whether all sides come down to numbers.

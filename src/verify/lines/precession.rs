@@ -77,7 +77,11 @@ impl Checker<'_> {
             || words.contains("axis") && self.goes_round_momentum();
         let tail = words.rsplit('⟩').next().unwrap_or_default();
         if spins_about_own_axis(tail) {
-            return called && self.spins_beside(sides, finding);
+            let led_in = lowered(&self.led_in);
+            let beside = called
+                || led_in.contains("precess") && has_any(&led_in, FROM_SPACE)
+                || self.goes_round_letter(&self.led_in);
+            return beside && self.spins_beside(sides, finding);
         }
         // Lines further on are of something else.
         let said = GOES_ROUND.iter().chain(FROM_SPACE).chain(&["precess"]);

@@ -115,7 +115,10 @@ impl Checker<'_> {
         if alone_left && self.is_set_in_an_earlier_case(left) {
             return role;
         }
-        if alone_left && (rest.iter().any(number) || !by_turning && self.is_free_value(left))
+        let free = |checker: &mut Self| {
+            checker.is_free_value(left) || checker.is_rate_with_a_free_part(left)
+        };
+        if alone_left && (rest.iter().any(number) || !by_turning && free(self))
             || self.new_symbol(left).is_some()
         {
             return role;

@@ -84,6 +84,7 @@ impl Checker<'_> {
         }
         let taken = self.theory.premises().len() > before;
         if taken {
+            self.now_known([rate]);
             self.claim(sides, finding);
         }
         taken

@@ -72,6 +72,9 @@ impl Checker<'_> {
         let first = text.trim_start().split(|c: char| !c.is_alphabetic()).next();
         let begins = self.displayed && first.is_some_and(|word| OPENINGS.contains(&word));
         let broken = std::mem::take(&mut self.broken);
+        if broken && opens {
+            self.led_in.clear();
+        }
         if (broken && opens || begins) && self.sentence.trim_end().ends_with('⟩') {
             self.sentence.clear();
         }
@@ -188,6 +191,10 @@ impl Checker<'_> {
     /// A paragraph ends a sentence that nothing holds open.
     pub(crate) fn end_paragraph(&mut self) {
         self.sentence.push(' ');
+        if self.goes_into_display {
+            self.led_in.push_str(&self.sentence);
+            keep_end(&mut self.led_in, LONGEST_SENTENCE);
+        }
         if !self.sentence.trim_end().ends_with([':', ',', '⟩']) {
             self.sentence.push_str(". ");
         }
