@@ -257,3 +257,18 @@ fn words_put_a_letter_for_another() {
     }
     assert_eq!(text("A wheel is known by $n$ and $\\omega_3$.", "I_2"), "u");
 }
+
+#[test]
+fn a_letter_may_name_what_does_not_change() {
+    let text = |kept: &str, last: &str| {
+        verdicts(&format!(
+            "No torque acts, and the kinetic energy is $T$. Let $A$, $B$, $C$ be the principal moments of inertia and $p$, $q$, $r$ the components of \
+             the angular velocity.\n\n$$ Ap^2 + Bq^2 + Cr^2 = 2T $$\n\n$$ {kept} = G^2 $$\n\nEliminating $p$\n\n$$ r^2 = \
+             \\frac{{{last}}}{{C(C - A)}} $$\n"
+        ))
+    };
+    let kept = "A^2p^2 + B^2q^2 + C^2r^2";
+    assert_eq!(text(kept, "G^2 - 2TA - B(B - A)q^2"), "pap");
+    assert_eq!(text(kept, "G^2 - 2TA + B(B - A)q^2"), "par");
+    assert!(text("A^2p^2 + B^2q^2 - C^2r^2", "0").starts_with("pu"));
+}

@@ -297,3 +297,29 @@ fn a_bare_omega_is_the_rate_about_the_axis_that_words_name() {
         assert!(text("").ends_with("rp"), "{words}");
     }
 }
+
+#[test]
+fn a_torque_about_the_axis_is_no_moment_of_inertia() {
+    let energy = |value: &str| {
+        verdicts(&format!(
+            "A disc with moment of inertia $I$ starts from rest under the constant torque $\\tau$ about its axis. After the \
+             time $t$ it turns at\n\n$$ \\omega = \\frac{{\\tau t}}{{I}} $$\n\nand its kinetic energy is\n\n$$ E = \
+             \\frac12I\\omega^2 = {value} $$\n"
+        ))
+    };
+    assert_eq!(energy(r"\frac{\tau^2t^2}{2I}"), "ap");
+    assert_eq!(energy(r"\frac{\tau^2t^2}{I}"), "ar");
+}
+
+#[test]
+fn the_square_of_a_part_of_the_turn_moves_with_it() {
+    let rate = |factor: &str| {
+        verdicts(&format!(
+            "On principal axes $I_1 = I_2 = A$, $I_3 = C$ and the moment is $\\mathbf M = -k\\boldsymbol\\omega$. Then \
+             $\\omega_\\perp^2 = \\omega_1^2 + \\omega_2^2$ obeys\n\n$$ \\frac{{d}}{{dt}}\\omega_\\perp^2 = \
+             -\\frac{{{factor}}}{{A}}\\omega_\\perp^2 $$\n"
+        ))
+    };
+    assert!(rate("2k").ends_with('p'));
+    assert!(rate("k").ends_with('r'));
+}

@@ -59,6 +59,7 @@ mod lone_moment;
 pub(super) mod mass_integrals;
 pub(super) mod moving_point;
 pub(super) mod multiples;
+pub(super) mod named_integrals;
 pub(super) mod named_only;
 pub(super) mod named_roots;
 pub(super) mod neglected;

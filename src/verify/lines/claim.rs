@@ -73,7 +73,9 @@ impl Checker<'_> {
             {
                 return;
             }
-            if !open && self.names_components(sides, finding) {
+            if !open
+                && (self.names_components(sides, finding) || self.names_an_integral(sides, finding))
+            {
                 return;
             }
             if self.settled_by_squares(&read, open, finding) {

@@ -6,6 +6,7 @@ use crate::verify::check::Checker;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::line::Read;
 use crate::verify::values::atoms::{Owner, variable_fraction};
+use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Finding, Role};
 use num_traits::{ToPrimitive, Zero};
 
@@ -64,6 +65,16 @@ impl Checker<'_> {
         // What moves may change its sign, but for the length of its components.
         let new = own && (rests || is_sum_of_squares(right)) && !self.theory.mentions(*variable);
         if new && (left.clone() - square).is_zero() && !right.variables().is_empty() {
+            let atoms = &self.theory.atoms;
+            let turns = |v: &u32| {
+                matches!(
+                    atoms.owner(*v),
+                    Some(Owner::Quantity(Quantity::AngularVelocity, _))
+                )
+            };
+            if let Some(entity) = entity.filter(|_| right.variables().iter().any(turns)) {
+                self.theory.atoms.info_mut(entity).constant = false;
+            }
             let right = self.theory.normal(right);
             let root = self.theory.kernel(Function::Sqrt, right);
             *residual = variable_fraction(*variable) - root;

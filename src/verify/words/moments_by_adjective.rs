@@ -1,10 +1,23 @@
 //! Moments of inertia that an adjective names: "its transverse moment of inertia is ⟨I_t⟩", "the axial and transverse
 //! moments ⟨C⟩ and ⟨A⟩", "⟨A⟩ (transverse)".
 
+use crate::verify::words::book::has_any;
 use crate::verify::words::phrases::speaks_of_wheels;
 
 const AXIAL: &[&str] = &["axial", "polar", "longitudinal"];
-const TRANSVERSE: &[&str] = &["transverse", "equatorial", "lateral"];
+const TRANSVERSE: &[&str] = &["transverse", "equatorial", "lateral", "diametral"];
+/// What a rotor may be a part of.
+const CARRIERS: &[&str] = &[
+    "satellite",
+    "spacecraft",
+    "platform",
+    "body",
+    "housing",
+    "vehicle",
+    "ship",
+    "airframe",
+    "carrier",
+];
 const MOMENT: &[&str] = &[
     " moments of inertia",
     " moment of inertia",
@@ -17,8 +30,9 @@ const MOMENT: &[&str] = &[
 /// symmetry.
 pub(crate) fn by_adjective(text: &str) -> Vec<(usize, bool)> {
     let mut found = vec![];
-    // That of a wheel is not one of the body that carries it.
-    if speaks_of_wheels(text) {
+    // That of a wheel is not one of the body that carries it; a rotor alone has both.
+    let both = has_any(text, AXIAL) && has_any(text, TRANSVERSE);
+    if speaks_of_wheels(text) && !(both && text.contains("rotor") && !has_any(text, CARRIERS)) {
         return found;
     }
     for (words, other, axial) in [(AXIAL, TRANSVERSE, true), (TRANSVERSE, AXIAL, false)] {

@@ -102,7 +102,15 @@ const TRANSVERSE: &[&str] = &[
     "any other",
 ];
 /// Words before the letter of a rate: "turns at ⟨n⟩ about the x axis".
-const RATES: &[&str] = &[" at", " rate", " speed", " velocity"];
+const RATES: &[&str] = &[
+    " at",
+    " rate",
+    " speed",
+    " velocity",
+    " torque",
+    " couple",
+    " force",
+];
 /// Words that may stand between a letter and what it is called.
 const BETWEEN: &[&str] = &[
     "be",

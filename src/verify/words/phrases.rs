@@ -290,7 +290,15 @@ pub(crate) fn apposition(text: &str, near: bool) -> Option<Quantity> {
     let rest = ["the ", "its "]
         .iter()
         .find_map(|lead| text.strip_prefix(lead))?;
-    let rest = ["total ", "resultant ", "external ", "net "]
+    let leads = [
+        "total ",
+        "resultant ",
+        "external ",
+        "net ",
+        "components of the ",
+        "components of its ",
+    ];
+    let rest = leads
         .iter()
         .find_map(|word| rest.strip_prefix(word))
         .unwrap_or(rest);
