@@ -302,3 +302,19 @@ fn a_momentum_on_body_axes_has_its_rate_there() {
     assert_eq!(text("on body axes"), "prp");
     assert_eq!(text("as usual"), "ppp");
 }
+
+#[test]
+fn of_two_labels_one_turns() {
+    let law = |labels: [&str; 2], sign: char| {
+        let [still, turning] = labels;
+        verdicts(&format!(
+            "Any vector $\\mathbf A$ is looked at from a frame that turns with $\\boldsymbol\\Omega$. Then\n\n$$ \
+             \\left(\\frac{{d\\mathbf A}}{{dt}}\\right)_{{{still}}} = \\left(\\frac{{d\\mathbf A}}{{dt}}\\right)_{{{turning}}} \
+             {sign} \\boldsymbol\\Omega\\times\\mathbf A $$\n"
+        ))
+    };
+    for labels in [["S", "R"], ["I", "R"], ["N", "A"], ["A", "B"], ["S", "B"]] {
+        assert!(law(labels, '+').ends_with('p'), "{labels:?}");
+        assert!(law(labels, '-').ends_with('r'), "{labels:?}");
+    }
+}

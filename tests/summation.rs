@@ -180,3 +180,16 @@ fn the_law_of_a_running_index_holds_on_axes_that_do_not_turn() {
     assert_eq!(text("The law is"), "pp");
     assert_eq!(text("On body axes"), "pr");
 }
+
+#[test]
+fn a_sum_along_unit_vectors_runs_over_the_axes() {
+    let rate = |sign: char| {
+        verdicts(&format!(
+            "Let $\\hat{{\\mathbf e}}_1$, $\\hat{{\\mathbf e}}_2$, $\\hat{{\\mathbf e}}_3$ be fixed in a frame that turns with \
+             $\\boldsymbol\\Omega$. Any vector is $\\mathbf A = \\sum_i A_i\\hat{{\\mathbf e}}_i$. Then\n\n$$ \\frac{{d\\mathbf \
+             A}}{{dt}} = \\sum_i\\dot A_i\\hat{{\\mathbf e}}_i {sign} \\boldsymbol\\Omega\\times\\mathbf A $$\n"
+        ))
+    };
+    assert!(rate('+').ends_with('p'));
+    assert!(rate('-').ends_with('r'));
+}

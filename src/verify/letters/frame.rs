@@ -265,6 +265,9 @@ impl Frames {
                 let other_frame = match (known(self, one), custom) {
                     (Some(frame), None) => Some(frame.other()),
                     (Some(frame), Some(same)) if said == Some(same) => Some(frame.other()),
+                    (Some(Frame::Space), Some(Frame::Space)) if rests_before(one, other) => {
+                        Some(Frame::Moving)
+                    }
                     _ => None,
                 };
                 if let Some(frame) = other_frame.filter(|_| free) {
@@ -353,7 +356,8 @@ fn key(label: &str) -> String {
 /// The label that a lone symbol would be, in brackets or not: "the solid $(S)$".
 fn name(node: &Node) -> Option<String> {
     match &inner(node).kind {
-        Kind::Symbol(symbol) => Some(label_of(symbol)),
+        // A vector is none: "any vector ⟨**A**⟩ is looked at from a frame that turns".
+        Kind::Symbol(symbol) if !symbol.style.vector => Some(label_of(symbol)),
         _ => None,
     }
 }
@@ -362,6 +366,18 @@ fn name(node: &Node) -> Option<String> {
 pub(crate) fn label_of(symbol: &Symbol) -> String {
     let primes = "'".repeat(symbol.primes.into());
     format!("{}{}{primes}", symbol.name, symbol.subscripts.concat())
+}
+
+/// Whether of two letters that either stand for a frame at rest the first does: the R beside an S turns.
+fn rests_before(one: &str, other: &str) -> bool {
+    let place = |label: &str| {
+        ["N", "I", "S", "E", "F", "A", "R"]
+            .iter()
+            .position(|l| *l == label)
+    };
+    place(one)
+        .zip(place(other))
+        .is_some_and(|(one, other)| one < other)
 }
 
 /// The frame of a label by what people write.

@@ -201,11 +201,15 @@ fn sums(node: &mut Node, usage: &Usage) {
             let carries = |s: &&Symbol| s.subscripts.contains(&index.name);
             let indexed: Vec<_> = symbols(body).into_iter().filter(carries).collect();
             let all = indexed.iter().all(|s| components(s, usage).is_some());
-            let first = indexed
-                .first()
-                .filter(|_| all)
-                .and_then(|s| components(s, usage));
-            first.map(|values| values.map(String::from).to_vec())
+            // Each component along its unit vector.
+            let unit = |s: &&&Symbol| {
+                matches!(s.name.as_str(), "e" | "b") && (s.style.hat || s.style.vector)
+            };
+            let along = indexed.iter().find(unit);
+            let first = indexed.first().filter(|_| all).or(along);
+            let values = first.and_then(|s| components(s, usage));
+            let values = values.or(along.map(|_| ["1", "2", "3"]));
+            values.map(|values| values.map(String::from).to_vec())
         }
     };
     let Some(values) = values.filter(|values| values.len() * size(body) <= MOST_NODES) else {

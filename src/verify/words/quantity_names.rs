@@ -130,6 +130,9 @@ const NAMES: &[(Option<Quantity>, &[&str])] = &[
         None,
         &[
             "precession rate",
+            "magnetic moment",
+            "dipole moment",
+            "bending moment",
             "mass centre",
             "mass center",
             "moment of the impulse",
