@@ -46,3 +46,24 @@ fn angles_that_no_words_name_stay_as_the_lines_have_them() {
     let document = "Given\n$$\\omega_x = \\dot\\theta\\sin\\phi$$\n";
     assert!(!verdicts(document).contains('r'));
 }
+
+#[test]
+fn euler_angles_are_known_by_an_energy_with_equal_moments() {
+    let text = |energy: &str, momentum: &str| {
+        verdicts(&format!(
+            r"A symmetric top has the principal moments $I_1 = I_2$ and $I_3$. With the Euler angles $\phi$, $\theta$, $\psi$ the kinetic energy is
+
+$$ T = \frac12I_1(\dot\theta^2 + \dot\phi^2\sin^2\theta) + \frac12I_3(\dot\psi + \dot\phi\cos\theta)^2 $$
+
+$$ p_\psi = \frac{{\partial T}}{{\partial\dot\psi}} = {energy} $$
+
+$$ p_\phi = \frac{{\partial T}}{{\partial\dot\phi}} = {momentum} $$
+"
+        ))
+        .split_off(1)
+    };
+    let spin = r"I_3(\dot\psi + \dot\phi\cos\theta)";
+    let turn = r"I_1\dot\phi\sin^2\theta + p_\psi\cos\theta";
+    assert_eq!(text(spin, turn), "ppp");
+    assert_eq!(text(spin, &turn.replace(r"\cos", r"\sin")), "ppr");
+}

@@ -131,8 +131,8 @@ For a horizontal axis, put $\theta = \pi/2$. The condition shrinks to ${steady}$
 "
         ))
     };
-    assert_eq!(text("2A", r"C\dot\phi\,\dot\psi = mg\ell"), "pppppapapap");
-    assert_eq!(text("A", r"C\dot\phi\,\dot\psi = 2mg\ell"), "ppppparapar");
+    assert_eq!(text("2A", r"C\dot\phi\,\dot\psi = mg\ell"), "pppppppapap");
+    assert_eq!(text("A", r"C\dot\phi\,\dot\psi = 2mg\ell"), "pppppprapar");
 }
 
 #[test]

@@ -323,3 +323,17 @@ fn the_square_of_a_part_of_the_turn_moves_with_it() {
     assert!(rate("2k").ends_with('p'));
     assert!(rate("k").ends_with('r'));
 }
+
+#[test]
+fn a_speed_about_an_axis_is_the_length_of_the_vector_in_bold() {
+    let moment = |sign: char| {
+        verdicts(&format!(
+            "The rotor turns at a constant speed $\\Omega$ about the $z$ axis; its products of inertia are $I_{{xz}}$ and \
+             $I_{{yz}}$. The angular momentum is\n\n$$ \\mathbf L = -I_{{xz}}\\Omega\\,\\mathbf i - I_{{yz}}\\Omega\\,\\mathbf j + \
+             I_{{zz}}\\Omega\\,\\mathbf k $$\n\nand the bearing moment is\n\n$$ \\mathbf M = \
+             \\boldsymbol\\Omega\\times\\mathbf L = I_{{yz}}\\Omega^2\\,\\mathbf i {sign} I_{{xz}}\\Omega^2\\,\\mathbf j $$\n"
+        ))
+    };
+    assert_eq!(moment('-'), "pp");
+    assert_eq!(moment('+'), "pr");
+}

@@ -324,9 +324,11 @@ fn fixed_axis(sentence: &str, known: bool) -> Option<u8> {
         .is_some_and(|word| matches!(word.trim_matches(['⟨', '⟩', '.']), "x" | "y" | "z"));
     let fixed = (lettered || near.contains("axis")) && (known && of_body || near.contains("fixed"));
     let rate = of_body
-        && ["velocity ", "speed ", "rate "]
-            .iter()
-            .any(|word| sentence.contains(&format!("{word}⟨omega⟩")));
+        && ["velocity ", "speed ", "rate "].iter().any(|word| {
+            ["omega", "Omega"]
+                .iter()
+                .any(|name| sentence.contains(&format!("{word}⟨{name}⟩")))
+        });
     let mut words = near.split(|c: char| c.is_whitespace() || c == '-');
     let named = words.find_map(|word| {
         let letter = word.trim_matches(['⟨', '⟩', '.']);

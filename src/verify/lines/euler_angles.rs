@@ -80,6 +80,7 @@ impl Checker<'_> {
     /// name them, where no line holds by it, or where two readings have as many and other lines.
     pub(crate) fn euler_angles(&mut self, sequences: &[Sequence]) -> Option<EulerAngles> {
         let letters = self.three_angles()?;
+        self.suppose_a_symmetric_body();
         let spoken = self.lines_of_angles(&letters);
         let mut best: Option<(Vec<bool>, EulerAngles)> = None;
         let mut tied = false;
@@ -97,6 +98,36 @@ impl Checker<'_> {
             }
         }
         best.filter(|_| !tied).map(|(_, angles)| angles)
+    }
+
+    /// Takes in ahead what lines say of moments that are equal, `I_1 = I_2 = A`, and that the axes are principal where no
+    /// product is written.
+    fn suppose_a_symmetric_body(&mut self) {
+        if self.reading.writes_only_diagonal() {
+            self.vanish("principal axes", Quantity::Inertia, &[3, 4, 5]);
+        }
+        let inertia = self.theory.atoms.quantity(Quantity::Inertia);
+        let lone = |side: &Node| matches!(undotted(side).kind, Kind::Symbol(_));
+        for line in lines(self.document) {
+            let of_body = line.sides.len() > 1
+                && line.sides.iter().all(lone)
+                && self.entities(&line.sides).contains(&inertia);
+            let Some(read) = self
+                .read(&line.sides, Frame::Moving)
+                .ok()
+                .filter(|_| of_body)
+            else {
+                continue;
+            };
+            let residuals: Vec<Fraction> = read.residuals().cloned().collect();
+            let preferred = residuals.iter().flat_map(Fraction::variables).collect();
+            self.theory.assume(Premise {
+                name: "equal moments".to_owned(),
+                residuals,
+                preferred,
+                definition: false,
+            });
+        }
     }
 
     /// Takes the angles in: what ω is by their rates.

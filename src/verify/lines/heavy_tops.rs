@@ -13,6 +13,14 @@ use crate::verify::verdict::{Finding, Verdict};
 
 const NAME: &str = "moment of the weight";
 
+/// Words of what acts.
+const WEIGHT: &[&str] = &[
+    "weight",
+    "gravity",
+    "heavy top",
+    "heavy symmetric",
+    "potential energy",
+];
 /// Words of a vertical that points down, and of what acts beside the weight.
 const OTHERWISE: &[&str] = &[
     "downward", "hang", "pendulum", "below", "torque", "couple", "friction", "drag", "motor",
@@ -22,7 +30,7 @@ impl Checker<'_> {
     /// Takes the weight for what acts, where a claim with a weight in it is proved by that and has the moment alone on
     /// its left or nowhere.
     pub(crate) fn tie_weight(&mut self, sides: &[Node], finding: &Finding) {
-        let said = self.text.says(&["weight"]) && !self.text.says(OTHERWISE);
+        let said = self.text.says(WEIGHT) && !self.text.says(OTHERWISE);
         let met: Vec<&Symbol> = sides.iter().flat_map(symbols).collect();
         let weighs = met.iter().any(|s| s.name == "g" && s.subscripts.is_empty());
         if !said || !weighs || !self.reading.speaks_of(Quantity::Mass) {
@@ -90,6 +98,15 @@ impl Checker<'_> {
         proved
     }
 
+    /// Whether a premise speaks of an entity that is no definition of something by it, as that of a potential energy is.
+    fn is_said_of(&self, entity: Entity) -> bool {
+        let premises = self.theory.premises().iter().filter(|p| !p.definition);
+        let mut said = premises
+            .flat_map(|p| &p.residuals)
+            .flat_map(Fraction::variables);
+        said.any(|v| self.theory.atoms.entity_of(v) == Some(entity))
+    }
+
     /// Numbers of the document that may be the distance of the mass centre.
     fn arms_of_weight(&mut self, met: &[&Symbol]) -> Vec<Entity> {
         let mut arms = vec![];
@@ -99,7 +116,7 @@ impl Checker<'_> {
             };
             let info = self.theory.atoms.info(entity);
             let number = info.shape == Shape::Scalar && matches!(info.owner, Owner::Symbol(_));
-            if number && self.is_free(entity) && !self.theory.mentions_entity(entity) {
+            if number && self.is_free(entity) && !self.is_said_of(entity) {
                 arms.push(entity);
             }
         }
