@@ -49,3 +49,25 @@ fn a_vector_is_written_along_unit_vectors_that_turn() {
     );
     assert_eq!(of("wx j - wy i")[4..5], ["refuted"]);
 }
+
+#[test]
+fn words_in_brackets_say_from_where_a_rate_is_seen() {
+    let law = |sign: char| {
+        let text = format!(
+            "The body has the angular momentum H and turns with w.\n\n    dH/dt (inertial) = dH/dt (body) {sign} w x H\n"
+        );
+        verdicts(&text)
+    };
+    assert_eq!(law('+'), ["proved"]);
+    assert_eq!(law('-'), ["refuted"]);
+}
+
+#[test]
+fn places_of_masses_are_written_by_a_factor_and_a_list() {
+    let text = "Two masses m on a massless rod, turning about its centre with w along z. The rod makes the angle g with the z \
+                axis.\n\nPosition of mass 1: r1 = b*(sin(g), 0, cos(g)), mass 2: r2 = -r1.\n\n    w = (0, 0, W)\n    v1 = w x \
+                r1 = (0, W*b*sin(g), 0)\n    L = 2*m*(r1 x v1)\n";
+    let found = verdicts(text);
+    assert!(!found.contains(&"refuted"), "{found:?}");
+    assert_ne!(found[3], "undecided");
+}

@@ -33,6 +33,14 @@ pub(crate) fn is_call(word: &str) -> bool {
     )
 }
 
+/// Words that say in brackets from which frame a rate is seen: `dH/dt (inertial)`.
+pub(crate) fn is_frame(word: &str) -> bool {
+    matches!(
+        word,
+        "inertial" | "space" | "fixed" | "body" | "rotating" | "moving" | "relative"
+    )
+}
+
 /// What a word of plain text stands for, where it is known: Greek names, functions, components that run
 /// together (`Ixx`, `wx`, `L1`), each with `dot` behind it or in it.
 pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
@@ -82,7 +90,7 @@ pub(crate) fn word(word: &str) -> Option<Spelling<'_>> {
 /// `wdotx`, `omegadot1`: the dot before the index.
 fn dot_inside(word: &str) -> Option<Spelling<'_>> {
     let (head, subscript) = word.rsplit_once("dot")?;
-    if !matches!(subscript, "x" | "y" | "z" | "1" | "2" | "3") {
+    if !matches!(subscript, "x" | "y" | "z" | "0" | "1" | "2" | "3") {
         return None;
     }
     let (head, dots) = match head.strip_suffix('d') {

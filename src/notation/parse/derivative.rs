@@ -4,7 +4,9 @@ mod differential;
 
 use super::Parser;
 use super::letter::is_mark;
-use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use super::script::in_frame;
+use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
+use crate::notation::plain_words;
 use crate::notation::token::{Lexeme, Token};
 use differential::{Differential, above, order, script, total, total_mark, trim};
 pub(super) use differential::{mark, turning};
@@ -168,16 +170,36 @@ impl<'t, 'a> Parser<'t, 'a> {
         let variables = self.variables(&self.tokens[bottom..below.at])?;
         self.at = below.at;
         let rest = &self.tokens[from..slash];
-        Some(self.derivative(
-            Differential {
-                partial,
-                order,
-                frame: None,
-                rest,
-            },
-            variables,
-            start,
-        ))
+        let differential = Differential {
+            partial,
+            order,
+            frame: None,
+            rest,
+        };
+        let rate = self.derivative(differential, variables, start);
+        Some(match self.frame_in_brackets() {
+            Some(frame) => in_frame(rate, frame),
+            None => rate,
+        })
+    }
+
+    /// The `(inertial)` of `dH/dt (inertial)`.
+    fn frame_in_brackets(&mut self) -> Option<FrameLabel> {
+        let [open, word, close, ..] = self.tokens.get(self.at..)? else {
+            return None;
+        };
+        match (open.kind, word.kind, close.kind) {
+            (Lexeme::Char('('), Lexeme::Text(text), Lexeme::Char(')'))
+                if plain_words::is_frame(text.trim()) =>
+            {
+                self.at += 3;
+                Some(FrameLabel {
+                    text: text.trim().to_owned(),
+                    span: word.span,
+                })
+            }
+            _ => None,
+        }
     }
 
     /// The next slash outside brackets, if it is near.

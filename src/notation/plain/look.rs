@@ -171,8 +171,19 @@ pub(super) fn marker(text: &str) -> usize {
 /// Whether every word of a text may belong to a formula.
 pub(super) fn is_mathematical(text: &str) -> bool {
     let letter = |word: &str| matches!(word.trim_end_matches(','), "A" | "I" | "a");
+    let rate = text.contains("/dt");
+    let frame = |word: &str| {
+        let inside = word
+            .strip_prefix('(')
+            .and_then(|rest| rest.strip_suffix(')'));
+        rate && inside.is_some_and(plain_words::is_frame)
+    };
     text.split_whitespace().all(|word| {
-        look(word) != Look::Words || letter(word) || is_constant(word) || ARROWS.contains(&word)
+        look(word) != Look::Words
+            || letter(word)
+            || frame(word)
+            || is_constant(word)
+            || ARROWS.contains(&word)
     })
 }
 

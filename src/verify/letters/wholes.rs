@@ -139,13 +139,13 @@ impl Wholes {
     }
 
     fn line(&mut self, line: &Line) {
-        let [left, right, ..] = line.sides.as_slice() else {
+        let [left, rest @ ..] = line.sides.as_slice() else {
             return;
         };
-        let Kind::Symbol(symbol) = &inner(left).kind else {
+        let (Kind::Symbol(symbol), Some(right)) = (&inner(left).kind, rest.first()) else {
             return;
         };
-        let grid = is_grid(right);
+        let grid = rest.iter().any(is_grid);
         let square = |rows: &[Vec<Node>]| rows.len() == 3 && rows.iter().all(|r| r.len() == 3);
         if matches!(&inner(right).kind, Kind::Matrix(rows) if square(rows)) {
             self.grids
@@ -395,8 +395,14 @@ fn is_grid(side: &Node) -> bool {
         Kind::Quotient(above, below) => is_grid(above) && symbols(below).is_empty(),
         Kind::Product(factors) => {
             let grids = factors.iter().filter(|factor| is_grid(&factor.node));
-            let plain = |factor: &&Factor| symbols(&factor.node).is_empty();
-            grids.count() == 1
+            // `b*(sin g, 0, cos g)`; a point between two vectors makes a number of them.
+            let plain = |factor: &&Factor| {
+                let met = symbols(&factor.node);
+                met.iter().all(|symbol| !symbol.style.vector)
+            };
+            let number = |f: &Factor| f.operator == Operator::Dot && !symbols(&f.node).is_empty();
+            !factors.iter().any(number)
+                && grids.count() == 1
                 && factors
                     .iter()
                     .filter(|f| !is_grid(&f.node))

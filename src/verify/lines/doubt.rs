@@ -133,6 +133,16 @@ impl Checker<'_> {
                         return Some(format!("a line about `{name}` was left open before"));
                     }
                     let owner = &self.theory.atoms.info(entity).owner;
+                    let inertia = matches!(owner, Owner::Quantity(Quantity::Inertia, _));
+                    // "L = 2m **r** × **v**": it says itself what they are.
+                    if inertia
+                        && !self.reading.speaks_of(Quantity::Inertia)
+                        && self.has_a_mass(read)
+                    {
+                        return Some(
+                            "nothing before says what the moments of inertia are".to_owned(),
+                        );
+                    }
                     if let (Owner::Quantity(..), Some(line)) = (owner, &self.doubts.setting) {
                         return Some(format!("{line}, which sets the motion up, was left open"));
                     }
@@ -140,6 +150,17 @@ impl Checker<'_> {
             }
         }
         None
+    }
+
+    /// Whether a mass stands in a line.
+    fn has_a_mass(&self, read: &Read) -> bool {
+        let mass = |v: &Variable| match self.theory.atoms.owner(*v) {
+            Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::Mass,
+            Some(Owner::Symbol(name)) => name == "m" || name.starts_with("m "),
+            None => false,
+        };
+        read.residuals()
+            .any(|entry| entry.variables().iter().any(mass))
     }
 
     /// A constant of the document whose power the text gives, ⟨k² = a²/12⟩, and that no rule gives: lines that use it do
