@@ -137,7 +137,7 @@ impl Checker<'_> {
                     // "L = 2m **r** × **v**": it says itself what they are.
                     if inertia
                         && !self.reading.speaks_of(Quantity::Inertia)
-                        && self.has_a_mass(read)
+                        && self.gives_a_momentum_by_masses(read)
                     {
                         return Some(
                             "nothing before says what the moments of inertia are".to_owned(),
@@ -152,15 +152,25 @@ impl Checker<'_> {
         None
     }
 
-    /// Whether a mass stands in a line.
-    fn has_a_mass(&self, read: &Read) -> bool {
-        let mass = |v: &Variable| match self.theory.atoms.owner(*v) {
+    /// Whether a line gives the momentum by masses: `L = 2m **r** × **v**`.
+    fn gives_a_momentum_by_masses(&self, read: &Read) -> bool {
+        let owner = |v: Variable| self.theory.atoms.owner(v);
+        let mass = |v: &Variable| match owner(*v) {
             Some(Owner::Quantity(quantity, _)) => *quantity == Quantity::Mass,
             Some(Owner::Symbol(name)) => name == "m" || name.starts_with("m "),
             None => false,
         };
-        read.residuals()
-            .any(|entry| entry.variables().iter().any(mass))
+        let momentum = |entry: &Fraction| {
+            let owner = entry.as_variable().and_then(owner);
+            matches!(owner, Some(Owner::Quantity(Quantity::Momentum, _)))
+        };
+        let [equation] = read.equations.as_slice() else {
+            return false;
+        };
+        equation.left.entries.iter().all(momentum)
+            && read
+                .residuals()
+                .any(|entry| entry.variables().iter().any(mass))
     }
 
     /// A constant of the document whose power the text gives, ⟨k² = a²/12⟩, and that no rule gives: lines that use it do
