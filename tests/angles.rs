@@ -67,3 +67,21 @@ $$ p_\phi = \frac{{\partial T}}{{\partial\dot\phi}} = {momentum} $$
     assert_eq!(text(spin, turn), "ppp");
     assert_eq!(text(spin, &turn.replace(r"\cos", r"\sin")), "ppr");
 }
+
+#[test]
+fn euler_equations_give_the_second_rates_of_the_angles() {
+    let tilt = |sign: char| {
+        verdicts(&format!(
+            r"A heavy symmetric top of mass $m$ has the principal moments $A$, $A$ and $C$ about its fixed tip. With the Euler angles $\phi$, $\theta$, $\psi$ the kinetic energy is
+
+$$ T = \frac12A(\dot\theta^2 + \dot\phi^2\sin^2\theta) + \frac12C(\dot\psi + \dot\phi\cos\theta)^2 $$
+
+and with the potential energy $V = mgl\cos\theta$ the equation for $\theta$ is
+
+$$ A\ddot\theta = A\dot\phi^2\sin\theta\cos\theta {sign} C(\dot\psi + \dot\phi\cos\theta)\dot\phi\sin\theta + mgl\sin\theta $$
+"
+        ))
+    };
+    assert!(tilt('-').ends_with('p'), "{}", tilt('-'));
+    assert!(tilt('+').ends_with(['r', 'u']), "{}", tilt('+'));
+}

@@ -63,7 +63,10 @@ impl Checker<'_> {
                 return self.proved(&read, proof, finding);
             }
             let open = matches!(decision, Decision::Open(_));
-            if open && self.proved_on_space_axes(sides, finding) {
+            if open
+                && (self.proved_by_rates_of_angles(&read, finding)
+                    || self.proved_on_space_axes(sides, finding))
+            {
                 return;
             }
             if !open

@@ -11,8 +11,9 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, undotted};
+use crate::verify::lines::line::Read;
 use crate::verify::repair::lines;
-use crate::verify::theory::decide::passes_filter;
+use crate::verify::theory::decide::{Decision, decide, passes_filter};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken, Theory};
 use crate::verify::values::atoms::{Atom, Entity, Owner, variable_fraction};
@@ -20,6 +21,7 @@ use crate::verify::values::lower::constant;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::values::value::Value;
+use crate::verify::verdict::Finding;
 use crate::verify::words::euler_words::{Sequence, leaves_out_the_spin};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
@@ -143,6 +145,41 @@ impl Checker<'_> {
                 .collect();
             self.known.extend(entities);
         }
+    }
+
+    /// Proves a line with second rates of the angles on body axes with their rates solved for, and not the components of
+    /// ω: Euler's equations then give them.
+    pub(crate) fn proved_by_rates_of_angles(&mut self, read: &Read, finding: &mut Finding) -> bool {
+        let angles = self.reading.euler_angles.clone();
+        let Some(angles) = angles.filter(|angles| angles.on == On::Body) else {
+            return false;
+        };
+        let letters = angles.letters.iter();
+        let entities: Vec<Entity> = letters.filter_map(|letter| self.angle(letter)).collect();
+        let rate = |v: Variable| matches!(self.theory.atoms.atom(v), Atom::Part { entity, order: 2.., .. } if entities.contains(entity));
+        let mut residuals = read.residuals();
+        if !residuals.any(|r| r.variables().into_iter().any(rate)) {
+            return false;
+        }
+        let name = angles.words();
+        let mut premises = self.theory.premises().iter();
+        let Some(mut turns) = premises.find(|p| p.name == name).cloned() else {
+            return false;
+        };
+        let mut theory = self.theory.clone();
+        turns.preferred = entities
+            .iter()
+            .map(|e| theory.atoms.part(*e, 0, 1))
+            .collect();
+        theory.retain(|premise| premise.name != name);
+        theory.assume(turns);
+        let Decision::True(proof) = decide(&mut theory, &read.equations) else {
+            return false;
+        };
+        let before = std::mem::replace(&mut self.theory, theory);
+        self.proved(read, proof, finding);
+        self.theory = before;
+        true
     }
 
     /// Whether a line gives the rate of an angle by the angular velocity, which the angles of the words make already.
