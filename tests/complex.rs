@@ -81,3 +81,19 @@ fn an_exponential_of_an_imaginary_angle_has_a_cosine_and_a_sine() {
         "p"
     );
 }
+
+#[test]
+fn an_upright_i_stands_beside_unit_vectors_with_marks() {
+    let text = r"The axes $Gxyz$ are fixed in the body and $Gz$ is the axis of revolution. The moment of inertia about $Gz$ is $C$, about any transverse axis through $G$ it is $A$. No moment acts about $G$.
+
+$$ \vec H = A\,\omega_x\,\vec\imath + A\,\omega_y\,\vec\jmath + C\,\omega_z\,\vec k $$
+
+Let $w = \omega_x + \mathrm{i}\,\omega_y$ and $\lambda = \frac{C - A}{A}\omega_z$. Then
+
+$$ \dot w = \mathrm{i}\lambda\,w $$
+
+$$ \dot w = -\mathrm{i}\lambda\,w $$
+";
+    let found = verdicts(text);
+    assert!(matches!(found.as_str(), "paapr" | "paapu"), "{found}");
+}

@@ -71,3 +71,14 @@ fn places_of_masses_are_written_by_a_factor_and_a_list() {
     assert!(!found.contains(&"refuted"), "{found:?}");
     assert_ne!(found[3], "undecided");
 }
+
+#[test]
+fn a_capital_and_two_axes_are_an_entry() {
+    let text = "    Bxx = (60/12)*(0.6^2 + 1.0^2) = 6.8\n    Ixx = Bxx + 2*2*(0.3^2 + 0.4^2) = 6.8 + 1.0 = 7.8\n";
+    let found = verdicts(text);
+    assert_eq!(found.len(), 2);
+    assert!(
+        !found.contains(&"unreadable") && !found.contains(&"refuted"),
+        "{found:?}"
+    );
+}

@@ -200,3 +200,37 @@ $$ \vec u = -kI\vec\omega $$
 ";
     assert!(text(claimed).ends_with("r"), "{}", text(claimed));
 }
+
+/// The verdict on the momentum across the axis of a body of which words say about what it turns.
+fn turns(words: &str) -> String {
+    verdicts(&format!(
+        "{words} The product of inertia is $I_{{xz}} = \\int xz\\,dm$. The momentum across is\n\n$$ H_x = -I_{{xz}}\\omega_z $$\n\n$$ H_x = I_{{xz}}\\omega_z $$\n"
+    ))
+}
+
+#[test]
+fn words_say_which_components_of_the_turn_vanish() {
+    for words in [
+        "The body turns about $z$ only.",
+        "The rig is driven about the $z$ axis alone.",
+        "The body turns steadily ($\\omega_x$ and $\\omega_y$ are zero).",
+        "Let $\\omega_z$ be given; $\\omega_x$ and $\\omega_y$ vanish.",
+    ] {
+        let found = turns(words);
+        assert!(found.ends_with("pr"), "{words}: {found}");
+    }
+    for words in [
+        "The body turns about $z$.",
+        "We want to show that $\\omega_x$ and $\\omega_y$ vanish.",
+    ] {
+        let found = turns(words);
+        assert!(!found.ends_with("pr"), "{words}: {found}");
+    }
+}
+
+#[test]
+fn principal_axes_at_the_end_are_not_taken_before() {
+    let text = "I keep all products of inertia and go to principal axes only at the end. On body axes\n\n$$ H_x = I_{xx}\\omega_x - \
+                I_{xy}\\omega_y - I_{xz}\\omega_z $$\n\n$$ H_x = I_{xx}\\omega_x $$\n";
+    assert!(verdicts(text).ends_with("pr"), "{}", verdicts(text));
+}

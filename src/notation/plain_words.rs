@@ -120,8 +120,17 @@ pub(crate) fn undotted(word: &str) -> (&str, u8) {
     }
 }
 
+/// Whether a word is a capital and two axes: the `Bxx` of a box.
+pub(crate) fn is_entry(word: &str) -> bool {
+    let axes = |b: &u8| matches!(b, b'x' | b'y' | b'z');
+    matches!(word.as_bytes(), [head, row, column] if head.is_ascii_uppercase() && axes(row) && axes(column))
+}
+
 /// Splits `Ixx` into I and xx; only letters that have components, and only axes as components.
 fn split_components(stem: &str) -> Option<(&str, &str)> {
+    if is_entry(stem) {
+        return Some(stem.split_at(1));
+    }
     let head = [
         "omega", "Omega", "tau", "I", "J", "L", "H", "M", "N", "h", "w", "T", "v", "a", "F", "r",
         "P", "D",

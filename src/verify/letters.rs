@@ -29,6 +29,7 @@ pub(super) mod one_axis;
 pub(super) mod own_point;
 pub(super) mod particles;
 pub(super) mod periods;
+pub(super) mod point_axes;
 pub(super) mod point_labels;
 pub(super) mod primed_axes;
 pub(super) mod primes;

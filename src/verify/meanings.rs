@@ -6,6 +6,7 @@ use crate::verify::letters::central_letter::bar_central_letter;
 use crate::verify::letters::components_at::take_components_at;
 use crate::verify::letters::convention::UNDECIDED;
 use crate::verify::letters::named_axes::number_named_axes;
+use crate::verify::letters::point_axes::name_axes_alone;
 use crate::verify::letters::point_labels::note_marks;
 use crate::verify::letters::primed_axes::label_primed_axes;
 use crate::verify::letters::raised_labels::lower_labels;
@@ -27,6 +28,7 @@ use crate::verify::words::text::Text;
 pub fn check(document: &Document) -> Report {
     let (mut document, summed) = written_out(document);
     take_components_at(&mut document);
+    name_axes_alone(&mut document);
     let axis_labels = number_named_axes(&mut document);
     let turned_primes = label_turned_primes(&mut document);
     bar_central_letter(&mut document);

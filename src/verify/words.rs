@@ -43,3 +43,4 @@ pub(super) mod turned_in_plane;
 pub(super) mod turning_axes;
 pub(super) mod uniform_box;
 pub(super) mod wheel_speed;
+pub(super) mod zero_components;

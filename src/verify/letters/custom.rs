@@ -195,7 +195,8 @@ impl Reading {
         let triad = ["i", "j", "k"].map(Letter::plain);
         let alone = triad.iter().filter(|letter| moves(letter)).count() < 2;
         let current = moves(&Letter::of(symbol)) && alone;
-        self.usage.plain_units && self.attitude.quaternion.is_none() && !current
+        let number = self.imaginary && symbol.style.upright;
+        !number && self.usage.plain_units && self.attitude.quaternion.is_none() && !current
     }
 
     /// Whether a position stands beside the velocity of a body, so that the velocity may be that of another point.

@@ -13,9 +13,15 @@ const SAID: &[&str] = &["complex", "imaginary", "\\sqrt{-1}"];
 /// that moves, has an index or a direction.
 pub(crate) fn has_imaginary_unit(text: &Text, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
-    let number = used.bare > 0 && used.vector + used.component + used.double + used.tensor == 0;
-    let plain = number && !used.moving && used.hats == 0 && !usage.plain_units;
-    plain && (has_any(text.lower(), SAID) || lines(text).flat_map(|line| &line.sides).any(joins))
+    let sides = || lines(text).flat_map(|line| &line.sides);
+    // Beside a unit vector with a mark, an upright i is the unit.
+    let upright = sides()
+        .flat_map(symbols)
+        .any(|s| is_plain_i(s) && s.style.upright);
+    let marked = used.vector + used.hats > 0 && !upright;
+    let number = used.bare > 0 && used.component + used.double + used.tensor == 0 && !marked;
+    let plain = number && !used.moving && (!usage.plain_units || upright);
+    plain && (has_any(text.lower(), SAID) || sides().any(joins))
 }
 
 /// An upright i, or `\omega_1 + i\omega_2`: one component of a vector, and i times another.

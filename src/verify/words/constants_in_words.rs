@@ -178,6 +178,8 @@ impl Checker<'_> {
         }
         let named = std::mem::take(&mut self.named);
         self.spins_about_numbered_axis(text, &named, span);
+        self.zero_components(text, &named, span);
+        self.turns_about_one_axis_only(text, span);
         self.vanishing_function(text, &named, span);
         self.small_behind(text, &named);
         let constant = BEHIND.iter().any(|words| rest.starts_with(words));

@@ -266,6 +266,13 @@ impl Numbered<'_> {
                 if let Some(rest) = this.filter(|_| self.behind_axis || has_any(before, AXIAL)) {
                     return Some((Named::Axial, rest));
                 }
+                // "About ⟨z⟩ it is ⟨C⟩."
+                if let Some(end) = words.find('⟩').map(|at| at + '⟩'.len_utf8())
+                    && words.starts_with('⟨')
+                    && let Some(component) = self.axis_called(&words[..end])
+                {
+                    return Some((Named::Axes(vec![component]), &words[end..]));
+                }
                 let (at, _) = words.match_indices("axis").next()?;
                 let near = |text: &str, from_end: bool| {
                     let mut all = text.split([' ', '-']).filter(|w| !w.is_empty());

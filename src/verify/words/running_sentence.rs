@@ -4,6 +4,7 @@ use crate::notation::document::Formula;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::named_axes::heard;
+use crate::verify::letters::point_axes::heard_axis;
 use crate::verify::letters::space_axes::turns_to_body;
 use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
@@ -174,6 +175,7 @@ impl Checker<'_> {
         let plain = self.as_heard(formula.span);
         let labels = self.reading.axis_labels.as_ref();
         let axis = labels.and_then(|labels| heard(&self.sentence, &plain, labels));
+        let axis = axis.or_else(|| heard_axis(&plain));
         let plain = axis.map_or(plain, str::to_owned);
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
