@@ -27,6 +27,8 @@ const TURNS: &[&str] = &["turn", "rotat", "spin", "driven", "spun"];
 const OPEN: &[&str] = &[
     "show", "prove", "whether", "where", "see that", "find", "frame", "axes",
 ];
+/// Words before a line that says the same.
+const SO: &[&str] = &["so", "hence", "thus", "i.e.", "that"];
 /// The names of the axes in words.
 const AXES: [[&str; 2]; 3] = [["x", "1"], ["y", "2"], ["z", "3"]];
 /// The name of the premise.
@@ -72,7 +74,17 @@ impl Checker<'_> {
 
     /// Takes in that the body turns about one axis alone.
     pub(crate) fn turns_about_one_axis_only(&mut self, text: &str, span: Span) {
-        if !text.contains("only") && !text.contains("alone") {
+        let behind = ["only", "alone"]
+            .iter()
+            .find_map(|word| text.split_once(word));
+        // "About ⟨z⟩ only, so ⟨ω = ω k⟩": the line says it.
+        let said_by_line = |(_, rest): (&str, &str)| {
+            let clause = rest.split(['.', ';']).next().unwrap_or_default();
+            clause
+                .split_whitespace()
+                .any(|word| SO.contains(&word.trim_matches(',')))
+        };
+        if behind.is_none_or(said_by_line) {
             return;
         }
         let said = format!("{}{text}", lowered(&self.sentence)).replace("⟨⟩", "");
