@@ -1,6 +1,15 @@
 //! The house keeps one direction: a module imports only what stands below it, and no file grows past a screenful of ideas.
 
-use std::{fs, path::Path, path::PathBuf};
+mod layers {
+    mod ratchet;
+    mod rooms;
+    pub(crate) mod source;
+
+    use super::{named, named_behind};
+}
+
+use layers::source::files;
+use std::{fs, path::Path};
 
 /// A module and the modules that it may name. What is not listed is not allowed.
 const LAYERS: &[(&str, &[&str])] = &[
@@ -95,30 +104,13 @@ fn an_upward_import_would_be_seen() {
     assert_eq!(names, ["verify", "scalar", "report"]);
 }
 
-/// The source files of a module: `name.rs`, and all in the folder `name`.
-fn files(module: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let single = module.with_extension("rs");
-    if single.is_file() {
-        found.push(single);
-    }
-    if module.is_dir() {
-        for entry in fs::read_dir(module).expect("a readable folder") {
-            let path = entry.expect("readable").path();
-            if path.is_dir() {
-                found.extend(files(&path));
-            } else if !found.contains(&path) && path.extension().is_some_and(|e| e == "rs") {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
-    found.dedup();
-    found
-}
-
 /// The top-level modules that a text names after `crate::`, in braces or alone.
 fn named(text: &str) -> Vec<String> {
+    named_behind(text, "crate::")
+}
+
+/// The modules that a text names right behind a path.
+fn named_behind(text: &str, path: &str) -> Vec<String> {
     let word = |s: &str| {
         s.trim_start()
             .split(|c: char| !c.is_alphanumeric() && c != '_')
@@ -127,7 +119,7 @@ fn named(text: &str) -> Vec<String> {
             .to_owned()
     };
     let mut names = Vec::new();
-    for rest in text.split("crate::").skip(1) {
+    for rest in text.split(path).skip(1) {
         match rest.strip_prefix('{') {
             Some(group) => names.extend(members(group).into_iter().map(word)),
             None => names.push(word(rest)),

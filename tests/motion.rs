@@ -1,0 +1,19 @@
+//! How bodies move: each step and each exact motion, their derivatives, and what they keep.
+
+mod motion {
+    #[cfg(feature = "batch")]
+    mod batch;
+    mod cases;
+    mod dop853;
+    mod double_double;
+    mod flow_jacobian;
+    mod free_body;
+    mod geometric;
+    mod numbers_and_limits;
+    mod objectivity;
+    mod scales;
+    mod step_jacobian;
+    mod step_products;
+    mod taylor;
+    mod turning;
+}

@@ -1,0 +1,160 @@
+//! Spellings that are rarer: relative rates, packages for physics, digits in groups, letters of Unicode.
+
+use super::outline::{document, each_plain_reads, each_reads, latex, plain};
+use polhode::notation::document::Format;
+
+#[test]
+fn a_ring_or_a_marked_d_is_the_rate_on_axes_that_turn() {
+    each_reads(&[
+        (
+            r"\overset{\circ}{\vec L} + \omega\times L",
+            "(+ (dot@' vec:L) (* omega × L))",
+        ),
+        (r"\mathring{L}_x", "(dot@' L_x)"),
+        (r"\overset{\circ\circ}{r}", "(ddot@' r)"),
+        (r"\frac{d' L}{dt}", "(d/dt@' L)"),
+        (r"\frac{d'^2 r}{dt^2}", "(d2/dt2@' r)"),
+        (r"\frac{\tilde d L}{dt}", "(d/dt@' L)"),
+        (r"\frac{\tilde{d} L}{dt}", "(d/dt@' L)"),
+        (r"\frac{\mathring{d} L}{dt}", "(d/dt@' L)"),
+        (r"\frac{d^* L}{dt}", "(d/dt@' L)"),
+        (r"\frac{d^{*}L}{dt}", "(d/dt@' L)"),
+    ]);
+    // A quotient of changes is no rate until somebody says so.
+    each_reads(&[(r"\frac{\delta L}{\delta t}", "(/ delta:L delta:t)")]);
+    each_plain_reads(&[("L̊ + ω × L = M", "(+ (dot@' L) (* omega × L)) = M")]);
+}
+
+#[test]
+fn the_commands_of_the_package_physics_are_read() {
+    each_reads(&[
+        (r"\mqty{a & b \\ c & d}", "(matrix [a b] [c d])"),
+        (r"\mqty(a & b \\ c & d)x", "(* (matrix [a b] [c d]) x)"),
+        (r"\mqty[a & b \\ c & d]", "(matrix [a b] [c d])"),
+        (r"\bmqty{a \\ b}", "(matrix [a] [b])"),
+        (r"\pmqty{a & b}", "(matrix [a b])"),
+        (r"\mqty|a & b \\ c & d|", "(det [a b] [c d])"),
+        (r"\vmqty{a & b \\ c & d}", "(det [a b] [c d])"),
+        (r"I = \mqty(\dmat{a,b,c})", "I = (diag (tuple a b c))"),
+        (
+            r"\vb{a} \vdot \vb*{b} = \va{a}\cross\vu{b}",
+            "(* vec:a · vec:b) = (* vec:a × hat:b)",
+        ),
+        (r"\dv*{L}{t}", "(d/dt L)"),
+        (r"\pdv{f}{x}{y}", "(partial f x y)"),
+        (r"\int_0^t M \dd{t}", "(int M t 0 t)"),
+        (r"\frac{\dd L}{\dd t}", "(d/dt L)"),
+        (r"\frac{\dd[2]{x}}{\dd{t}^2}", "(d2/dt2 x)"),
+        (
+            r"\frac{\mathop{}\!\mathrm{d} L}{\mathop{}\!\mathrm{d} t}",
+            "(d/dt L)",
+        ),
+    ]);
+}
+
+#[test]
+fn digits_in_groups_are_one_number() {
+    each_reads(&[
+        (r"1\,000", "1000"),
+        (r"12\,000\,\text{N}", "(unit 12000 \"N\")"),
+        (r"12\,000.5", "24001/2:1"),
+        (r"1~000", "1000"),
+        (r"1{,}000{,}000", "1000000"),
+        (r"1{,}234.5", "2469/2:1"),
+        (r"3{,}5", "7/2:1"),
+        (r"0{,}125", "1/8:3"),
+        (r"\frac 1 2 a", "(* (/ 1 2) a)"),
+        (r"I_{1{,}2}", "I_1,2"),
+        (r"a = 3, 5", "a = 3\n5"),
+        (r"\omega_i = 0, i = 1,2", "omega_i = 0 {i: 1 2}"),
+        (r"(3,5)", "(tuple 3 5)"),
+    ]);
+    each_plain_reads(&[("x = 5 000", "x = 5000")]);
+}
+
+#[test]
+fn digits_that_may_be_two_things_are_not_guessed() {
+    for source in [r"x = 1{,}000", "x = 1,000", "x = 3,5", "x = 1 0"] {
+        assert!(latex(source).contains('<'), "{source}: {}", latex(source));
+    }
+    for source in ["x = 1,000", "x = 3,5", "x = 1.000,5", "I = [1 0 0]"] {
+        assert!(plain(source).contains('<'), "{source}: {}", plain(source));
+    }
+    assert!(latex("x^-1").contains('<'));
+    each_plain_reads(&[("x^-1 = x**-2", "(^ x (- 1)) = (^ x (- 2))")]);
+}
+
+#[test]
+fn roots_have_a_degree() {
+    each_reads(&[
+        (r"\sqrt[3]{x}", "(^ x (/ 1 3))"),
+        (r"\sqrt[3]{a+b}", "(^ (group (+ a b)) (/ 1 3))"),
+        (r"\sqrt[2]{x}", "(sqrt x)"),
+        (r"\nicefrac12 + \sfrac{1}{2}", "(+ (/ 1 2) (/ 1 2))"),
+        (r"\vcenter{b}", "b"),
+    ]);
+    assert!(latex(r"\sqrt[n]{x}").contains("whole number"));
+    each_plain_reads(&[("∛x = 2", "(^ x (/ 1 3)) = 2")]);
+}
+
+#[test]
+fn alphabets_and_signs_of_unicode_are_those_of_latex() {
+    each_plain_reads(&[
+        ("𝝎 × 𝑳 = 𝐌", "(* vec:omega × vec:L) = vec:M"),
+        ("ℒ = 𝓛", "cal:L = cal:L"),
+        ("L″ = ℎ", "L'' = h"),
+        ("a ⨉ b = 0", "(* a × b) = 0"),
+        ("a ⊥ b", "a ? b"),
+        ("ⅆL/ⅆt = M", "(d/dt L) = M"),
+    ]);
+}
+
+#[test]
+fn digits_behind_a_letter_of_plain_text_are_its_index() {
+    each_plain_reads(&[
+        ("ω1**2 = ω_1²", "(^ omega_1 2) = (^ omega_1 2)"),
+        ("m1 v1² = 3 x2", "(* m_1 (^ v_1 2)) = (* 3 x_2)"),
+        ("d2θ/dt2 = 2x", "(d2/dt2 theta) = (* 2 x)"),
+    ]);
+}
+
+#[test]
+fn comments_of_obsidian_hide_what_they_hold() {
+    let text = "Text %% hidden $a = b$ %% and $c = d$, 5 %% more.";
+    assert_eq!(document(text, Format::Markdown), "c = d");
+    let text = "Is $a = b$ at 5%% or $c = d$?";
+    assert_eq!(document(text, Format::Markdown), "a = b\nc = d");
+}
+
+#[test]
+fn formulas_stand_in_lists_quotations_and_tables() {
+    let text = "- item \\(a = b\\)\n- second \\[c = d\\]\n\n> quote \\(e = f\\)\n\n\
+                | x | y |\n|---|---|\n| \\(g = h\\) | $i = j$ |\n";
+    assert_eq!(
+        document(text, Format::Markdown),
+        "a = b\nc = d\ne = f\ng = h\ni = j"
+    );
+}
+
+#[test]
+fn commands_of_packages_are_read_or_passed_over() {
+    each_reads(&[
+        (r"\qty[a + b]c", "(* (square (+ a b)) c)"),
+        (r"\qty\big(a + b)", "(group (+ a b))"),
+        (r"\qty{3}{kg}", "(unit 3 \"kg\")"),
+        (r"\smash[b]{c} + \kern-2pt d\mkern 3mu", "(+ c d)"),
+        (r"a \hskip 1em b", "a\nb"),
+        (r"\bbox[5px,border:2px solid red]{a = b}", "a = b"),
+        (r"a \overset{\eqref{eq:1}}{=} b", "a = b"),
+        (r"\frac{d^{\mathcal{B}}L}{dt}", "(d/dt@B L)"),
+        (r"\frac{d^2 L}{dt^2}", "(d2/dt2 L)"),
+        (r"\tg x + \cosec x + \Tr A", "(+ (tan x) (csc x) (trace A))"),
+    ]);
+    for unread in [
+        r"\grad f",
+        r"\curl{\vec v}",
+        r"\sum_{\substack{i = 1 \\ j = 2}} m",
+    ] {
+        assert!(latex(unread).contains("not read"), "{unread}");
+    }
+}

@@ -1,0 +1,177 @@
+//! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
+
+use polhode::notation::{Macros, document::Format, read};
+use polhode::verify::check_declared;
+use polhode::verify::language::{Lexicon, read_declarations};
+
+/// The verdicts of the lines, a letter each.
+fn judged(sentences: &str, text: &str) -> String {
+    let (document, _) = read("a document", text, Format::Markdown);
+    let lexicon = Lexicon::default();
+    let (declarations, misread) = read_declarations(sentences, &Macros::default(), &lexicon);
+    assert!(misread.is_empty(), "{misread:?}");
+    let report = check_declared(&document, &declarations);
+    let letter = |name: &str| name.chars().next().unwrap_or('?');
+    let findings = report.findings.iter();
+    findings.map(|f| letter(f.verdict.name())).collect()
+}
+
+const BODY: &str = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\mathbf J$ is the inertia tensor of the body about G.
+$\\vec L$ is the angular momentum of the body about G relative to N.
+$\\vec M$ is the total moment on the body about G.
+";
+
+#[test]
+fn a_free_body_with_its_full_tensor() {
+    let text = r"
+$$ \vec L = \mathbf J\vec\omega $$
+$$ \vec M = \dot{\vec L} $$
+$$ \vec M = \mathbf J\dot{\vec\omega} + \vec\omega\times\mathbf J\vec\omega $$
+$$ \vec M = \mathbf J\dot{\vec\omega} - \vec\omega\times\mathbf J\vec\omega $$
+";
+    assert_eq!(judged(BODY, text), "pppr");
+}
+
+#[test]
+fn components_on_principal_axes() {
+    let sentences = format!(
+        "{BODY}$p$, $q$, $r$ are the components of $\\vec\\omega$ on B.
+$A$, $B$, $C$ are the principal moments of the body about G on B.
+No moment acts on the body about G.
+"
+    );
+    let text = r"
+$$ A\dot p = (B - C)qr $$
+$$ B\dot q = (A - C)pr $$
+$$ \frac{d}{dt}\left(Ap^2 + Bq^2 + Cr^2\right) = 0 $$
+$$ C\dot r = (A - B)pq $$
+";
+    assert_eq!(judged(&sentences, text), "prpp");
+}
+
+#[test]
+fn a_rate_seen_from_two_frames() {
+    let sentences = "N is an inertial frame.
+A is a frame that turns relative to N.
+$\\vec\\Omega$ is the angular velocity of A relative to N.
+$\\vec u$ is any vector.
+$\\frac{d}{dt}$ is the rate seen from N.
+A prime means the rate seen from A.
+";
+    let text = r"
+$$ \frac{d\vec u}{dt} = \vec u' + \vec\Omega\times\vec u $$
+$$ \frac{d\vec u}{dt} = \vec u' - \vec\Omega\times\vec u $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_rotation_matrix_joins_arrays_on_two_frames() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$C$ takes components on B to components on N.
+$w$ is the angular velocity of B relative to N in components on B.
+$[w]_\\times$ is the cross-product matrix of $w$.
+";
+    let text = r"
+$$ \dot C = C\,[w]_\times $$
+$$ \dot C = [w]_\times C $$
+$$ C^T C = 1_{3\times 3} $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
+
+#[test]
+fn sums_over_the_particles_of_a_body() {
+    let sentences = "N is an inertial frame.
+O is a point fixed in N and in B.
+B is a frame fixed in the body.
+The body consists of particles.
+$k$ numbers the particles.
+$\\mu_k$ is the mass of particle $k$.
+$\\vec s_k$ is the position of particle $k$ from O.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\vec H$ is the angular momentum of the body about O relative to N.
+";
+    let text = r"
+$$ \vec H = \sum_k \mu_k\,\vec s_k\times(\vec\omega\times\vec s_k) $$
+$$ \vec H = \sum_k \mu_k\left((\vec s_k\cdot\vec s_k)\,\vec\omega - (\vec s_k\cdot\vec\omega)\,\vec s_k\right) $$
+$$ \vec H = \sum_k \mu_k\left((\vec s_k\cdot\vec s_k)\,\vec\omega + (\vec s_k\cdot\vec\omega)\,\vec s_k\right) $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_heavy_top_by_its_angles() {
+    let sentences = "N is an inertial frame.
+$Z$ is the upward vertical.
+The top is a rigid body of mass $m$.
+B is a frame fixed in the top.
+x, y, z are the axes of B.
+O is a point fixed in N and in B.
+G is the mass centre of the top.
+G lies at the distance $h$ from O along z.
+$A$, $A$, $C$ are the principal moments of the top about O on B.
+$\\alpha$, $\\beta$, $\\gamma$ are the Euler angles of B relative to N in the order Z, x, z.
+$g$ is the acceleration of gravity.
+$T$ is the kinetic energy of the top relative to N.
+$V$ is the potential energy of the top.
+The potential energy is zero at O.
+";
+    let text = r"
+$$ T = \tfrac12 A(\dot\beta^2 + \dot\alpha^2\sin^2\beta) + \tfrac12 C(\dot\gamma + \dot\alpha\cos\beta)^2 $$
+$$ T = \tfrac12 A(\dot\beta^2 + \dot\alpha^2\cos^2\beta) + \tfrac12 C(\dot\gamma + \dot\alpha\cos\beta)^2 $$
+$$ V = m g h\cos\beta $$
+$$ V = -m g h\cos\beta $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
+
+#[test]
+fn wheels_in_a_spacecraft() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the bus.
+The craft consists of the bus and the wheels.
+$n$ numbers the wheels.
+Wheel $n$ turns relative to B about $\\hat a_n$ at the rate $\\Omega_n$.
+C is the mass centre of the craft.
+$j_n$ is the moment of inertia of wheel $n$ about $\\hat a_n$.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\mathbf J$ is the inertia tensor of the craft about C.
+$\\vec H$ is the angular momentum of the craft about C relative to N.
+$\\vec M$ is the total moment on the craft about C.
+";
+    let text = r"
+$$ \vec H = \mathbf J\vec\omega + \sum_n j_n\Omega_n\hat a_n $$
+$$ \vec M = \mathbf J\dot{\vec\omega} + \sum_n j_n\dot\Omega_n\hat a_n + \vec\omega\times\vec H $$
+$$ \vec M = \mathbf J\dot{\vec\omega} + \sum_n j_n\dot\Omega_n\hat a_n + \vec\omega\times\mathbf J\vec\omega $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn nothing_is_denied_while_a_sentence_is_not_taken_in() {
+    let sentences = format!("{BODY}The body keeps its direction relative to N.\n");
+    let text = r"$$ \vec L = 0 $$";
+    assert_eq!(judged(&sentences, text), "u");
+    assert_eq!(judged(BODY, text), "r");
+}
+
+#[test]
+fn to_first_order_in_what_is_small() {
+    let sentences = "N is an inertial frame.
+A is a frame that turns relative to N about z by the angle $\\varphi$.
+Line 2 holds to first order in $\\varphi$.
+Line 3 holds to first order in $\\varphi$.
+";
+    let text = r"
+$$ \sin\varphi\cos\varphi = \varphi $$
+$$ \sin\varphi\cos\varphi = 2\varphi $$
+$$ \sin^2\varphi + \cos^2\varphi = 1 $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
