@@ -27,6 +27,7 @@ mod parallel_axis;
 mod possible_body;
 mod principal_axes;
 mod regressor;
+mod shapes;
 mod transport;
 
 pub use attitude::{
@@ -41,6 +42,7 @@ pub use parallel_axis::parallel_axis;
 pub use possible_body::{ImpossibleInertia, possible_body};
 pub use principal_axes::{PrincipalAxes, principal_axes};
 pub use regressor::{InertiaParameters, regressor};
+pub use shapes::{Moments, Shape, Size};
 pub use transport::{
     RelativeAcceleration, relative_acceleration, transport, transport_derived, transport_in_plane,
     transport_twice, velocity_in_moving_frame, velocity_in_moving_plane,

@@ -39,7 +39,7 @@ pub use balance::Balance;
 pub use costs::{BOUNDS, Costs, angle};
 pub use course::Course;
 pub use explain::{ExplainError, Explanation, Skip, explain};
-pub use inertia::{InertiaForm, Point, Shape};
+pub use inertia::{InertiaForm, Point};
 pub use member::{Member, TorqueForm};
 pub use plan::{PlanError, Way, is_free, jacobian_bound, way};
 pub use quantity::{Draw, Quantity};

@@ -175,7 +175,7 @@ impl<T: Field + fmt::Display> fmt::Display for Surd<T> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "verify"))]
 mod tests {
     use super::*;
     use crate::scalar::Ring;

@@ -1,9 +1,10 @@
 //! The forms in which a scene gives an inertia tensor.
 
-use crate::mechanics::{Products, inertia, inertia_of_points, parallel_axis};
+use crate::mechanics::{Products, Shape, inertia, inertia_of_points, parallel_axis};
 use crate::motion::Quaternion;
 use crate::scene::{Draw, Quantity};
 use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::PI;
 
 /// An inertia as it stands in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,10 +23,12 @@ pub enum InertiaForm {
         /// A quaternion, scalar first.
         axes: [Quantity; 4],
     },
-    /// A homogeneous solid about its mass centre or a point beside it.
+    /// A uniform body, along its own axes, about its mass centre or a point beside it.
     Shape {
-        /// The solid.
+        /// Which body.
         shape: Shape,
+        /// The numbers of its sizes in the order of the table, m. With more or fewer the tensor is not a number.
+        sizes: Vec<Quantity>,
         /// kg.
         mass: Quantity,
         /// From the mass centre to the point that the body turns about, m.
@@ -51,23 +54,6 @@ pub struct Point {
     pub position: [Quantity; 3],
 }
 
-/// A homogeneous solid with its axis along z. Lengths in m.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
-    /// Edges along x, y, z.
-    Box([Quantity; 3]),
-    /// Radius.
-    Sphere(Quantity),
-    /// Radius, height. A rod is a cylinder.
-    Cylinder(Quantity, Quantity),
-    /// Radius of the base, height.
-    Cone(Quantity, Quantity),
-    /// Semi-axes along x, y, z.
-    Ellipsoid([Quantity; 3]),
-    /// Edges along x, y, without thickness.
-    Plate([Quantity; 2]),
-}
-
 impl InertiaForm {
     /// The tensor of one member; whether a body can have it is not looked at here.
     pub fn tensor(&self, convention: Products, draw: &mut Draw) -> Matrix3<f64> {
@@ -89,11 +75,15 @@ impl InertiaForm {
             }
             Self::Shape {
                 shape,
+                sizes,
                 mass,
                 offset,
             } => {
                 let mass = mass.draw(draw);
-                let about_centre = Matrix3::from_diagonal(&(shape.gyration(draw) * mass));
+                let sizes: Vec<_> = sizes.iter().map(|size| size.draw(draw)).collect();
+                let moments = shape.moments(&mass, &sizes, &PI);
+                let unknown = || Matrix3::from_element(f64::NAN);
+                let about_centre = moments.map_or_else(unknown, |body| body.central_inertia());
                 parallel_axis(&about_centre, &mass, &Vector3::from(all(offset, draw)))
             }
             Self::Points {
@@ -120,10 +110,11 @@ impl InertiaForm {
             Self::Tensor { moments, products } => fixed(moments) && fixed(products),
             Self::Principal { moments, axes } => fixed(moments) && fixed(axes),
             Self::Shape {
-                shape,
+                sizes,
                 mass,
                 offset,
-            } => shape.is_fixed() && mass.is_fixed() && fixed(offset),
+                ..
+            } => fixed(sizes) && mass.is_fixed() && fixed(offset),
             Self::Points { points, .. } => points
                 .iter()
                 .all(|point| point.mass.is_fixed() && fixed(&point.position)),
@@ -150,43 +141,4 @@ fn of_points(mut points: Vec<(f64, Vector3<f64>)>, about_origin: bool) -> Matrix
 /// One number of each.
 pub(crate) fn all<const N: usize>(quantities: &[Quantity; N], draw: &mut Draw) -> [f64; N] {
     quantities.map(|quantity| quantity.draw(draw))
-}
-
-impl Shape {
-    /// Squares of the radii of gyration about x, y, z through the mass centre, m².
-    fn gyration(&self, draw: &mut Draw) -> Vector3<f64> {
-        // From the mean squares of the coordinates, which are the moments' own halves.
-        let [x, y, z] = match self {
-            Self::Box(size) => all(size, draw).map(|a| a * a / 12.0),
-            Self::Sphere(radius) => {
-                let r = radius.draw(draw);
-                [r * r / 5.0; 3]
-            }
-            Self::Cylinder(radius, height) => {
-                let (r, h) = (radius.draw(draw), height.draw(draw));
-                [r * r / 4.0, r * r / 4.0, h * h / 12.0]
-            }
-            Self::Cone(radius, height) => {
-                let (r, h) = (radius.draw(draw), height.draw(draw));
-                [0.15 * r * r, 0.15 * r * r, 3.0 / 80.0 * h * h]
-            }
-            Self::Ellipsoid(semi_axes) => all(semi_axes, draw).map(|a| a * a / 5.0),
-            Self::Plate(size) => {
-                let [a, b] = all(size, draw);
-                [a * a / 12.0, b * b / 12.0, 0.0]
-            }
-        };
-        Vector3::new(y + z, z + x, x + y)
-    }
-
-    fn is_fixed(&self) -> bool {
-        match self {
-            Self::Box(size) | Self::Ellipsoid(size) => size.iter().all(Quantity::is_fixed),
-            Self::Sphere(radius) => radius.is_fixed(),
-            Self::Cylinder(radius, height) | Self::Cone(radius, height) => {
-                radius.is_fixed() && height.is_fixed()
-            }
-            Self::Plate(size) => size.iter().all(Quantity::is_fixed),
-        }
-    }
 }

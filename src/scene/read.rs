@@ -5,6 +5,7 @@ mod costs;
 mod inertia;
 mod reader;
 mod run;
+mod shape;
 mod torque;
 mod urdf;
 

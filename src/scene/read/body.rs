@@ -5,6 +5,7 @@ use crate::mechanics::Products;
 use crate::motion::MotionError;
 use crate::scene::read::inertia::inertia;
 use crate::scene::read::reader::{Bound, Reader, Table, span};
+use crate::scene::read::shape::shape;
 use crate::scene::read::torque::torque;
 use crate::scene::read::urdf;
 use crate::scene::{Group, InertiaForm, Quantity, TorqueForm};
@@ -13,6 +14,7 @@ use crate::source::Span;
 pub(super) const KEYS: &[&str] = &[
     "name",
     "inertia",
+    "shape",
     "urdf",
     "link",
     "about",
@@ -83,9 +85,14 @@ pub(super) fn group(reader: &mut Reader, table: &Table<'_>) -> Option<(Group, Sp
     Some((group, name_place))
 }
 
-/// The inertia, of a table or of a robot's link, and its place.
+/// The inertia, of a table, of a shape or of a robot's link, and its place.
 fn inertia_of(reader: &mut Reader, table: &Table<'_>) -> Option<(InertiaForm, Span)> {
-    let Some(file) = table.get("urdf") else {
+    let given = ["urdf", "shape", "inertia"]
+        .map(|key| table.get(key).map(|value| (key, value)))
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>();
+    if !given.iter().any(|(key, _)| *key == "urdf") {
         for key in ["link", "about"] {
             if let Some(value) = table.get(key) {
                 return reader.wrong(
@@ -94,16 +101,33 @@ fn inertia_of(reader: &mut Reader, table: &Table<'_>) -> Option<(InertiaForm, Sp
                 );
             }
         }
-        let value = reader.required(table, "inertia")?;
-        return Some((inertia(reader, value)?, span(value.span())));
-    };
-    if let Some(value) = table.get("inertia") {
-        return reader.wrong(
-            value,
-            "the body has an inertia of its own and that of `urdf`",
-        );
     }
-    Some((urdf::link(reader, table, file)?, span(file.span())))
+    match given[..] {
+        [] => {
+            let message = format!("{} needs the key `inertia`", table.what);
+            let missing = Diagnostic::error("missing-key", table.span, message);
+            reader.report(missing.help("or give it a `shape` with its `kind`, `mass` and sizes"));
+            None
+        }
+        [(key, value)] => {
+            let form = match key {
+                "urdf" => urdf::link(reader, table, value),
+                "shape" => shape(reader, value, "kind"),
+                _ => inertia(reader, value),
+            };
+            Some((form?, span(value.span())))
+        }
+        [(first, _), (second, value), ..] => {
+            let own = match second {
+                "inertia" => "an inertia of its own",
+                _ => "a shape of its own",
+            };
+            let message = format!("the body has {own} and the inertia of `{first}`");
+            let both = Diagnostic::error("bad-value", span(value.span()), message);
+            reader.report(both.help(format!("keep one of `{first}` and `{second}`")));
+            None
+        }
+    }
 }
 
 fn name(reader: &mut Reader, table: &Table<'_>) -> Option<(String, Span)> {

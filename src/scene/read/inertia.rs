@@ -1,10 +1,11 @@
 //! `inertia`.
 
 use crate::diagnostic::Diagnostic;
-use crate::scene::read::reader::{Bound, Reader, Table, Value};
-use crate::scene::{InertiaForm, Point, Quantity, Shape};
+use crate::scene::read::reader::{Bound, Reader, Value};
+use crate::scene::read::shape::shape;
+use crate::scene::{InertiaForm, Point, Quantity};
 
-const ZERO: Quantity = Quantity::Fixed(0.0);
+pub(super) const ZERO: Quantity = Quantity::Fixed(0.0);
 
 /// The most point masses of a body.
 const MOST_POINTS: usize = 100_000;
@@ -23,7 +24,7 @@ pub(super) fn inertia(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaF
     if has("principal") {
         principal(reader, value)
     } else if has("shape") {
-        shape(reader, value)
+        shape(reader, value, "shape")
     } else if has("points") {
         points(reader, value)
     } else {
@@ -94,85 +95,6 @@ fn point(reader: &mut Reader, value: &Value<'_>) -> Option<Point> {
         mass: mass?,
         position: position?,
     })
-}
-
-/// The shapes by name and the keys that size them.
-const SHAPES: [(&str, &[&str]); 7] = [
-    ("box", &["size"]),
-    ("sphere", &["radius"]),
-    ("cylinder", &["radius", "height"]),
-    ("cone", &["radius", "height"]),
-    ("ellipsoid", &["semi_axes"]),
-    ("plate", &["size"]),
-    ("rod", &["length", "radius"]),
-];
-
-fn shape(reader: &mut Reader, value: &Value<'_>) -> Option<InertiaForm> {
-    let entries = value.get_ref().as_table()?;
-    let names = SHAPES.map(|(name, keys)| (name, (name, keys)));
-    let (name, sizes) = reader.word(entries.get("shape")?, "shape", &names)?;
-    let keys = [&["shape", "mass", "offset"], sizes].concat();
-    let table = reader.table(value, "an inertia of this shape", &keys)?;
-    let mass = reader.required(&table, "mass");
-    let mass = mass.and_then(|value| reader.quantity(value, "the mass", Bound::Positive));
-    let shape = sized(reader, &table, name);
-    let offset = match table.get("offset") {
-        Some(value) => reader.quantities(value, "the offset", Bound::Any),
-        None => Some([ZERO; 3]),
-    };
-    Some(InertiaForm::Shape {
-        shape: shape?,
-        mass: mass?,
-        offset: offset?,
-    })
-}
-
-fn sized(reader: &mut Reader, table: &Table<'_>, name: &str) -> Option<Shape> {
-    let mut length = |key: &str| {
-        let value = reader.required(table, key)?;
-        reader.quantity(value, &format!("the {key}"), Bound::Positive)
-    };
-    match name {
-        "sphere" => Some(Shape::Sphere(length("radius")?)),
-        "cylinder" => {
-            let (radius, height) = (length("radius"), length("height"));
-            Some(Shape::Cylinder(radius?, height?))
-        }
-        "cone" => {
-            let (radius, height) = (length("radius"), length("height"));
-            Some(Shape::Cone(radius?, height?))
-        }
-        "rod" => {
-            if table.get("radius").is_none() {
-                let message = "a rod without thickness has no moment about its own axis";
-                let thin = Diagnostic::error("missing-key", table.span, message);
-                reader.report(thin.help("give its `radius`"));
-                return None;
-            }
-            let (radius, height) = (length("radius"), length("length"));
-            Some(Shape::Cylinder(radius?, height?))
-        }
-        _ => {
-            let key = if name == "ellipsoid" {
-                "semi_axes"
-            } else {
-                "size"
-            };
-            let value = reader.required(table, key)?;
-            let what = format!("the {}", key.replace('_', "-"));
-            match name {
-                "box" => reader
-                    .quantities(value, &what, Bound::Positive)
-                    .map(Shape::Box),
-                "plate" => reader
-                    .quantities(value, &what, Bound::Positive)
-                    .map(Shape::Plate),
-                _ => reader
-                    .quantities(value, &what, Bound::Positive)
-                    .map(Shape::Ellipsoid),
-            }
-        }
-    }
 }
 
 fn three(found: [Option<Quantity>; 3]) -> Option<[Quantity; 3]> {

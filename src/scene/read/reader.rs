@@ -253,12 +253,23 @@ impl Reader {
         what: &str,
         bound: Bound,
     ) -> Option<[Quantity; N]> {
+        self.components(value, what, N, bound)?.try_into().ok()
+    }
+
+    /// A list of `count` quantities.
+    pub(super) fn components(
+        &mut self,
+        value: &Value<'_>,
+        what: &str,
+        count: usize,
+        bound: Bound,
+    ) -> Option<Vec<Quantity>> {
         let list = self.list(value, what)?;
-        if list.len() != N {
+        if list.len() != count {
             let found = list.len();
             return self.wrong(
                 value,
-                format!("{what} has {found} components, and has to have {N}"),
+                format!("{what} has {found} components, and has to have {count}"),
             );
         }
         let component = format!("a component of {what}");
@@ -266,11 +277,7 @@ impl Reader {
             .iter()
             .map(|value| self.quantity(value, &component, bound))
             .collect();
-        found
-            .into_iter()
-            .collect::<Option<Vec<_>>>()?
-            .try_into()
-            .ok()
+        found.into_iter().collect()
     }
 }
 
