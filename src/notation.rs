@@ -22,11 +22,13 @@ mod plain;
 mod plain_words;
 pub mod print;
 mod seen_from;
+mod sentences;
 mod token;
 mod triads;
 mod unicode;
 
 pub use macros::Macros;
+pub use sentences::sentences;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};

@@ -48,7 +48,6 @@ const DISPLAYS: &[&str] = &[
     "dmath",
     "empheq",
     "IEEEeqnarray",
-    "subequations",
 ];
 
 /// Code in a line is not longer than this.

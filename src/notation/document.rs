@@ -54,8 +54,19 @@ pub struct FrontMatter {
     pub axes: Option<String>,
     /// Names of symbols: what stands for what (`h: momentum`).
     pub symbols: BTreeMap<String, String>,
+    /// Sentences that say what the document means.
+    pub sentences: Vec<Sentence>,
     /// Every other key as it was written, for the grader.
     pub other: serde_json::Map<String, serde_json::Value>,
+}
+
+/// A sentence by which an author says what a document means.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sentence {
+    /// Its words on one line.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
 }
 
 /// One thing that stands in a document.

@@ -1,9 +1,21 @@
 //! Settings at the head of a document: a YAML block in Markdown, `% polhode:` comments in LaTeX.
 
 use crate::diagnostic::Diagnostic;
-use crate::notation::document::FrontMatter;
+use crate::notation::document::{FrontMatter, Sentence};
+use crate::notation::sentences::{from_yaml, take_list};
 use crate::source::Span;
 use serde_json::{Map, Value};
+
+/// Keys that a LaTeX comment may set, beside `symbol NAME`; any other comment is a sentence.
+const KEYS: [&str; 7] = [
+    "products",
+    "axes",
+    "marks",
+    "follow_through",
+    "working",
+    "shown",
+    "id",
+];
 
 /// More than this is no front matter.
 const LONGEST: usize = 64 * 1024;
@@ -14,9 +26,19 @@ pub(crate) fn take(text: &str, front: &mut FrontMatter, troubles: &mut Vec<Diagn
     let Some((block, body)) = block(text, start) else {
         return start;
     };
-    let yaml = &text[block.clone()];
-    match serde_saphyr::from_str::<Value>(yaml) {
-        Ok(Value::Object(map)) => settings(map, front),
+    let (yaml, sentences) = take_list(text, block.clone());
+    front.sentences.extend(sentences);
+    match serde_saphyr::from_str::<Value>(&yaml) {
+        Ok(Value::Object(mut map)) => {
+            if let Some(said) = map.remove("polhode") {
+                let found = from_yaml(&said, text, block.clone());
+                if found.is_empty() {
+                    troubles.push(trouble(block, "`polhode` is no list of sentences"));
+                }
+                front.sentences.extend(found);
+            }
+            settings(map, front);
+        }
         Ok(Value::Null) => {}
         Ok(_) => troubles.push(trouble(
             block,
@@ -77,18 +99,28 @@ fn set(key: &str, value: Value, front: &mut FrontMatter) {
     }
 }
 
-/// A LaTeX comment `% polhode: key: value`.
-pub(crate) fn comment(text: &str, front: &mut FrontMatter) {
-    let Some((key, value)) = text.split_once([':', '=']) else {
-        return;
-    };
-    let (key, value) = (key.trim(), value.trim());
-    match key.strip_prefix("symbol ") {
-        Some(name) => {
-            front
-                .symbols
-                .insert(name.trim().to_owned(), value.to_owned());
+/// A LaTeX comment `% polhode: key: value` or `% polhode: Sentence.`, from behind its colon at `offset` on.
+pub(crate) fn comment(text: &str, offset: usize, front: &mut FrontMatter) {
+    let setting = text
+        .split_once([':', '='])
+        .map(|(key, value)| (key.trim(), value.trim()));
+    match setting {
+        Some((key, value)) if KEYS.contains(&key) => {
+            set(key, Value::String(value.to_owned()), front);
         }
-        None => set(key, Value::String(value.to_owned()), front),
+        Some((key, value)) if key.starts_with("symbol ") => {
+            let name = key["symbol ".len()..].trim().to_owned();
+            front.symbols.insert(name, value.to_owned());
+        }
+        _ => {
+            let start = offset + (text.len() - text.trim_start().len());
+            let said = text.trim();
+            if !said.is_empty() {
+                front.sentences.push(Sentence {
+                    text: said.to_owned(),
+                    span: Span::new(start, start + said.len()),
+                });
+            }
+        }
     }
 }

@@ -112,13 +112,15 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// Comments of the preamble that set something.
     fn settings(&mut self, preamble: &str) {
-        for line in preamble.lines() {
+        let mut end = 0;
+        for line in preamble.split_inclusive('\n') {
+            end += line.len();
             if let Some(setting) = line
-                .trim()
+                .trim_start()
                 .strip_prefix('%')
-                .and_then(|l| l.trim().strip_prefix("polhode:"))
+                .and_then(|l| l.trim_start().strip_prefix("polhode:"))
             {
-                front_matter::comment(setting, self.front);
+                front_matter::comment(setting, end - setting.len(), self.front);
             }
         }
     }
@@ -155,8 +157,10 @@ impl Reader<'_> {
     fn comment(&mut self, rest: &str, at: usize) -> usize {
         let length = rest.find('\n').unwrap_or(rest.len());
         let text = rest[1..length].trim();
-        match text.strip_prefix("polhode:") {
-            Some(setting) => front_matter::comment(setting, self.front),
+        match rest[1..length].trim_start().strip_prefix("polhode:") {
+            Some(setting) => {
+                front_matter::comment(setting, at + length - setting.len(), self.front)
+            }
             None => {
                 let span = Span::new(at, at + length);
                 self.items.push(Item::Comment {

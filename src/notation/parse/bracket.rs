@@ -20,6 +20,17 @@ impl<'t, 'a> Parser<'t, 'a> {
     }
 
     fn bracketed(&mut self, opened: Lexeme<'a>, inside: &'t [Token<'a>], start: usize) -> Node {
+        // Braces around all that stands in a bracket are not seen.
+        let inside = match super::line::trimmed(inside) {
+            [open, list @ .., close]
+                if open.kind == Lexeme::Open
+                    && close.kind == Lexeme::Close
+                    && super::closing(super::line::trimmed(inside), 0) == list.len() + 1 =>
+            {
+                list
+            }
+            _ => inside,
+        };
         // `[\omega\times]` is the matrix that multiplies by ω ×.
         if let [vector @ .., cross] = super::line::trimmed(inside)
             && matches!(cross.kind, Lexeme::Command("times" | "wedge"))
@@ -117,6 +128,12 @@ fn closing_bar(tokens: &[Token<'_>], start: usize, bar: Lexeme<'_>) -> Option<us
 }
 
 /// The entries of a list: split at commas, semicolons, or, in square brackets, at written spaces.
+/// The parts between commas: in braces too they are a list.
+pub(super) fn list<'t, 'a>(inside: &'t [Token<'a>]) -> Option<Vec<&'t [Token<'a>]>> {
+    let parts = split_outside(inside, |t| t.kind == Lexeme::Char(','));
+    (parts.len() > 1 && parts.iter().all(|p| !is_blank(p))).then_some(parts)
+}
+
 fn components<'t, 'a>(
     inside: &'t [Token<'a>],
     bracket: Bracket,

@@ -176,6 +176,13 @@ impl<'a> Parser<'_, 'a> {
     fn braces(&mut self, start: usize) -> Node {
         let inside = self.argument();
         if !inside.is_empty() {
+            if let Some(parts) = super::bracket::list(inside) {
+                let entries = parts
+                    .into_iter()
+                    .map(|part| self.inside(part).whole())
+                    .collect();
+                return self.node(Kind::Tuple(entries), start);
+            }
             let node = self.inside(inside).whole();
             return self.scripts(node, start);
         }

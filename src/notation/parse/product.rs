@@ -101,6 +101,10 @@ impl Parser<'_, '_> {
                 | Lexeme::LeftNull
                 | Lexeme::Begin(_),
             ) => true,
+            // Behind a space that is written, a script belongs to what follows: `R\,^{W}I`.
+            Some(Lexeme::Superscript) => {
+                self.at > 0 && matches!(self.tokens[self.at - 1].kind, Lexeme::Space(_))
+            }
             Some(Lexeme::Text(text)) => {
                 super::text::is_symbol(text) || super::function::named(text.trim()).is_some()
             }
