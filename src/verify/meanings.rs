@@ -168,6 +168,7 @@ fn with_angles<'d>(
     let against = |report: &Report| unexplained(report).count();
     let better = whole
         && then.proved > now.proved
+        && then.refuted.saturating_sub(now.refuted) <= then.proved - now.proved
         && against(&second.0).saturating_sub(against(&first.0)) * 2 <= then.proved - now.proved;
     if better {
         (turned, second)

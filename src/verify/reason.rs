@@ -3,6 +3,13 @@
 pub(super) const TAKEN_AS_GIVEN: &str = "taken as given below: nothing here determines it";
 pub(super) const RESTS_ON_GIVEN: &str =
     "a line that was taken as given, and may be false, gives this value";
+pub(super) const PROVED_BY_ITSELF: &str = "it is proved only by what it says itself";
+pub(super) const OTHER_DOTS: &str =
+    "a dot without a frame means something else here than in a line before";
+pub(super) const SLOPE_OF_VECTOR: &str =
+    "a partial derivative of a vector in a number is not decided";
+pub(super) const OTHER_KIND: &str =
+    "its letter stands for a thing of another kind in this document";
 /// A remark of a line that says when, and nothing more.
 pub(super) const NAMES_A_MOMENT: &str = "names a moment of the motion";
 pub(super) const AT_A_MOMENT: &str = "it speaks of a moment of the motion, and may hold then alone";

@@ -145,6 +145,41 @@ pub struct FromProse {
     pub premise: String,
 }
 
+/// A sentence by which a document was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Meant {
+    /// The sentence, in the words of the language.
+    pub sentence: String,
+    /// Where it comes from: `line 12`.
+    pub source: String,
+}
+
+/// What is not known, and what would help.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// The question: "what is `n`?"
+    pub text: String,
+    /// The notebook cell of the first line that waits, from 0.
+    pub cell: Option<usize>,
+    /// The source line of the first line that waits.
+    pub source_line: usize,
+    /// What it could be.
+    pub answers: Vec<Answer>,
+    /// The source lines that wait.
+    pub lines: Vec<usize>,
+}
+
+/// A sentence that would answer a question.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Answer {
+    /// The sentence.
+    pub sentence: String,
+    /// The source lines that hold with it.
+    pub holds: Vec<usize>,
+    /// The source lines that fail with it.
+    pub fails: Vec<usize>,
+}
+
 /// What is said of a document.
 #[derive(Clone, Debug)]
 pub struct Report {
@@ -162,6 +197,12 @@ pub struct Report {
     pub passed: Vec<Passed>,
     /// What each variable of the proofs stands for, in LaTeX, by its number.
     pub variables: Vec<String>,
+    /// The sentences by which it was read.
+    pub meaning: Vec<Meant>,
+    /// What is not known, that for which most lines wait first.
+    pub questions: Vec<Question>,
+    /// Sentences as declared of which nothing was made.
+    pub unused: Vec<String>,
 }
 
 /// The sign convention for products of inertia.

@@ -1,36 +1,42 @@
 //! Components of a function that words take at a state: "where ⟨f_i⟩ are the components of ⟨f(ω_k)⟩".
 
-use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::verify::letters::usage::{axis, inner};
+use std::collections::BTreeMap;
 
 /// Writes the state behind the components in the section where words say at which the function is taken.
 pub(crate) fn take_components_at(document: &mut Document) {
-    let said: Vec<(usize, String, Vec<Node>)> = (document.items.windows(3).enumerate())
-        .filter_map(|(at, items)| said(items).map(|(name, place)| (at, name, place)))
-        .collect();
-    for (at, name, place) in said {
-        let heading = |item: &Item| matches!(item, Item::Heading { .. });
-        let (before, behind) = document.items.split_at_mut(at);
-        let opens = before.iter().rposition(heading).unwrap_or_default();
-        let closes = behind.iter().position(heading).unwrap_or(behind.len());
-        let section = before[opens..].iter_mut().chain(&mut behind[..closes]);
-        let rows = section.filter_map(|item| match item {
+    let heading = |item: &Item| matches!(item, Item::Heading { .. });
+    for section in document.items.chunk_by_mut(|_, next| !heading(next)) {
+        let taken: BTreeMap<String, Vec<Node>> = section.windows(3).filter_map(said).collect();
+        if taken.is_empty() {
+            continue;
+        }
+        let rows = section.iter_mut().filter_map(|item| match item {
             Item::Formula(formula) => Some(&mut formula.rows),
             _ => None,
         });
-        let lines = rows.flatten().filter_map(|row| match row {
-            Row::Line(line) => Some(line),
-            _ => None,
-        });
-        // A line that says what a component is names it.
-        let names =
-            |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if is_component(s, &name));
-        for line in lines.filter(|line| !line.sides.first().is_some_and(names)) {
-            line.sides
-                .iter_mut()
-                .for_each(|side| put_at(side, &name, &place));
+        for row in rows.flatten() {
+            if let Row::Line(line) = row {
+                put_in_line(line, &taken);
+            }
         }
+    }
+}
+
+/// A line that says what a component is names it.
+fn put_in_line(line: &mut Line, taken: &BTreeMap<String, Vec<Node>>) {
+    let named = match line.sides.first().map(|side| &inner(side).kind) {
+        Some(Kind::Symbol(symbol)) if is_component(symbol) => Some(symbol.name.clone()),
+        _ => None,
+    };
+    let place = |symbol: &Symbol| {
+        let other = is_component(symbol) && named.as_ref() != Some(&symbol.name);
+        taken.get(&symbol.name).filter(|_| other)
+    };
+    for side in &mut line.sides {
+        put_at(side, &place);
     }
 }
 
@@ -72,22 +78,22 @@ fn alone(formula: &Formula) -> Option<&Node> {
     }
 }
 
-fn is_component(symbol: &Symbol, name: &str) -> bool {
-    let single =
-        matches!(symbol.subscripts.as_slice(), [index] if axis(index).is_some() || index == "i");
-    symbol.name == name && single
+fn is_component(symbol: &Symbol) -> bool {
+    matches!(symbol.subscripts.as_slice(), [index] if axis(index).is_some() || index == "i")
 }
 
-fn put_at(node: &mut Node, name: &str, place: &[Node]) {
+fn put_at<'p>(node: &mut Node, place: &impl Fn(&Symbol) -> Option<&'p Vec<Node>>) {
     match &node.kind {
         // It says itself where.
         Kind::Call(..) | Kind::Derivative { .. } => return,
-        Kind::Symbol(symbol) if is_component(symbol, name) => {
-            node.kind = Kind::Call(Box::new(node.clone()), place.to_vec());
+        Kind::Symbol(symbol) => {
+            if let Some(place) = place(symbol) {
+                node.kind = Kind::Call(Box::new(node.clone()), place.clone());
+            }
             return;
         }
         _ => {}
     }
     let children = node.children_mut().into_iter();
-    children.for_each(|child| put_at(child, name, place));
+    children.for_each(|child| put_at(child, place));
 }

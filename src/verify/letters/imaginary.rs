@@ -14,10 +14,12 @@ const SAID: &[&str] = &["complex", "imaginary", "\\sqrt{-1}"];
 pub(crate) fn has_imaginary_unit(text: &Text, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
     let sides = || lines(text).flat_map(|line| &line.sides);
-    // Beside a unit vector with a mark, an upright i is the unit.
-    let upright = sides()
-        .flat_map(symbols)
-        .any(|s| is_plain_i(s) && s.style.upright);
+    // Beside a unit vector with a mark, an upright i is the unit; with an upright j or k it is one of a triad.
+    let upright = |name: &str| {
+        let mut all = sides().flat_map(symbols);
+        all.any(|s| s.name == name && s.style.upright && !s.style.vector && !s.style.hat)
+    };
+    let upright = upright("i") && !upright("j") && !upright("k");
     let marked = used.vector + used.hats > 0 && !upright;
     let number = used.bare > 0 && used.component + used.double + used.tensor == 0 && !marked;
     let plain = number && !used.moving && (!usage.plain_units || upright);

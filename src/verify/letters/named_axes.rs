@@ -122,15 +122,6 @@ fn rename(node: &mut Node, labels: &Labels) {
     });
 }
 
-/// The name that the words have for an axis, where it stands behind "about" or "axis".
-pub(crate) fn heard(sentence: &str, letter: &str, labels: &Labels) -> Option<&'static str> {
-    let at = labels.iter().position(|label| *label == letter.trim())?;
-    let before = lowered(sentence);
-    let before = before.trim_end();
-    let named = BEFORE.iter().any(|words| before.ends_with(words));
-    named.then_some(["x", "y", "z"][at])
-}
-
 /// The label of an axis in an index of numbers, as the document writes it.
 pub(crate) fn written(index: &str, labels: &Labels) -> String {
     let label = |c: char| {

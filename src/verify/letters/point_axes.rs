@@ -42,10 +42,3 @@ fn axis_of(node: &Node) -> Option<&'static str> {
     letter(&origin.node, ORIGINS)?;
     letter(&axis.node, AXES)
 }
-
-/// The axis that such a pair of letters, as it is heard, names.
-pub(crate) fn heard_axis(heard: &str) -> Option<&'static str> {
-    let (origin, axis) = heard.trim().split_at_checked(1)?;
-    let named = AXES.iter().copied().find(|name| *name == axis)?;
-    ORIGINS.contains(&origin).then_some(named)
-}

@@ -194,6 +194,7 @@ impl Reading {
         reading.by_moment_law(document);
         reading.part_wheel_torques(document);
         reading.part_turned_tensor(document);
+        reading.part_inverse_tensor(document);
         reading.by_points();
         reading.by_labels(document);
         reading.note_spin_alone(document);

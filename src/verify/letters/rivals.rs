@@ -7,6 +7,7 @@ use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis, inner};
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
+use num_traits::Signed;
 use std::collections::BTreeSet;
 
 impl Reading {
@@ -85,6 +86,31 @@ impl Reading {
         });
         // Both may be one tensor, on the axes of space and on those of the body.
         if let Some(letter) = turned.filter(|_| self.attitude.matrix.is_none()) {
+            self.quantities.remove(&letter);
+        }
+    }
+
+    /// Of two letters of the inertia in `J = I^{-1}`, the inverse is a symbol of the document.
+    pub(crate) fn part_inverse_tensor(&mut self, document: &Document) {
+        let inertia = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Inertia);
+        let inverse = lines(document).find_map(|line| {
+            let [left, right] = line.sides.as_slice() else {
+                return None;
+            };
+            let (Kind::Symbol(new), Kind::Power(old, exponent)) =
+                (&inner(left).kind, &inner(right).kind)
+            else {
+                return None;
+            };
+            let Kind::Symbol(old) = &inner(old).kind else {
+                return None;
+            };
+            let below = matches!(&inner(exponent).kind, Kind::Negate(_))
+                || matches!(&inner(exponent).kind, Kind::Number(n) if n.value.is_negative());
+            let (new, old) = (Letter::of(new), Letter::of(old));
+            (below && new != old && inertia(&new) && inertia(&old)).then_some(new)
+        });
+        if let Some(letter) = inverse {
             self.quantities.remove(&letter);
         }
     }

@@ -4,6 +4,7 @@ use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol}
 use crate::verify::letters::skew_marks::is_rate_of_turn;
 use crate::verify::letters::usage::{Letter, Usage, axes, axis, inner, symbols, worn};
 use crate::verify::letters::wholes::{is_cross, lone, terms};
+use crate::verify::lines::index::is_equality;
 use crate::verify::values::written_out::{along_plain_units, along_vectors_xyz, plain_list};
 
 impl Usage {
@@ -57,10 +58,9 @@ impl Usage {
             self.letters.entry(Letter::of(symbol)).or_default().tensor += 1;
         }
         self.beside_a_cross(line);
+        self.named_components(line);
         for pair in line.sides.windows(2) {
             self.turned_column(&pair[0], &pair[1]);
-            self.named_component(&pair[0], &pair[1]);
-            self.named_component(&pair[1], &pair[0]);
             self.along_a_unit(&pair[0], &pair[1]);
             self.named_length(&pair[0], &pair[1]);
         }
@@ -104,6 +104,15 @@ impl Usage {
             }
             Kind::Sum(terms) => terms.iter().for_each(|term| self.under_tilde(&term.node)),
             _ => {}
+        }
+    }
+
+    /// What the equalities of a line name; a bound names nothing.
+    fn named_components(&mut self, line: &Line) {
+        let pairs = line.sides.windows(2).zip(&line.relations);
+        for (pair, _) in pairs.filter(|(_, (relation, _))| is_equality(*relation)) {
+            self.named_component(&pair[0], &pair[1]);
+            self.named_component(&pair[1], &pair[0]);
         }
     }
 

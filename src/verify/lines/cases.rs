@@ -236,7 +236,7 @@ impl Checker<'_> {
     pub(crate) fn turn_to_case(&mut self, sides: &[Node], role: Role) {
         let Some(first) = sides.first() else { return };
         self.end_freedom_from_torque(sides);
-        if role == Role::Assume && self.supposes_anew(sides) {
+        if role == Role::Assume && (self.supposes_anew(sides) || self.turns_about_another(sides)) {
             self.open_case();
         }
         let lone = matches!(inner(first).kind, Kind::Symbol(_));

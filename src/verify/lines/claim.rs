@@ -19,16 +19,11 @@ use crate::verify::verdict::{Finding, Role, Verdict};
 use num_traits::Zero;
 
 impl Checker<'_> {
-    /// What a line would come to as a claim; its slips are not noted.
-    pub(crate) fn verdict_as_claim(&mut self, sides: &[Node], finding: &Finding) -> Verdict {
-        let slips = self.slips.len();
-        let mut tried = finding.clone();
-        self.claim(sides, &mut tried);
-        self.slips.truncate(slips);
-        tried.verdict
-    }
-
     pub(crate) fn claim(&mut self, sides: &[Node], finding: &mut Finding) {
+        if sides.iter().any(|side| self.differentiates_a_vector(side)) {
+            finding.reason = Some(reason::SLOPE_OF_VECTOR.to_owned());
+            return;
+        }
         let readings = match self.readings(sides) {
             Ok(readings) => readings,
             Err(trouble) => {
@@ -39,10 +34,16 @@ impl Checker<'_> {
             }
         };
         let (mut failed, mut emptied) = (None, false);
+        let both = (readings.len() > 1).then(|| readings.clone());
         for read in readings {
             match decide(&mut self.theory, &read.equations) {
                 Decision::True(proof) if self.is_emptied(sides, &read, &proof) => emptied = true,
                 Decision::True(proof) => {
+                    let anew = both.as_ref();
+                    if anew.is_some_and(|both| self.reads_dots_anew(both, read.unlabelled, sides)) {
+                        finding.reason = Some(reason::OTHER_DOTS.to_owned());
+                        return;
+                    }
                     self.note_written_out(sides, &read);
                     self.proved(&read, proof, finding);
                     let last = sides.last().filter(|_| read.unlabelled == Frame::Moving);
@@ -89,7 +90,11 @@ impl Checker<'_> {
             }
             let may_be_given = !read.to_order && (!open || self.is_in_numbers(&sides[1..]));
             if may_be_given && self.is_given(sides, &read) {
-                return self.given(sides, finding);
+                match self.is_for_the_laws(sides, &read) {
+                    Some(reason) => finding.reason = Some(reason.to_owned()),
+                    None => self.given(sides, finding),
+                }
+                return;
             }
             if self.seeks_roots(sides, finding)
                 || self.hands_over_a_load(sides, finding)
@@ -197,7 +202,8 @@ impl Checker<'_> {
                 .or_else(|| self.doubt(read))
                 .or_else(|| self.on_numbered_axes(sides))
                 .or_else(|| self.on_lettered_axes(sides))
-                .or_else(|| self.turns_with_the_axes(sides)),
+                .or_else(|| self.turns_with_the_axes(sides))
+                .or_else(|| self.rests_on_a_reading(sides, read)),
             _ => None,
         };
         let approximate = !read.to_order && self.figures.relations.contains(&Relation::Approximate);

@@ -57,6 +57,10 @@ impl Checker<'_> {
         if self.entities([right]).contains(&entity) && !other || line.continues {
             return false;
         }
+        if let Some(reason) = self.is_named_by_theory(right, role) {
+            finding.reason = Some(reason.to_owned());
+            return true;
+        }
         if role == Role::Claim && is_zero(right) && self.small.contains(&entity) {
             finding.reason = Some("what is small does not vanish by that".to_owned());
             return true;
@@ -125,6 +129,10 @@ impl Checker<'_> {
         };
         if role != Role::Assume && value.entries.iter().any(|e| self.is_inhomogeneous(e)) {
             finding.reason = Some(reason::MIXED.to_owned());
+            return true;
+        }
+        if self.has_letter_of_another_kind(left, &value, role) {
+            finding.reason = Some(reason::OTHER_KIND.to_owned());
             return true;
         }
         if self.is_no_root(left, &value, finding) {

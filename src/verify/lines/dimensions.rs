@@ -44,6 +44,9 @@ impl Checker<'_> {
             }
             return;
         }
+        if are_in_two_units(sides, &measured) {
+            return wrong_dimension(sides[1].span, finding);
+        }
         let proved = matches!(finding.verdict, Verdict::Proved(_));
         if proved && self.has_another_unit(sides, &measured) {
             finding.verdict = Verdict::Undecided;
@@ -168,6 +171,16 @@ impl Checker<'_> {
             _ => Ok(None),
         }
     }
+}
+
+/// Whether two sides that are numbers with units are measured in different ones.
+fn are_in_two_units(sides: &[Node], measured: &[Measured]) -> bool {
+    let known = sides.iter().zip(measured).filter_map(|(side, measured)| {
+        let number = matches!(inner(side).kind, Kind::WithUnit(..)) && symbols(side).is_empty();
+        measured.as_ref().ok().copied().flatten().filter(|_| number)
+    });
+    let known: Vec<Dimension> = known.collect();
+    known.windows(2).any(|pair| pair[0] != pair[1])
 }
 
 fn combined(one: Option<Dimension>, other: Option<Dimension>, sign: i32) -> Option<Dimension> {

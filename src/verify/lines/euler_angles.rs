@@ -11,6 +11,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, undotted};
+use crate::verify::lines::index::is_equality;
 use crate::verify::lines::line::Read;
 use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, decide, passes_filter};
@@ -111,14 +112,15 @@ impl Checker<'_> {
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);
         let lone = |side: &Node| matches!(undotted(side).kind, Kind::Symbol(_));
         for line in lines(self.document) {
-            let of_body = line.sides.len() > 1
+            let equal = line.relations.iter().all(|(r, _)| is_equality(*r));
+            let of_body = equal
+                && line.sides.len() > 1
                 && line.sides.iter().all(lone)
                 && self.entities(&line.sides).contains(&inertia);
-            let Some(read) = self
-                .read(&line.sides, Frame::Moving)
-                .ok()
-                .filter(|_| of_body)
-            else {
+            if !of_body {
+                continue;
+            }
+            let Ok(read) = self.read(&line.sides, Frame::Moving) else {
                 continue;
             };
             let residuals: Vec<Fraction> = read.residuals().cloned().collect();

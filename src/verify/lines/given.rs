@@ -176,6 +176,10 @@ impl Checker<'_> {
     /// Whether a force, or a vector of the document, is written out by its own components but for one or two, of which
     /// nothing is said: these vanish.
     fn lies_in_a_plane(&mut self, sides: &[Node]) -> bool {
+        // Of a rate the other components are rates too, and do not vanish by being left out.
+        if !matches!(inner(&sides[0]).kind, Kind::Symbol(_)) {
+            return false;
+        }
         let own = self.entities([&sides[0]]).into_iter().all(|entity| {
             match &self.theory.atoms.info(entity).owner {
                 Owner::Quantity(quantity, _) => *quantity == Quantity::Force,
@@ -340,7 +344,7 @@ pub(crate) fn is_zero(side: &Node) -> bool {
 }
 
 /// What the rates in a tree are of.
-fn operands_of_rates<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
+pub(crate) fn operands_of_rates<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
     match &node.kind {
         Kind::TimeDerivative { operand, .. } => found.push(operand),
         _ => node

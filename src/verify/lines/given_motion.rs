@@ -11,7 +11,7 @@ use crate::verify::values::atoms::{Atom, Owner};
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 impl Checker<'_> {
     /// Whether a side is the rate of the angular velocity, or of a component of it, that nothing determines.
@@ -155,6 +155,26 @@ impl Checker<'_> {
         let (one, other) = (turn(first), turn(last));
         one.zip(other)
             .is_some_and(|(one, other)| one.0 != other.0 && one.1 != other.1)
+            || self.is_share_of_turn(first, last)
+    }
+
+    /// Whether the axes are said to turn so many times as fast as the body.
+    fn is_share_of_turn(&mut self, first: &Node, last: &Node) -> bool {
+        let rate = self.theory.atoms.quantity(Quantity::FrameRate);
+        if self.entities([first]) != [rate] {
+            return false;
+        }
+        let Ok(value) = self.lowering(Frame::Moving).value(last) else {
+            return false;
+        };
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        let omega = self.theory.atoms.vector(omega, 0);
+        let mut parts = value.entries.iter().zip(omega);
+        value.is_vector()
+            && parts.all(|(part, whole)| {
+                let ratio = (part.clone() / whole).to_rational();
+                ratio.is_some_and(|ratio| !ratio.is_one())
+            })
     }
 
     /// Whether a line in the same breath gives another component of how the body turns.

@@ -4,12 +4,14 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::{Entity, Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::value::Value;
 use crate::verify::verdict::{Finding, Verdict};
+use num_traits::Zero;
 
 const NAME: &str = "moment of the weight";
 
@@ -116,11 +118,45 @@ impl Checker<'_> {
             };
             let info = self.theory.atoms.info(entity);
             let number = info.shape == Shape::Scalar && matches!(info.owner, Owner::Symbol(_));
+            let number = number && info.constant && !arms.contains(&entity);
             if number && self.is_free(entity) && !self.is_said_of(entity) {
                 arms.push(entity);
             }
         }
         arms.truncate(3);
         arms
+    }
+
+    /// Whether what is called a potential energy is not the weight times a height of the mass centre, where the angles and
+    /// the mass of a top are known.
+    pub(crate) fn misses_the_height(&mut self, right: &Node) -> bool {
+        let met = symbols(right);
+        let gravity = met
+            .iter()
+            .find(|s| s.name == "g" && s.subscripts.is_empty());
+        let known = self.text.says(WEIGHT) && !self.text.says(OTHERWISE);
+        if !known || !self.reading.speaks_of(Quantity::Mass) {
+            return false;
+        }
+        let Some(gravity) = gravity.and_then(|s| self.entity_named(s)) else {
+            return false;
+        };
+        let Some(angles) = self.reading.euler_angles.clone() else {
+            return false;
+        };
+        let (Some(up), Some(energy)) = (
+            self.first_axis(&angles),
+            self.lowering(Frame::Moving).scalar(right),
+        ) else {
+            return false;
+        };
+        let mass = self.theory.atoms.quantity(Quantity::Mass);
+        let [mass, pull] = [mass, gravity].map(|e| self.theory.atoms.value(e, 0, 0));
+        !self.arms_of_weight(&met).into_iter().any(|arm| {
+            let height = self.theory.atoms.value(arm, 0, 0) * up[2].clone();
+            let rest = energy.clone() - mass.clone() * pull.clone() * height;
+            let changes = self.theory.atoms.derivative(&rest);
+            self.theory.normal(&changes).is_zero()
+        })
     }
 }

@@ -52,6 +52,7 @@ impl Checker<'_> {
     pub(crate) fn line_as_set(&mut self, line: &Line, role: Role) {
         let mut finding = self.blank(line, role);
         self.settle(line, role, &mut finding);
+        self.withhold_own_proof(&line.sides, &mut finding);
         self.measure(&line.sides, &mut finding);
         self.withhold_inhomogeneous(&line.sides, &mut finding);
         self.withhold_changing_energy(&line.sides, &mut finding);

@@ -2,15 +2,16 @@
 //! integrand it is none.
 
 use crate::algebra::{Polynomial, Variable};
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Number, Symbol};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
-use crate::verify::letters::usage::inner;
+use crate::verify::letters::usage::{inner, symbols};
 use crate::verify::values::atoms::{Owner, variable_fraction};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
 use crate::verify::verdict::{Finding, Role, Verdict};
-use num_traits::Zero;
+use num_rational::BigRational;
+use num_traits::{One, Zero};
 
 /// Rows and columns of the components of a symmetric tensor.
 const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
@@ -108,7 +109,7 @@ impl Checker<'_> {
     /// What is integrated over the mass in a side, in the coordinates alone.
     fn integrand(&mut self, side: &Node) -> Option<(Polynomial, [Variable; 3])> {
         let mut integrand = side.clone();
-        if !bare_of_integrals(&mut integrand) {
+        if !bare_of_integrals(&mut integrand) && !bare_of_masses(&mut integrand) {
             return None;
         }
         let mut lowering = self.lowering(Frame::Moving);
@@ -147,4 +148,60 @@ fn bare_of_integrals(node: &mut Node) -> bool {
             .into_iter()
             .fold(false, |any, child| bare_of_integrals(child) | any),
     }
+}
+
+/// Puts what is summed in the place of each sum over the masses, `\sum m_i (y_i^2 + z_i^2)`, and one for the mass; whether
+/// there is any.
+fn bare_of_masses(node: &mut Node) -> bool {
+    let mut indices = vec![];
+    take_sums_away(node, &mut indices);
+    if indices.is_empty() {
+        return false;
+    }
+    node.change_symbols(&mut |symbol| symbol.subscripts.retain(|s| !indices.contains(s)));
+    true
+}
+
+/// Notes the index of each sum over the masses; an empty one where they have none.
+fn take_sums_away(node: &mut Node, indices: &mut Vec<String>) {
+    if let Kind::IndexedSum { index, body, .. } = &node.kind {
+        let index = index.name.clone();
+        let mass = |s: &&Symbol| s.name == "m" && s.subscripts == [index.as_str()];
+        if symbols(body).iter().any(mass) {
+            let mut body = (**body).clone();
+            put_one_for_mass(&mut body, &|s| s.subscripts == [index.as_str()]);
+            *node = body;
+            indices.push(index);
+        }
+        return;
+    }
+    let mut met = vec![];
+    let resultant = |s: &Symbol| s.resultant;
+    for symbol in symbols(node) {
+        if symbol.name == "m" && resultant(symbol) {
+            met.push(symbol.subscripts.first().cloned().unwrap_or_default());
+        }
+    }
+    if met.is_empty() {
+        node.children_mut()
+            .into_iter()
+            .for_each(|child| take_sums_away(child, indices));
+    } else {
+        put_one_for_mass(node, &resultant);
+        indices.extend(met);
+    }
+}
+
+fn put_one_for_mass(node: &mut Node, is_mass: &dyn Fn(&Symbol) -> bool) {
+    if matches!(&node.kind, Kind::Symbol(s) if s.name == "m" && is_mass(s)) {
+        node.kind = Kind::Number(Number {
+            value: BigRational::one(),
+            decimals: None,
+            exponent: 0,
+        });
+        return;
+    }
+    node.children_mut()
+        .into_iter()
+        .for_each(|child| put_one_for_mass(child, is_mass));
 }

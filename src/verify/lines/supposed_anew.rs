@@ -8,6 +8,8 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
 use crate::verify::lines::given::is_zero;
 use crate::verify::theory::{Name, Premise};
+use crate::verify::values::quantity::Quantity;
+use crate::verify::verdict::{Finding, Role};
 use crate::verify::words::book::{has_any, lowered};
 
 /// Words that leave a value behind.
@@ -35,6 +37,26 @@ impl Checker<'_> {
         };
         let mut premises = self.theory.premises().iter();
         premises.any(|p| supposed(p) && by_others(p))
+    }
+
+    /// Whether a component of ω is now supposed to be what another one was, and lines were derived in between.
+    pub(crate) fn turns_about_another(&mut self, sides: &[Node]) -> bool {
+        let omega = self.theory.atoms.quantity(Quantity::AngularVelocity);
+        if self.entities(sides.first()) != [omega] {
+            return false;
+        }
+        let before = self.names_of_siblings(sides);
+        let made = |f: &Finding| {
+            let line = format!("line {}", f.source_line);
+            let place = f
+                .cell
+                .map_or(line.clone(), |cell| format!("cell {cell}, {line}"));
+            let again = format!("{place} (");
+            let mut names = before.iter();
+            names.any(|name| *name == place || name.starts_with(&again))
+        };
+        let mut since = self.findings.iter().skip_while(|f| !made(f));
+        since.any(|f| f.role == Role::Claim)
     }
 
     /// Ends what lines supposed of a symbol that is any again: "we go back to a general ⟨s⟩".

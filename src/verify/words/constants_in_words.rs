@@ -145,7 +145,8 @@ impl Checker<'_> {
         if uniform || BEFORE.iter().any(|words| before.ends_with(words)) {
             // "With constant ⟨Ω⟩": the vector.
             let vector = matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.vector);
-            let supposed = vector && !Words::of(&self.sentence).derive();
+            let supposed =
+                (vector || !supposes(&self.sentence)) && !Words::of(&self.sentence).derive();
             self.constant_in_words(node, supposed);
         }
         self.turns_near(node);

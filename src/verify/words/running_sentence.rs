@@ -1,16 +1,16 @@
 //! The sentence that is being read, as far as it goes: what it sets, and the role that it gives to the next formula.
 
-use crate::notation::document::Formula;
+use crate::notation::document::{Formula, Row};
 use crate::source::Span;
 use crate::verify::check::Checker;
-use crate::verify::letters::named_axes::heard;
-use crate::verify::letters::point_axes::heard_axis;
 use crate::verify::letters::space_axes::turns_to_body;
 use crate::verify::verdict::Role;
 use crate::verify::words::book::lowered;
+use crate::verify::words::points_in_words::lone;
 use crate::verify::words::prose::{said, symmetry_plane};
 use crate::verify::words::role::{Words, ends_with_condition};
 use crate::verify::words::sentences::closes_sentence;
+use crate::verify::words::sizes_of_vectors::is_bare;
 
 /// Bytes of a sentence that are kept: a page of formulas without a word between them is no sentence.
 const LONGEST_SENTENCE: usize = 1_000;
@@ -172,11 +172,9 @@ impl Checker<'_> {
 
     /// A formula stands in the sentence as its letters and digits and a mark; a display with a stop in it ends it.
     pub(crate) fn hear_formula(&mut self, formula: &Formula) {
-        let plain = self.as_heard(formula.span);
-        let labels = self.reading.axis_labels.as_ref();
-        let axis = labels.and_then(|labels| heard(&self.sentence, &plain, labels));
-        let axis = axis.or_else(|| heard_axis(&plain));
-        let plain = axis.map_or(plain, str::to_owned);
+        // An axis is heard by the name that it is read by: the z of `Gz`, the x of a \xi.
+        let axis = lone_axis(formula).map(str::to_owned);
+        let plain = axis.unwrap_or_else(|| self.as_heard(formula.span));
         self.sentence.push_str(&format!(" {plain} ⟨⟩"));
         keep_end(&mut self.sentence, LONGEST_SENTENCE);
         if closes_sentence(self.document, formula) {
@@ -202,6 +200,15 @@ impl Checker<'_> {
         }
         self.broken = true;
     }
+}
+
+/// The axis that a formula between words names.
+fn lone_axis(formula: &Formula) -> Option<&str> {
+    let [Row::Expression(node)] = formula.rows.as_slice() else {
+        return None;
+    };
+    let symbol = lone(node).filter(|symbol| is_bare(symbol) && !formula.display)?;
+    matches!(symbol.name.as_str(), "x" | "y" | "z").then_some(symbol.name.as_str())
 }
 
 /// "Since ⟨λμ = 0⟩, ⟨…⟩": what stands behind one formula of a reason follows from it.
