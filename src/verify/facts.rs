@@ -1,0 +1,26 @@
+//! What holds at a place of a document, and the proofs that follow from it.
+
+pub(crate) mod premises;
+pub(crate) mod proof;
+pub(crate) mod small;
+pub(crate) mod squares;
+pub(crate) mod world;
+
+/// Who says that something holds.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) enum Source {
+    /// A line of the document that was accepted, by its number in the file.
+    Line(usize),
+    /// A sentence by which the author declares something.
+    Declared(String),
+}
+
+impl Source {
+    /// The words that `uses` and certificates show.
+    pub(crate) fn text(&self) -> String {
+        match self {
+            Self::Line(line) => format!("line {line}"),
+            Self::Declared(sentence) => format!("declared: {sentence}"),
+        }
+    }
+}

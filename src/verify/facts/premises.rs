@@ -1,0 +1,372 @@
+//! What holds at a place of the document: laws, premises and accepted lines, each solved for one variable.
+
+use crate::algebra::{Fraction, Polynomial, Variable, compose};
+use crate::verify::facts::Source;
+use crate::verify::facts::squares::is_kernel;
+use crate::verify::model::atoms::{Atoms, Law};
+use num_traits::Zero;
+use std::collections::{BTreeMap, HashMap};
+
+/// Products of more terms than this are not worked out.
+pub(super) const MOST_TERMS: usize = 6_000;
+
+/// More premises, with their rates, are not put in.
+const MOST_PREMISES: usize = 400;
+
+/// Rates of premises of more terms than this are not put in.
+const MOST_OF_RATE: usize = 400;
+
+/// The answer "this grew beyond what is worked out".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct OutOfBudget;
+
+/// What a premise says of one variable.
+#[derive(Clone, Debug)]
+pub(crate) struct Rule {
+    /// Its value.
+    pub(crate) value: Fraction,
+    /// The equation as it was put in: this vanishes.
+    pub(crate) equation: Polynomial,
+    /// Who says so.
+    pub(crate) source: Source,
+    /// How many rules there were before it: it is solved by those alone.
+    pub(crate) time: usize,
+}
+
+/// What became of an equation that was put in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extended {
+    /// It holds already.
+    Follows,
+    /// It tells what a variable is.
+    Solved(Variable),
+    /// It tells the square of a variable.
+    Square,
+    /// Nothing can satisfy it together with what holds.
+    Contradicts,
+    /// It could not be solved for one variable; it is kept out.
+    Unsolved,
+}
+
+impl Extended {
+    /// Whether the rate of the equation may tell more than the rate of what was solved for does.
+    fn has_new_rate(self, atoms: &mut Atoms) -> bool {
+        let Self::Solved(mut variable) = self else {
+            return self == Self::Square;
+        };
+        for _ in 0..2 {
+            match atoms.rate(variable).as_variable() {
+                Some(rate) if atoms.atom(rate).law.is_none() => variable = rate,
+                _ => return true,
+            }
+        }
+        false
+    }
+}
+
+/// What holds. Laws stand with the variables; premises are here.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Facts {
+    pub(super) rules: BTreeMap<Variable, Rule>,
+    /// Squares that premises tell: n_z² = 1 − n_x² − n_y².
+    pub(super) squares: BTreeMap<Variable, (Polynomial, Rule)>,
+    pub(super) images: HashMap<Variable, Option<Fraction>>,
+    /// How many rules were put in so far.
+    time: usize,
+    /// A premise that could not be put in: while there is one, what fails by the others may hold.
+    missing: Option<Source>,
+}
+
+impl Facts {
+    /// The rule for a variable, if a premise has solved for it.
+    pub(crate) fn rule(&self, variable: Variable) -> Option<&Rule> {
+        self.rules.get(&variable)
+    }
+
+    /// The relation for the square of a variable that a premise tells.
+    pub(crate) fn square(&self, variable: Variable) -> Option<&Rule> {
+        self.squares.get(&variable).map(|(_, rule)| rule)
+    }
+
+    /// The value of a variable in free variables, by rules, laws and the rates of rules; `None` for a free one.
+    pub(crate) fn image(
+        &mut self,
+        atoms: &mut Atoms,
+        variable: Variable,
+        depth: usize,
+    ) -> Result<Option<Fraction>, OutOfBudget> {
+        if let Some(known) = self.images.get(&variable) {
+            return Ok(known.clone());
+        }
+        if depth > 60 {
+            return Err(OutOfBudget);
+        }
+        let value = match self.told(atoms, variable) {
+            Some(value) => Some(self.normal_at(atoms, &value, depth + 1)?),
+            None => None,
+        };
+        self.images.insert(variable, value.clone());
+        Ok(value)
+    }
+
+    /// What a rule, a law or the rate of a rule says of a variable, one step deep.
+    pub(crate) fn told(&self, atoms: &mut Atoms, variable: Variable) -> Option<Fraction> {
+        if let Some(rule) = self.rules.get(&variable) {
+            return Some(rule.value.clone());
+        }
+        if let Some(Law { value, .. }) = &atoms.atom(variable).law {
+            return Some(value.clone());
+        }
+        let of = atoms.atom(variable).rate_of?;
+        let value = self.told(atoms, of)?;
+        Some(atoms.derivative(&value))
+    }
+
+    /// A fraction in free variables alone.
+    pub(crate) fn normal(
+        &mut self,
+        atoms: &mut Atoms,
+        of: &Fraction,
+    ) -> Result<Fraction, OutOfBudget> {
+        self.normal_at(atoms, of, 0)
+    }
+
+    /// What is known of a square may bring letters that are told again, so both are put in until nothing changes.
+    fn normal_at(
+        &mut self,
+        atoms: &mut Atoms,
+        of: &Fraction,
+        depth: usize,
+    ) -> Result<Fraction, OutOfBudget> {
+        let mut value = self.put_in_values(atoms, of, depth)?;
+        for _ in 0..8 {
+            let before = value.clone();
+            self.lower_squares(atoms, &mut value)?;
+            if value.numerator() == before.numerator()
+                && value.denominator() == before.denominator()
+            {
+                return Ok(value);
+            }
+            value = self.put_in_values(atoms, &value, depth)?;
+        }
+        Err(OutOfBudget)
+    }
+
+    fn put_in_values(
+        &mut self,
+        atoms: &mut Atoms,
+        of: &Fraction,
+        depth: usize,
+    ) -> Result<Fraction, OutOfBudget> {
+        let mut images: HashMap<Variable, Fraction> = HashMap::new();
+        for variable in of.variables() {
+            if let Some(image) = self.image(atoms, variable, depth)? {
+                images.insert(variable, image);
+            }
+        }
+        let put = |p: &Polynomial| compose(p, &images, MOST_TERMS).map_err(|_| OutOfBudget);
+        Ok(match (images.is_empty(), of.is_polynomial()) {
+            (true, _) => of.clone(),
+            (false, true) => put(of.numerator())?,
+            (false, false) => put(of.numerator())? / put(of.denominator())?,
+        })
+    }
+
+    /// Puts in an equation: this fraction vanishes, always.
+    pub(crate) fn extend(
+        &mut self,
+        atoms: &mut Atoms,
+        equation: &Fraction,
+        source: &Source,
+    ) -> Result<Extended, OutOfBudget> {
+        let first = self.put(atoms, equation, source)?;
+        let mut rate = atoms.derivative(equation);
+        for _ in 0..2 {
+            if !first.has_new_rate(atoms) || rate.is_zero() {
+                break;
+            }
+            if rate.numerator().len() > MOST_OF_RATE {
+                self.miss(source);
+                break;
+            }
+            match self.put(atoms, &rate, source)? {
+                Extended::Contradicts => return Ok(Extended::Contradicts),
+                Extended::Unsolved => self.miss(source),
+                _ => {}
+            }
+            rate = atoms.derivative(&rate);
+        }
+        Ok(first)
+    }
+
+    /// Puts in many equations with their rates, those first that say plainly what one variable is.
+    pub(crate) fn extend_all(&mut self, atoms: &mut Atoms, equations: Vec<(Fraction, Source)>) {
+        let mut waiting: Vec<(Fraction, Source, u8)> = equations
+            .into_iter()
+            .map(|(equation, source)| (equation, source, 0))
+            .collect();
+        let mut steps = 0;
+        while !waiting.is_empty() && steps < MOST_PREMISES {
+            let before = steps;
+            let mut left = vec![];
+            for (equation, source, order) in std::mem::take(&mut waiting) {
+                let Ok(normal) = self.normal(atoms, &equation) else {
+                    self.miss(&source);
+                    continue;
+                };
+                let value = normal.numerator();
+                if value.is_zero() {
+                    continue;
+                }
+                match best(atoms, value, true) {
+                    Some(_) => {
+                        steps += 1;
+                        self.put_with_rate(atoms, equation, source, order, &mut left);
+                    }
+                    None => left.push((equation, source, order)),
+                }
+            }
+            waiting = left;
+            if steps == before && !waiting.is_empty() {
+                // None is plain: the shortest goes first.
+                steps += 1;
+                let size = |(e, _, order): &(Fraction, Source, u8)| (*order, e.numerator().len());
+                let at = (0..waiting.len())
+                    .min_by_key(|&i| size(&waiting[i]))
+                    .unwrap_or(0);
+                let (equation, source, order) = waiting.remove(at);
+                self.put_with_rate(atoms, equation, source, order, &mut waiting);
+            }
+        }
+        if let Some((_, source, _)) = waiting.first() {
+            self.miss(source);
+        }
+    }
+
+    /// The premise that is not in force though it should be.
+    pub(crate) fn missing(&self) -> Option<&Source> {
+        self.missing.as_ref()
+    }
+
+    pub(crate) fn miss(&mut self, source: &Source) {
+        self.missing.get_or_insert_with(|| source.clone());
+    }
+
+    /// Puts in an equation, and lets its rate wait.
+    fn put_with_rate(
+        &mut self,
+        atoms: &mut Atoms,
+        equation: Fraction,
+        source: Source,
+        order: u8,
+        waiting: &mut Vec<(Fraction, Source, u8)>,
+    ) {
+        match self.put(atoms, &equation, &source) {
+            Ok(Extended::Contradicts | Extended::Unsolved) | Err(OutOfBudget) => {
+                return self.miss(&source);
+            }
+            Ok(put) if order < 2 && put.has_new_rate(atoms) => {}
+            Ok(_) => return,
+        }
+        let rate = atoms.derivative(&equation);
+        if rate.numerator().len() > MOST_OF_RATE {
+            self.miss(&source);
+        } else if !rate.is_zero() {
+            waiting.push((rate, source, order + 1));
+        }
+    }
+
+    /// Puts in an equation without its rates.
+    pub(crate) fn put(
+        &mut self,
+        atoms: &mut Atoms,
+        equation: &Fraction,
+        source: &Source,
+    ) -> Result<Extended, OutOfBudget> {
+        let normal = self.normal(atoms, equation)?;
+        let value = normal.numerator().clone();
+        if value.is_zero() {
+            return Ok(Extended::Follows);
+        }
+        if value.is_constant().is_some() {
+            return Ok(Extended::Contradicts);
+        }
+        let written = equation.numerator().clone();
+        let alone = best(atoms, &value, true);
+        if alone.is_none() && self.put_square(atoms, &value, &written, source) {
+            return Ok(Extended::Square);
+        }
+        let Some((variable, slope, rest)) = alone.or_else(|| best(atoms, &value, false)) else {
+            return Ok(Extended::Unsolved);
+        };
+        let solved = Fraction::new(-rest, slope.clone()).ok_or(OutOfBudget)?;
+        let rule = Rule {
+            value: solved,
+            equation: written,
+            source: source.clone(),
+            time: self.tick(),
+        };
+        self.rules.insert(variable, rule);
+        self.images.clear();
+        if let Some(square) = atoms.atom(variable).square.clone() {
+            let v = Polynomial::variable(variable);
+            let relation = Fraction::from(v.clone() * v - square);
+            if self.put(atoms, &relation, source)? == Extended::Contradicts {
+                return Ok(Extended::Contradicts);
+            }
+        }
+        let mut again = self.squares_with(variable);
+        again.extend(self.rates_of(atoms, variable));
+        for rule in again {
+            match self.put(atoms, &Fraction::from(rule.equation), &rule.source)? {
+                Extended::Contradicts => return Ok(Extended::Contradicts),
+                Extended::Unsolved => self.miss(&rule.source),
+                _ => {}
+            }
+        }
+        Ok(Extended::Solved(variable))
+    }
+
+    pub(super) fn tick(&mut self) -> usize {
+        self.time += 1;
+        self.time
+    }
+
+    /// When what is told of a variable was put in: 0 for a law, `None` where nothing is told.
+    pub(crate) fn told_at(&self, atoms: &Atoms, variable: Variable) -> Option<usize> {
+        if let Some(rule) = self.rules.get(&variable) {
+            return Some(rule.time);
+        }
+        if atoms.atom(variable).law.is_some() {
+            return Some(0);
+        }
+        self.told_at(atoms, atoms.atom(variable).rate_of?)
+    }
+}
+
+/// The variable that an equation is best solved for: alone rather than with a factor, the highest rate, the youngest.
+fn best(
+    atoms: &Atoms,
+    value: &Polynomial,
+    plainly: bool,
+) -> Option<(Variable, Polynomial, Polynomial)> {
+    let candidates = value.variables().into_iter().filter_map(|v| {
+        if value.degree_in(v) != 1 || is_kernel(atoms, v) {
+            return None;
+        }
+        let slope = value.coefficient_of(v, 1);
+        let atom = atoms.atom(v);
+        let alone = slope.is_constant().is_some();
+        if plainly && !alone {
+            return None;
+        }
+        Some(((alone, atom.key.order, v), slope))
+    });
+    let ((_, _, variable), slope) = candidates.max_by_key(|(rank, _)| *rank)?;
+    let rest = value.coefficient_of(variable, 0);
+    // A product that vanishes does not say which of its factors does.
+    if rest.is_zero() && slope.is_constant().is_none() {
+        return None;
+    }
+    Some((variable, slope, rest))
+}

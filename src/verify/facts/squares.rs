@@ -1,0 +1,112 @@
+//! Relations for squares, and what a newly solved variable does to them and to its rates.
+
+use crate::algebra::{Fraction, Polynomial, Rational, Variable};
+use crate::verify::facts::Source;
+use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
+use crate::verify::model::atoms::{Atoms, Nature, lowered};
+use num_traits::{One, Zero};
+
+impl Facts {
+    /// Takes out the rules for the rates of a variable that is solved for now: they are to be put in anew.
+    pub(super) fn rates_of(&mut self, atoms: &mut Atoms, variable: Variable) -> Vec<Rule> {
+        let mut rules = vec![];
+        let mut rate = atoms.rate(variable).as_variable();
+        while let Some(next) = rate.filter(|&rate| atoms.atom(rate).key.order <= 5) {
+            rules.extend(self.rules.remove(&next));
+            rate = atoms.rate(next).as_variable();
+        }
+        self.images.clear();
+        rules
+    }
+
+    /// An equation that tells the square of a variable: n·n = 1.
+    pub(super) fn put_square(
+        &mut self,
+        atoms: &Atoms,
+        value: &Polynomial,
+        equation: &Polynomial,
+        source: &Source,
+    ) -> bool {
+        let mut variables = value.variables();
+        variables.sort_by_key(|&v| (atoms.atom(v).key.order, v));
+        for variable in variables.into_iter().rev() {
+            let [lower, slope, square] = [0, 1, 2].map(|e| value.coefficient_of(variable, e));
+            let told = atoms.atom(variable).square.is_some() || is_kernel(atoms, variable);
+            if value.degree_in(variable) != 2 || !slope.is_zero() || told {
+                continue;
+            }
+            let Some(number) = square.is_constant() else {
+                continue;
+            };
+            let told = (-lower).scaled(&(Rational::one() / number));
+            let value = Fraction::from(told.clone());
+            let (equation, source) = (equation.clone(), source.clone());
+            let rule = Rule {
+                value,
+                equation,
+                source,
+                time: self.tick(),
+            };
+            self.squares.insert(variable, (told, rule));
+            self.images.clear();
+            return true;
+        }
+        false
+    }
+
+    /// Takes out the relations for squares that hold a variable that is solved for now: they are to be put in anew.
+    pub(super) fn squares_with(&mut self, variable: Variable) -> Vec<Rule> {
+        let held = |(of, (square, _)): (&Variable, &(Polynomial, Rule))| {
+            (square.degree_in(variable) > 0 || *of == variable).then_some(*of)
+        };
+        let affected: Vec<Variable> = self.squares.iter().filter_map(held).collect();
+        let removed = affected.iter().filter_map(|of| self.squares.remove(of));
+        removed.map(|(_, rule)| rule).collect()
+    }
+
+    /// The polynomial with known squares put in.
+    pub(super) fn without_squares(&self, atoms: &Atoms, of: &Polynomial) -> Option<Polynomial> {
+        let mut value = of.clone();
+        for _ in 0..32 {
+            let square_of = |v: Variable| {
+                let told = self.squares.get(&v).map(|(square, _)| square);
+                told.or(atoms.atom(v).square.as_ref())
+            };
+            let next = value
+                .variables()
+                .into_iter()
+                .rev()
+                .find_map(|v| Some((v, square_of(v)?)).filter(|_| value.degree_in(v) > 1));
+            let Some((variable, square)) = next else {
+                return Some(value);
+            };
+            value = lowered(&value, variable, square);
+            if value.len() > MOST_TERMS {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Puts in what is known of squares, until no known square is left.
+    pub(super) fn lower_squares(
+        &mut self,
+        atoms: &Atoms,
+        value: &mut Fraction,
+    ) -> Result<(), OutOfBudget> {
+        let lowered = |p: &Polynomial| self.without_squares(atoms, p).ok_or(OutOfBudget);
+        let (top, bottom) = (lowered(value.numerator())?, lowered(value.denominator())?);
+        if &top != value.numerator() || &bottom != value.denominator() {
+            *value = Fraction::new(top, bottom).ok_or(OutOfBudget)?;
+        }
+        Ok(())
+    }
+}
+
+/// Whether a variable is a function of others: the sine of an angle, a root.
+pub(super) fn is_kernel(atoms: &Atoms, variable: Variable) -> bool {
+    matches!(
+        atoms.atom(variable).nature,
+        Nature::Sine(_) | Nature::Cosine(_) | Nature::Root(_)
+    )
+}

@@ -1,0 +1,10 @@
+//! What a document speaks of: frames, points, bodies, loads, and the laws that tie their quantities together.
+
+pub(crate) mod atoms;
+pub(crate) mod bodies;
+pub(crate) mod frames;
+pub(crate) mod kernels;
+pub(crate) mod partial;
+pub(crate) mod points;
+pub(crate) mod sums;
+pub(crate) mod system;

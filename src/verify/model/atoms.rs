@@ -1,0 +1,274 @@
+//! The variables of the model: components of quantities, their rates, and what the laws say of them.
+//!
+//! A variable is free, or a law gives its value in variables that were there before it: a triangular set. A free
+//! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
+
+use crate::algebra::{Fraction, Place, Polynomial, Variable};
+use num_traits::Zero;
+use std::collections::HashMap;
+
+/// What a variable is: equal keys are the same variable.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Key {
+    /// How it is written, in LaTeX, without dots.
+    pub(crate) text: String,
+    /// How often it was differentiated.
+    pub(crate) order: u8,
+    /// The index of the member of a family that it belongs to: the `i` of m_i.
+    pub(crate) member: Option<String>,
+    /// Whose writing it is.
+    pub(crate) space: Space,
+}
+
+/// Whose writing a key is: the same text may be a quantity of the model, a letter of the document that is told by a law
+/// (the n-th thing of that name), and a letter of which nothing is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub(crate) enum Space {
+    #[default]
+    Model,
+    Letter(u16),
+    Unknown,
+}
+
+impl Key {
+    pub(crate) fn new(text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self {
+            text,
+            order: 0,
+            member: None,
+            space: Space::Model,
+        }
+    }
+
+    pub(crate) fn of_member(text: impl Into<String>, index: &str) -> Self {
+        let member = Some(index.to_owned());
+        Self {
+            member,
+            ..Self::new(text)
+        }
+    }
+}
+
+/// How a variable changes in time.
+#[derive(Clone, Debug)]
+pub(crate) enum Motion {
+    /// It does not.
+    Constant,
+    /// Freely: its rate is another variable.
+    Free,
+    /// At this rate.
+    Rate(Fraction),
+}
+
+/// What a law says: the value of a variable.
+#[derive(Clone, Debug)]
+pub(crate) struct Law {
+    /// The name that appears in `uses`.
+    pub(crate) name: &'static str,
+    /// The value.
+    pub(crate) value: Fraction,
+}
+
+/// What stands behind a variable that is no quantity of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Nature {
+    /// A quantity.
+    Quantity,
+    /// A letter of the document of which nothing is known.
+    Unknown,
+    /// The sum over all members of a family of a product of powers of their variables.
+    Sum,
+    /// The sine of an angle.
+    Sine(Fraction),
+    /// The cosine of an angle.
+    Cosine(Fraction),
+    /// The square root of a value.
+    Root(Fraction),
+    /// The last component of a unit vector, by its square.
+    UnitPart(Fraction),
+}
+
+/// A variable.
+#[derive(Clone, Debug)]
+pub(crate) struct Atom {
+    pub(crate) key: Key,
+    pub(crate) place: Place,
+    pub(crate) motion: Motion,
+    pub(crate) law: Option<Law>,
+    pub(crate) nature: Nature,
+    /// Its square, where a relation gives it: s² = 1 − c².
+    pub(crate) square: Option<Polynomial>,
+    /// The variable that it is the rate of.
+    pub(crate) rate_of: Option<Variable>,
+}
+
+/// All variables of a document.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Atoms {
+    list: Vec<Atom>,
+    known: HashMap<Key, Variable>,
+    rates: HashMap<Variable, Fraction>,
+}
+
+/// A variable as a fraction.
+pub(crate) fn fraction(variable: Variable) -> Fraction {
+    Fraction::from(Polynomial::variable(variable))
+}
+
+/// A whole number as a fraction.
+pub(crate) fn whole(number: i64) -> Fraction {
+    Fraction::from_ratio(number, 1)
+}
+
+impl Atoms {
+    /// The variable with this key, made free where there is none yet.
+    pub(crate) fn variable(&mut self, key: Key, place: Place, motion: Motion) -> Variable {
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
+        let variable = self.list.len() as Variable;
+        self.known.insert(key.clone(), variable);
+        self.list.push(Atom {
+            key,
+            place,
+            motion,
+            law: None,
+            nature: Nature::Quantity,
+            square: None,
+            rate_of: None,
+        });
+        variable
+    }
+
+    pub(crate) fn find(&self, key: &Key) -> Option<Variable> {
+        self.known.get(key).copied()
+    }
+
+    pub(crate) fn atom(&self, variable: Variable) -> &Atom {
+        &self.list[variable as usize]
+    }
+
+    pub(crate) fn atom_mut(&mut self, variable: Variable) -> &mut Atom {
+        &mut self.list[variable as usize]
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// A letter whose value a law gives. One letter may stand for several things in a document.
+    pub(crate) fn determined(&mut self, text: &str, place: Place, law: Law) -> Variable {
+        let mut key = Key::new(text);
+        for thing in 0..u16::MAX {
+            key.space = Space::Letter(thing);
+            match self.find(&key) {
+                None => break,
+                Some(known) => {
+                    let same = |l: &Law| {
+                        l.value.numerator() == law.value.numerator()
+                            && l.value.denominator() == law.value.denominator()
+                    };
+                    if self.atom(known).law.as_ref().is_some_and(same) {
+                        return known;
+                    }
+                }
+            }
+        }
+        let variable = self.variable(key, place, Motion::Free);
+        self.atom_mut(variable).law = Some(law);
+        variable
+    }
+
+    /// The rate of a variable.
+    pub(crate) fn rate(&mut self, variable: Variable) -> Fraction {
+        let atom = self.atom(variable);
+        match &atom.motion {
+            Motion::Constant => return Fraction::zero(),
+            Motion::Rate(rate) => return rate.clone(),
+            Motion::Free => {}
+        }
+        if let Some(known) = self.rates.get(&variable) {
+            return known.clone();
+        }
+        let (mut key, law) = (atom.key.clone(), atom.law.clone());
+        let place = match atom.place {
+            Place::Parameter | Place::Coordinate => Place::Rate,
+            _ => Place::Acceleration,
+        };
+        let nature = atom.nature.clone();
+        key.order += 1;
+        let rate = self.variable(key, place, Motion::Free);
+        self.atom_mut(rate).rate_of = Some(variable);
+        self.atom_mut(rate).nature = nature;
+        self.rates.insert(variable, fraction(rate));
+        if let Some(Law { name, value }) = law {
+            let value = self.derivative(&value);
+            self.atom_mut(rate).law = Some(Law { name, value });
+        }
+        fraction(rate)
+    }
+
+    /// The rate of a fraction.
+    pub(crate) fn derivative(&mut self, of: &Fraction) -> Fraction {
+        let mut sum = Fraction::zero();
+        for variable in of.variables() {
+            let rate = self.rate(variable);
+            if !rate.is_zero() {
+                sum += of.partial(variable) * rate;
+            }
+        }
+        sum
+    }
+
+    /// Whether nothing is told of a variable, or of what it is a function of.
+    pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
+        match &self.atom(variable).nature {
+            Nature::Unknown => true,
+            Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of) => {
+                of.variables().into_iter().any(|v| self.is_unknown(v))
+            }
+            _ => false,
+        }
+    }
+
+    /// A variable in LaTeX, with its dots.
+    pub(crate) fn latex(&self, variable: Variable) -> String {
+        let key = &self.atom(variable).key;
+        match key.order {
+            0 => key.text.clone(),
+            order @ 1..=4 => {
+                let dots = ["\\dot", "\\ddot", "\\dddot", "\\ddddot"][usize::from(order) - 1];
+                dotted(dots, &key.text)
+            }
+            order => format!("\\frac{{d^{order}}}{{dt^{order}}} {}", key.text),
+        }
+    }
+}
+
+/// A letter with its dots above it and not above its indices.
+pub(crate) fn dotted(dots: &str, text: &str) -> String {
+    let mut depth = 0i32;
+    let end = text.char_indices().find(|&(at, c)| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth == 0 && at > 0 && (c == '_' || c == '^')
+    });
+    let (base, rest) = text.split_at(end.map_or(text.len(), |(at, _)| at));
+    format!("{dots}{{{base}}}{rest}")
+}
+
+/// The polynomial with the square of a variable put in wherever it stands.
+pub(crate) fn lowered(of: &Polynomial, variable: Variable, square: &Polynomial) -> Polynomial {
+    let mut sum = Polynomial::zero();
+    for power in 0..=of.degree_in(variable) {
+        let mut term = of.coefficient_of(variable, power);
+        if term.is_zero() {
+            continue;
+        }
+        if power % 2 == 1 {
+            term *= Polynomial::variable(variable);
+        }
+        sum += term * square.pow(power / 2);
+    }
+    sum
+}

@@ -1,0 +1,213 @@
+//! Mass, inertia, momentum and energy of bodies, and the laws of motion.
+
+use crate::algebra::{Fraction, Place};
+use crate::mechanics;
+use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::system::{
+    Body, BodyId, FrameId, Matrix, PointId, System, Vector, nothing,
+};
+use num_traits::Zero;
+
+/// Which velocities an angular momentum is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Velocities {
+    /// Those seen from the inertial frame.
+    Absolute,
+    /// Those relative to the point that it is about.
+    RelativeToPoint,
+}
+
+impl System {
+    /// A new body with a mass of its own.
+    pub(crate) fn add_body(
+        &mut self,
+        name: &str,
+        frame: Option<FrameId>,
+        centre: PointId,
+    ) -> BodyId {
+        let text = match self.bodies.is_empty() {
+            true => "m".to_owned(),
+            false => format!("m_{{\\text{{{name}}}}}"),
+        };
+        let mass = fraction(self.atoms.variable(
+            Key::new(text),
+            Place::Parameter,
+            Motion::Constant,
+        ));
+        self.bodies.push(Body {
+            name: name.to_owned(),
+            frame,
+            centre,
+            mass,
+            inertia: None,
+            parts: vec![],
+            rotors: None,
+        });
+        self.bodies.len() - 1
+    }
+
+    /// The bodies without parts that a body is made of.
+    pub(crate) fn wholes(&self, body: BodyId) -> Vec<BodyId> {
+        let parts = &self.bodies[body].parts;
+        match parts.is_empty() {
+            true => vec![body],
+            false => parts.iter().flat_map(|&part| self.wholes(part)).collect(),
+        }
+    }
+
+    /// The mass of a body.
+    pub(crate) fn mass(&self, body: BodyId) -> Fraction {
+        let wholes = self.wholes(body);
+        wholes
+            .into_iter()
+            .fold(Fraction::zero(), |sum, b| sum + self.bodies[b].mass.clone())
+    }
+
+    /// The inertia tensor of a whole body about its mass centre.
+    fn central_inertia(&mut self, body: BodyId) -> Matrix {
+        if let Some(known) = &self.bodies[body].inertia {
+            return known.clone();
+        }
+        let tensor = match self.bodies[body].frame {
+            None => Matrix::from_fn(|_, _| Fraction::zero()),
+            Some(frame) => {
+                let text = match body {
+                    0 => "I".to_owned(),
+                    _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
+                };
+                self.carried_tensor(&text, frame)
+            }
+        };
+        self.bodies[body].inertia = Some(tensor.clone());
+        tensor
+    }
+
+    /// A symmetric tensor that does not change as seen from a frame.
+    fn carried_tensor(&mut self, text: &str, frame: FrameId) -> Matrix {
+        const NAMES: [[&str; 3]; 3] = [["xx", "xy", "xz"], ["xy", "yy", "yz"], ["xz", "yz", "zz"]];
+        let variables = NAMES.map(|row| {
+            row.map(|name| {
+                let key = Key::new(format!("{text}_{{{name}}}"));
+                self.atoms.variable(key, Place::Parameter, Motion::Constant)
+            })
+        });
+        let tensor = Matrix::from_fn(|r, c| fraction(variables[r][c]));
+        if frame != self.work {
+            let omega = self.angular_velocity(frame, self.work);
+            let turn = mechanics::skew(&omega);
+            let rate = mechanics::product(&turn, &tensor) - mechanics::product(&tensor, &turn);
+            for (r, row) in variables.iter().enumerate() {
+                for (c, &variable) in row.iter().enumerate() {
+                    self.atoms.atom_mut(variable).motion = Motion::Rate(rate[(r, c)].clone());
+                }
+            }
+        }
+        tensor
+    }
+
+    /// The inertia tensor of a body about a point: that of its parts, each shifted by the parallel-axis law.
+    pub(crate) fn inertia(&mut self, body: BodyId, about: PointId) -> Matrix {
+        let mut sum = Matrix::from_fn(|_, _| Fraction::zero());
+        for part in self.wholes(body) {
+            let central = self.central_inertia(part);
+            let way = self.position(self.bodies[part].centre, about);
+            sum += mechanics::parallel_axis(&central, &self.bodies[part].mass.clone(), &way);
+        }
+        sum
+    }
+
+    /// The momentum of a body relative to a frame.
+    pub(crate) fn momentum(&mut self, body: BodyId, frame: FrameId) -> Vector {
+        let mut sum = nothing();
+        for part in self.wholes(body) {
+            let velocity = self.velocity(self.bodies[part].centre, frame);
+            sum += velocity * self.bodies[part].mass.clone();
+        }
+        sum
+    }
+
+    /// The angular momentum of a body about a point, relative to a frame.
+    pub(crate) fn angular_momentum(
+        &mut self,
+        body: BodyId,
+        about: PointId,
+        frame: FrameId,
+        velocities: Velocities,
+    ) -> Vector {
+        let base = match velocities {
+            Velocities::Absolute => nothing(),
+            Velocities::RelativeToPoint => self.velocity(about, frame),
+        };
+        let mut sum = nothing();
+        for part in self.wholes(body) {
+            let Body {
+                frame: own,
+                centre,
+                mass,
+                ..
+            } = self.bodies[part].clone();
+            if let Some(own) = own {
+                let omega = self.angular_velocity(own, frame);
+                sum += mechanics::angular_momentum(&self.central_inertia(part), &omega);
+            }
+            let velocity = self.velocity(centre, frame) - base.clone();
+            let way = self.position(centre, about);
+            sum += mechanics::cross(&way, &velocity) * mass;
+            sum += self.momentum_of_rotors(part);
+        }
+        sum
+    }
+
+    /// What wheels add to the angular momentum of the body that they are part of: Σ J Ω g.
+    fn momentum_of_rotors(&mut self, body: BodyId) -> Vector {
+        let Some(rotors) = self.bodies[body].rotors.clone() else {
+            return nothing();
+        };
+        let own = rotors.axis * (rotors.inertia * rotors.rate);
+        self.sum_vector(&own, &rotors.index).unwrap_or_else(nothing)
+    }
+
+    /// The kinetic energy of a body relative to a frame, by König's law; or of rotation alone.
+    pub(crate) fn kinetic_energy(
+        &mut self,
+        body: BodyId,
+        frame: FrameId,
+        rotation_alone: bool,
+    ) -> Fraction {
+        let mut sum = Fraction::zero();
+        let half = Fraction::from_ratio(1, 2);
+        for part in self.wholes(body) {
+            let Body {
+                frame: own,
+                centre,
+                mass,
+                ..
+            } = self.bodies[part].clone();
+            if let Some(own) = own {
+                let omega = self.angular_velocity(own, frame);
+                sum += mechanics::kinetic_energy(&self.central_inertia(part), &omega);
+            }
+            if !rotation_alone {
+                let velocity = self.velocity(centre, frame);
+                sum += half.clone() * mass * velocity.dot(&velocity);
+            }
+        }
+        sum
+    }
+
+    /// The sum of the external forces on a body: the rate of its momentum.
+    pub(crate) fn total_force(&mut self, body: BodyId) -> Vector {
+        let momentum = self.momentum(body, self.ground);
+        self.rate_seen_from(self.ground, &momentum)
+    }
+
+    /// The sum of the moments of the external forces about a point, which may move: M_P = dH_P/dt + v_P × p.
+    pub(crate) fn total_moment(&mut self, body: BodyId, about: PointId) -> Vector {
+        let ground = self.ground;
+        let momentum = self.angular_momentum(body, about, ground, Velocities::Absolute);
+        let rate = self.rate_seen_from(ground, &momentum);
+        let velocity = self.velocity(about, ground);
+        let linear = self.momentum(body, ground);
+        rate + mechanics::cross(&velocity, &linear)
+    }
+}

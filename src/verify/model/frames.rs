@@ -1,0 +1,214 @@
+//! How frames are turned against one another: the chain of angular velocities, and rotation matrices.
+//!
+//! A frame that turns freely has its attitude by the vector g = n tan(θ/2) of Gibbs and Rodrigues:
+//! `R = ((1 − g²) 1 + 2 g gᵀ + 2 [g]×) / (1 + g²)`, which is every rotation but half turns, without a relation between
+//! the entries; ġ = ½ (ω + g × ω + (g·ω) g) with ω on the turned frame (Shuster, A survey of attitude
+//! representations, 1993).
+
+use crate::algebra::{Fraction, Place};
+use crate::mechanics;
+use crate::verify::model::atoms::{Key, Motion, fraction, whole};
+use crate::verify::model::system::{
+    Axis, Frame, FrameId, Matrix, System, Turn, Vector, nothing, unit,
+};
+use num_traits::{One, Zero};
+
+impl System {
+    /// A new frame.
+    pub(crate) fn add_frame(&mut self, name: &str, parent: Option<FrameId>, turn: Turn) -> FrameId {
+        self.frames.push(Frame {
+            name: name.to_owned(),
+            parent,
+            turn,
+        });
+        self.frames.len() - 1
+    }
+
+    /// A frame and those that it is turned against, up to the first.
+    fn chain(&self, frame: FrameId) -> Vec<FrameId> {
+        let mut chain = vec![frame];
+        while let Some(parent) = self.frames[chain[chain.len() - 1]].parent {
+            // Frames are turned against earlier ones alone, so this ends.
+            chain.push(parent);
+        }
+        chain
+    }
+
+    /// Whether a frame is another one, or is turned against it through others.
+    fn stands_on(&self, frame: FrameId, other: FrameId) -> bool {
+        self.chain(frame).contains(&other)
+    }
+
+    /// The frames on the way from one frame up to the last that the other does not stand on as well.
+    fn links(&self, frame: FrameId, other: FrameId) -> Vec<FrameId> {
+        let theirs = self.chain(other);
+        let own = self.chain(frame).into_iter();
+        own.take_while(|f| !theirs.contains(f)).collect()
+    }
+
+    /// How far two frames are apart: ten for each link that turns freely, one for each by an angle.
+    pub(crate) fn distance(&self, one: FrameId, other: FrameId, easy: &[FrameId]) -> usize {
+        let links = self
+            .links(one, other)
+            .into_iter()
+            .chain(self.links(other, one));
+        links
+            .map(|link| if easy.contains(&link) { 1 } else { 10 })
+            .sum()
+    }
+
+    /// The angular velocity of one frame relative to another: the sum along the chain.
+    pub(crate) fn angular_velocity(&mut self, of: FrameId, relative: FrameId) -> Vector {
+        let (up, down) = (self.links(of, relative), self.links(relative, of));
+        let mut sum = nothing();
+        for link in up {
+            sum += self.link_velocity(link);
+        }
+        for link in down {
+            sum -= self.link_velocity(link);
+        }
+        sum
+    }
+
+    /// The angular velocity of a frame relative to its parent.
+    fn link_velocity(&mut self, frame: FrameId) -> Vector {
+        match self.frames[frame].turn.clone() {
+            Turn::Fixed => nothing(),
+            Turn::Free => {
+                let text = format!("\\omega^{{{}}}", self.frames[frame].name);
+                self.free_vector(&text, Place::Rate, None)
+            }
+            Turn::Angle(axis, angle) => {
+                let rate = self.atoms.derivative(&angle);
+                self.axis(frame, axis) * rate
+            }
+            Turn::Rate(Axis::Number(axis), rate) => self.axis(frame, axis) * *rate,
+            Turn::Rate(Axis::Along(axis), rate) => *axis * *rate,
+        }
+    }
+
+    /// The unit vector along an axis of a frame.
+    pub(crate) fn axis(&mut self, frame: FrameId, axis: usize) -> Vector {
+        if frame == self.work {
+            return unit(axis);
+        }
+        // The axis about which a frame turns is the same on its parent, which may be nearer.
+        if let Frame {
+            parent: Some(parent),
+            turn: Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _),
+            ..
+        } = &self.frames[frame]
+            && *about == axis
+            && !self.stands_on(self.work, frame)
+        {
+            return self.axis(*parent, axis);
+        }
+        for link in self.links(self.work, frame) {
+            let Frame { parent, turn, .. } = &self.frames[link];
+            let shared = match turn {
+                Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _) => *about == axis,
+                _ => false,
+            };
+            if *parent == Some(frame) && shared {
+                return self.axis(link, axis);
+            }
+        }
+        self.rotation(self.work, frame).column(axis).into_owned()
+    }
+
+    /// The matrix that takes components on one frame to components on another.
+    pub(crate) fn rotation(&mut self, to: FrameId, from: FrameId) -> Matrix {
+        let (up, down) = (self.links(from, to), self.links(to, from));
+        let mut matrix = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
+        for link in down {
+            matrix = mechanics::product(&matrix, &self.link_rotation(link).transpose());
+        }
+        // From the common frame down to `from`: outermost first.
+        for link in up.into_iter().rev() {
+            matrix = mechanics::product(&matrix, &self.link_rotation(link));
+        }
+        matrix
+    }
+
+    /// The matrix that takes components on a frame to components on its parent.
+    fn link_rotation(&mut self, frame: FrameId) -> Matrix {
+        match self.frames[frame].turn.clone() {
+            Turn::Fixed => Matrix::from_fn(|r, c| whole(i64::from(r == c))),
+            Turn::Angle(axis, angle) => match self.atoms.cosine_sine(&angle) {
+                Some((cosine, sine)) => about_axis(axis, &cosine, &sine),
+                None => self.free_rotation(frame),
+            },
+            Turn::Rate(Axis::Number(axis), rate) => {
+                let text = format!("\\theta^{{{}}}", self.frames[frame].name);
+                let angle =
+                    self.atoms
+                        .variable(Key::new(text), Place::Coordinate, Motion::Rate(*rate));
+                match self.atoms.cosine_sine(&fraction(angle)) {
+                    Some((cosine, sine)) => about_axis(axis, &cosine, &sine),
+                    None => self.free_rotation(frame),
+                }
+            }
+            Turn::Free | Turn::Rate(Axis::Along(_), _) => self.free_rotation(frame),
+        }
+    }
+
+    /// The rotation by Gibbs' vector, whose rate follows the angular velocity.
+    fn free_rotation(&mut self, frame: FrameId) -> Matrix {
+        let text = format!("g^{{{}}}", self.frames[frame].name);
+        let keys = [0, 1, 2].map(|k| Key::new(super::system::component_text(&text, k)));
+        let known = self.atoms.find(&keys[0]).is_some();
+        let variables = keys.map(|key| self.atoms.variable(key, Place::Coordinate, Motion::Free));
+        let g = Vector::from(variables.map(fraction));
+        if !known {
+            let rates = self.rate_of_free_rotation(frame, &g);
+            for (variable, rate) in variables.into_iter().zip(rates.iter()) {
+                self.atoms.atom_mut(variable).motion = Motion::Rate(rate.clone());
+            }
+        }
+        let square = g.dot(&g);
+        let below = Fraction::one() + square.clone();
+        let cross = mechanics::skew(&g);
+        Matrix::from_fn(|r, c| {
+            let diagonal = if r == c {
+                Fraction::one() - square.clone()
+            } else {
+                Fraction::zero()
+            };
+            let entry = diagonal + whole(2) * (g[r].clone() * g[c].clone() + cross[(r, c)].clone());
+            entry / below.clone()
+        })
+    }
+
+    /// ġ, with the angular velocity on the side of the link on which the work frame stands.
+    fn rate_of_free_rotation(&mut self, frame: FrameId, g: &Vector) -> Vector {
+        let omega = self.link_velocity(frame);
+        let turned = self.stands_on(self.work, frame);
+        let side = match (turned, self.frames[frame].parent) {
+            (false, Some(parent)) => parent,
+            _ => frame,
+        };
+        let omega = mechanics::apply(&self.rotation(side, self.work), &omega);
+        let cross = mechanics::cross(g, &omega);
+        let along = g.clone() * g.dot(&omega);
+        let sum = if turned {
+            omega + cross + along
+        } else {
+            omega - cross + along
+        };
+        sum * Fraction::from_ratio(1, 2)
+    }
+}
+
+/// The matrix that takes components on a frame that is turned about an axis to components on its parent.
+fn about_axis(axis: usize, cosine: &Fraction, sine: &Fraction) -> Matrix {
+    Matrix::from_fn(|r, c| {
+        if r == axis || c == axis {
+            return whole(i64::from(r == c));
+        }
+        match ((r + 3 - axis) % 3, (c + 3 - axis) % 3) {
+            (1, 2) => -sine.clone(),
+            (2, 1) => sine.clone(),
+            _ => cosine.clone(),
+        }
+    })
+}

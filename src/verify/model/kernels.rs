@@ -1,0 +1,208 @@
+//! Sines, cosines and roots: variables with a relation, which they are functions of.
+
+use crate::algebra::{Fraction, Place, Polynomial, Rational, Variable};
+use crate::verify::model::atoms::{Atoms, Key, Law, Motion, Nature, fraction, lowered, whole};
+use num_traits::{One, Zero};
+
+impl Atoms {
+    /// The cosine and the sine of an angle.
+    ///
+    /// An angle is a sum of terms; each term has a kernel of its own, and the addition theorems do the rest.
+    pub(crate) fn cosine_sine(&mut self, angle: &Fraction) -> Option<(Fraction, Fraction)> {
+        if angle.is_zero() {
+            return Some((Fraction::one(), Fraction::zero()));
+        }
+        if angle.numerator().len() > 1 && angle.is_polynomial() {
+            let term = |(m, c): &(crate::algebra::Monomial, Rational)| {
+                Fraction::from(Polynomial::constant(c.clone()).times_term(m, &Rational::one()))
+            };
+            let terms: Vec<Fraction> = angle.numerator().terms().iter().map(term).collect();
+            let mut sum = (Fraction::one(), Fraction::zero());
+            for term in terms {
+                let (c, s) = self.cosine_sine(&term)?;
+                sum = (
+                    sum.0.clone() * c.clone() - sum.1.clone() * s.clone(),
+                    sum.1 * c + sum.0 * s,
+                );
+            }
+            return Some(sum);
+        }
+        let factor = angle.numerator().leading_coefficient();
+        let unit = angle.clone() / Fraction::from(Polynomial::constant(factor.clone()));
+        self.cosine_sine_of_multiple(&unit, &factor)
+    }
+
+    /// Of p/q times a unit: the p-th multiple of the kernel of 1/q of it.
+    pub(super) fn cosine_sine_of_multiple(
+        &mut self,
+        unit: &Fraction,
+        factor: &Rational,
+    ) -> Option<(Fraction, Fraction)> {
+        let big = factor.abs().to_big();
+        let (p, q) = (
+            i64::try_from(big.numer()).ok()?,
+            i64::try_from(big.denom()).ok()?,
+        );
+        if p > 12 || q > 12 {
+            return None;
+        }
+        let (c, s) = self.kernel(unit, q)?;
+        let (mut cosine, mut sine) = (Fraction::one(), Fraction::zero());
+        for _ in 0..p {
+            (cosine, sine) = (
+                cosine.clone() * c.clone() - sine.clone() * s.clone(),
+                sine * c.clone() + cosine * s.clone(),
+            );
+        }
+        Some((cosine, if factor.is_negative() { -sine } else { sine }))
+    }
+
+    /// The kernel of 1/q of a unit angle. That of the angle itself is told by the one of its half, where both stand.
+    pub(super) fn kernel(&mut self, unit: &Fraction, q: i64) -> Option<(Fraction, Fraction)> {
+        let angle = unit.clone() / whole(q);
+        if angle.to_rational().is_some() {
+            return None;
+        }
+        let text = self.angle_text(&angle);
+        let member = self.member_of(&angle);
+        let key = |f: &str| Key {
+            member: member.clone(),
+            ..Key::new(format!("{f}{text}"))
+        };
+        let [cosine, sine] = ["\\cos ", "\\sin "].map(key);
+        if let (Some(c), Some(s)) = (self.find(&cosine), self.find(&sine)) {
+            return Some((fraction(c), fraction(s)));
+        }
+        let rate = self.derivative(&angle);
+        let c = self.variable(cosine, Place::Coordinate, Motion::Free);
+        let s = self.variable(sine, Place::Coordinate, Motion::Free);
+        self.atom_mut(c).motion = Motion::Rate(-(fraction(s) * rate.clone()));
+        self.atom_mut(s).motion = Motion::Rate(fraction(c) * rate);
+        self.atom_mut(c).nature = Nature::Cosine(angle.clone());
+        self.atom_mut(s).nature = Nature::Sine(angle);
+        let square = Polynomial::variable(c) * Polynomial::variable(c);
+        self.atom_mut(s).square = Some(Polynomial::one() - square);
+        // What is known of the double angle is told by this one from now on.
+        if q > 1 {
+            self.tell_by_parts(unit, q, &fraction(c), &fraction(s));
+        }
+        Some((fraction(c), fraction(s)))
+    }
+
+    pub(super) fn tell_by_parts(&mut self, unit: &Fraction, q: i64, c: &Fraction, s: &Fraction) {
+        for whole_part in 1..q {
+            if q % whole_part != 0 {
+                continue;
+            }
+            let text = self.angle_text(&(unit.clone() / whole(whole_part)));
+            let keys = ["\\cos ", "\\sin "].map(|f| Key::new(format!("{f}{text}")));
+            let [Some(cosine), Some(sine)] = keys.map(|k| self.find(&k)) else {
+                continue;
+            };
+            let (mut of_cosine, mut of_sine) = (Fraction::one(), Fraction::zero());
+            for _ in 0..q / whole_part {
+                (of_cosine, of_sine) = (
+                    of_cosine.clone() * c.clone() - of_sine.clone() * s.clone(),
+                    of_sine * c.clone() + of_cosine * s.clone(),
+                );
+            }
+            let law = |value| {
+                Some(Law {
+                    name: "addition theorems",
+                    value,
+                })
+            };
+            self.atom_mut(cosine).law = law(of_cosine);
+            self.atom_mut(sine).law = law(of_sine);
+            self.atom_mut(sine).square = None;
+        }
+    }
+
+    pub(super) fn angle_text(&self, angle: &Fraction) -> String {
+        let letters = |v: Variable| crate::algebra::Letter {
+            text: self.latex(v),
+            place: self.atom(v).place,
+        };
+        crate::algebra::Printer::new(crate::algebra::Style::Latex, &letters).fraction(angle)
+    }
+
+    /// The index of the member that a value belongs to.
+    pub(super) fn member_of(&self, value: &Fraction) -> Option<String> {
+        value
+            .variables()
+            .into_iter()
+            .find_map(|v| self.atom(v).key.member.clone())
+    }
+
+    /// The square root of a value, taken as not negative.
+    pub(crate) fn root(&mut self, of: &Fraction) -> Option<Fraction> {
+        let of = &self.with_squares(of);
+        if let Some(root) = self.perfect_root(of.numerator())
+            && let Some(below) = self.perfect_root(of.denominator())
+        {
+            return Fraction::new(root, below);
+        }
+        let inside = Fraction::from(of.numerator().clone() * of.denominator().clone());
+        let content = inside.numerator().content().abs();
+        let (outer, rest) = match content.exact_sqrt() {
+            Some(root) if !root.is_one() && !root.is_zero() => {
+                let inverse = Rational::one() / content;
+                (root, Fraction::from(inside.numerator().scaled(&inverse)))
+            }
+            _ => (Rational::one(), inside),
+        };
+        let text = format!("\\sqrt{{{}}}", self.angle_text(&rest));
+        let key = Key {
+            member: self.member_of(&rest),
+            ..Key::new(text)
+        };
+        let root = match self.find(&key) {
+            Some(root) => root,
+            None => {
+                let rate = self.derivative(&rest);
+                let root = self.variable(key, Place::Coordinate, Motion::Free);
+                let rate = rate / (whole(2) * fraction(root));
+                let atom = self.atom_mut(root);
+                atom.motion = Motion::Rate(rate);
+                atom.square = Some(rest.numerator().clone());
+                atom.nature = Nature::Root(rest);
+                root
+            }
+        };
+        let outer = Fraction::from(Polynomial::constant(outer));
+        Some(outer * fraction(root) / Fraction::from(of.denominator().clone()))
+    }
+
+    /// A fraction with the squares of roots and sines put in.
+    pub(crate) fn with_squares(&self, of: &Fraction) -> Fraction {
+        let mut top = of.numerator().clone();
+        for _ in 0..16 {
+            let known = |v: &Variable| self.atom(*v).square.is_some() && top.degree_in(*v) > 1;
+            let Some(variable) = top.variables().into_iter().rev().find(known) else {
+                break;
+            };
+            if let Some(square) = &self.atom(variable).square {
+                top = lowered(&top, variable, square);
+            }
+        }
+        Fraction::new(top, of.denominator().clone()).unwrap_or_else(|| of.clone())
+    }
+
+    /// The root of a number, or of a product of even powers: what stands in a length is taken as not negative.
+    pub(super) fn perfect_root(&self, of: &Polynomial) -> Option<Polynomial> {
+        if let Some(number) = of.is_constant() {
+            return number.exact_sqrt().map(Polynomial::constant);
+        }
+        let [(monomial, coefficient)] = of.terms() else {
+            return None;
+        };
+        let mut product = Polynomial::constant(coefficient.exact_sqrt()?);
+        for (variable, power) in monomial.powers() {
+            if power % 2 != 0 {
+                return None;
+            }
+            product *= Polynomial::variable(variable).pow(power / 2);
+        }
+        Some(product)
+    }
+}

@@ -1,0 +1,210 @@
+//! Frames, points, bodies and families of members, and the variables that their quantities are written in.
+//!
+//! Every vector is worked with by its components on one frame, the work frame, and every rate of components is the rate
+//! seen from it. What another frame sees follows by the transport law.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::model::atoms::{Atoms, Key, Motion, fraction};
+use nalgebra::{Matrix3, Vector3};
+use num_traits::Zero;
+
+use crate::algebra::Place;
+
+/// Components on the work frame.
+pub(crate) type Vector = Vector3<Fraction>;
+/// Entries on the work frame.
+pub(crate) type Matrix = Matrix3<Fraction>;
+
+/// A frame of the system, by its place in the list.
+pub(crate) type FrameId = usize;
+/// A point of the system.
+pub(crate) type PointId = usize;
+/// A body of the system.
+pub(crate) type BodyId = usize;
+/// A family of like members, numbered by an index.
+pub(crate) type FamilyId = usize;
+
+/// An axis about which one frame turns against another.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Axis {
+    /// The axis of this number, the same on both frames.
+    Number(usize),
+    /// A unit vector.
+    Along(Box<Vector>),
+}
+
+/// How a frame is turned against its parent.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Turn {
+    /// Not at all, at any time.
+    Fixed,
+    /// In any way.
+    Free,
+    /// By an angle about an axis that both frames share.
+    Angle(usize, Box<Fraction>),
+    /// At a rate about an axis.
+    Rate(Axis, Box<Fraction>),
+}
+
+/// A frame.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    /// Its name.
+    pub(crate) name: String,
+    /// The frame that it is turned against; the first frame has none.
+    pub(crate) parent: Option<FrameId>,
+    /// How.
+    pub(crate) turn: Turn,
+}
+
+/// A point.
+#[derive(Clone, Debug)]
+pub(crate) struct Point {
+    /// Its name.
+    pub(crate) name: String,
+    /// The point that it is placed from, and the way there; the origin has none.
+    pub(crate) placed: Option<(PointId, Vector)>,
+    /// The frames that it is fixed in.
+    pub(crate) fixed_in: Vec<FrameId>,
+}
+
+/// A body.
+#[derive(Clone, Debug)]
+pub(crate) struct Body {
+    /// Its name.
+    pub(crate) name: String,
+    /// The frame fixed in it; `None` for a particle.
+    pub(crate) frame: Option<FrameId>,
+    /// Its mass centre.
+    pub(crate) centre: PointId,
+    /// Its mass.
+    pub(crate) mass: Fraction,
+    /// Its inertia tensor about the mass centre, once it was asked for.
+    pub(crate) inertia: Option<Matrix>,
+    /// The bodies that it is made of; empty for one that is a whole.
+    pub(crate) parts: Vec<BodyId>,
+    /// Wheels that are part of it and do not change its inertia.
+    pub(crate) rotors: Option<Rotors>,
+}
+
+/// A family of symmetric wheels that turn about axes fixed in a body.
+#[derive(Clone, Debug)]
+pub(crate) struct Rotors {
+    /// The index of a member.
+    pub(crate) index: String,
+    /// The unit vector along the axis of a member.
+    pub(crate) axis: Vector,
+    /// Its rate relative to the body.
+    pub(crate) rate: Fraction,
+    /// Its moment of inertia about the axis.
+    pub(crate) inertia: Fraction,
+}
+
+/// Like members of a body: its particles, its wheels.
+#[derive(Clone, Debug)]
+pub(crate) struct Family {
+    /// `particle`, `wheel`, `element`.
+    pub(crate) name: String,
+    /// The body that they make up or belong to.
+    pub(crate) body: Option<BodyId>,
+    /// The letters that number them.
+    pub(crate) indices: Vec<String>,
+}
+
+/// All that a document speaks of.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct System {
+    pub(crate) atoms: Atoms,
+    pub(crate) frames: Vec<Frame>,
+    pub(crate) points: Vec<Point>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) families: Vec<Family>,
+    /// The inertial frame.
+    pub(crate) ground: FrameId,
+    /// The frame on which components are worked with.
+    pub(crate) work: FrameId,
+}
+
+/// The names of components on numbered axes.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A vector without length.
+pub(crate) fn nothing() -> Vector {
+    Vector::from_fn(|_, _| Fraction::zero())
+}
+
+/// The unit vector along an axis of the work frame.
+pub(crate) fn unit(axis: usize) -> Vector {
+    Vector::from_fn(|row, _| crate::verify::model::atoms::whole(i64::from(row == axis)))
+}
+
+impl System {
+    /// Three new components that move freely, or not at all as seen from the work frame.
+    pub(crate) fn free_vector(&mut self, text: &str, place: Place, member: Option<&str>) -> Vector {
+        Vector::from_fn(|row, _| {
+            let key = Key {
+                member: member.map(str::to_owned),
+                ..Key::new(component_text(text, row))
+            };
+            fraction(self.atoms.variable(key, place, Motion::Free))
+        })
+    }
+
+    /// Three new components of a vector that does not change as seen from a frame.
+    pub(crate) fn carried_vector(
+        &mut self,
+        text: &str,
+        frame: FrameId,
+        member: Option<&str>,
+    ) -> Vector {
+        let keys = [0, 1, 2].map(|row| Key {
+            member: member.map(str::to_owned),
+            ..Key::new(component_text(text, row))
+        });
+        let known = keys.iter().all(|key| self.atoms.find(key).is_some());
+        let variables =
+            keys.map(|key| self.atoms.variable(key, Place::Parameter, Motion::Constant));
+        let vector = Vector::from(variables.map(fraction));
+        if !known && frame != self.work {
+            let omega = self.angular_velocity(frame, self.work);
+            let rates = mechanics::cross(&omega, &vector);
+            for (variable, rate) in variables.into_iter().zip(rates.iter()) {
+                if !rate.is_zero() {
+                    self.atoms.atom_mut(variable).motion = Motion::Rate(rate.clone());
+                    self.atoms.atom_mut(variable).place = Place::Coordinate;
+                }
+            }
+        }
+        vector
+    }
+
+    /// The rate of components, seen from the work frame.
+    pub(crate) fn rate(&mut self, of: &Vector) -> Vector {
+        of.map(|component| self.atoms.derivative(&component))
+    }
+
+    /// The rate of a vector seen from a frame, by the transport law.
+    pub(crate) fn rate_seen_from(&mut self, frame: FrameId, of: &Vector) -> Vector {
+        let rate = self.rate(of);
+        if frame == self.work {
+            return rate;
+        }
+        let omega = self.angular_velocity(self.work, frame);
+        mechanics::transport(&rate, &omega, of)
+    }
+}
+
+/// A component of a vector in LaTeX: `x` of `r_i` is `r_{i,x}`.
+pub(crate) fn component_text(text: &str, row: usize) -> String {
+    match text.rsplit_once('_') {
+        Some((letter, index)) if !index.contains(['{', '}', ' ']) => {
+            format!("{letter}_{{{index},{}}}", AXES[row])
+        }
+        Some((letter, index)) if index.starts_with('{') && index.ends_with('}') => {
+            let inner = &index[1..index.len() - 1];
+            format!("{letter}_{{{inner},{}}}", AXES[row])
+        }
+        _ => format!("{text}_{}", AXES[row]),
+    }
+}

@@ -1,0 +1,16 @@
+//! From the tree of a formula to a value with its basis.
+
+pub(crate) mod evaluate;
+pub(crate) mod functions;
+pub(crate) mod indices;
+pub(crate) mod letters;
+pub(crate) mod lower;
+pub(crate) mod matrices;
+pub(crate) mod members;
+pub(crate) mod operations;
+pub(crate) mod products;
+pub(crate) mod quantity;
+pub(crate) mod rates;
+pub(crate) mod symbols;
+pub(crate) mod unknown;
+pub(crate) mod value;

@@ -1,0 +1,181 @@
+//! Functions, sums over an index, and integrals over a body.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
+use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::{Value, Valued, beyond};
+use num_traits::{One, Zero};
+
+impl Lowering<'_> {
+    pub(super) fn function(&mut self, function: Function, inner: &Node) -> Valued {
+        if function == Function::Skew {
+            let value = self.value(inner)?;
+            return self.affected(value, &Effect::CrossProductMatrix);
+        }
+        let value = self.value(inner)?;
+        match function {
+            Function::Det => Ok(Value::scalar(mechanics::determinant(&value.to_matrix()?))),
+            Function::Trace => Ok(Value::scalar(value.to_matrix()?.trace())),
+            Function::Sqrt => {
+                let inside = value.to_scalar()?;
+                let root = self.system.atoms.root(&inside);
+                root.map_or_else(
+                    || beyond("a root that is not worked out"),
+                    |r| Ok(Value::scalar(r)),
+                )
+            }
+            Function::Diag => {
+                let d = value.to_vector()?;
+                let entry = |at: usize| {
+                    if at / 3 == at % 3 {
+                        d[at / 3].clone()
+                    } else {
+                        Fraction::zero()
+                    }
+                };
+                Ok(Value::written(3, 3, (0..9).map(entry).collect()))
+            }
+            _ => self.trigonometric(function, &value.to_scalar()?),
+        }
+    }
+
+    pub(super) fn trigonometric(&mut self, function: Function, angle: &Fraction) -> Valued {
+        let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
+            return beyond("this function of this argument");
+        };
+        let one = Fraction::one();
+        let value = match function {
+            Function::Sin => sine,
+            Function::Cos => cosine,
+            Function::Tan => sine / cosine,
+            Function::Cot => cosine / sine,
+            Function::Sec => one / cosine,
+            Function::Csc => one / sine,
+            _ => return beyond("this function"),
+        };
+        Ok(Value::scalar(value))
+    }
+
+    /// A letter before brackets: a function that the document defines, a function of time, or a product.
+    pub(super) fn call(&mut self, head: &Node, arguments: &[Node]) -> Valued {
+        let operator = self
+            .letters
+            .find(&spelled(head), &loosely(head), self.at, 0)
+            .map(|l| l.meaning.clone());
+        if let (Some(Meaning::Operator(operator)), [argument]) = (operator, arguments) {
+            let value = self.value(argument)?;
+            return match operator {
+                Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
+                Operator::RotationVector => beyond("a rotation by the length of a vector"),
+            };
+        }
+        // The sum reaches over what its last factor is multiplied by.
+        if let Kind::IndexedSum {
+            index,
+            limits,
+            body,
+        } = &head.kind
+        {
+            let body = Node {
+                span: body.span,
+                kind: Kind::Call(body.clone(), arguments.to_vec()),
+            };
+            let kind = Kind::IndexedSum {
+                index: index.clone(),
+                limits: limits.clone(),
+                body: Box::new(body),
+            };
+            return self.value(&Node {
+                span: head.span,
+                kind,
+            });
+        }
+        if let [argument] = arguments
+            && let Kind::Symbol(Symbol { name, .. }) = &argument.kind
+            && name == "t"
+        {
+            return self.value(head);
+        }
+        let left = self.value(head)?;
+        let [argument] = arguments else {
+            return beyond("a function of several arguments");
+        };
+        let right = self.value(argument)?;
+        let custom = self.custom();
+        self.joined(&left, Sign::Juxtaposed, &right, custom)
+    }
+
+    pub(super) fn integral(&mut self, integrand: &Node, variable: &Node, limits: bool) -> Valued {
+        let Kind::Symbol(symbol) = &variable.kind else {
+            return beyond("this integral");
+        };
+        let label = format!("d{}", symbol.name);
+        let families = &self.system.families;
+        let element = families
+            .iter()
+            .position(|f| f.indices.contains(&label) || f.indices.contains(&symbol.name));
+        if let (Some(family), false) = (element, limits) {
+            let index = families[family]
+                .indices
+                .first()
+                .cloned()
+                .unwrap_or_default();
+            let mass = Value::scalar(self.system.member_mass(family, &index));
+            let value = self.value(integrand)?;
+            let custom = self.custom();
+            let term = self.system.times(&mass, &value, custom)?;
+            return self.summed(&term, &index);
+        }
+        beyond("this integral")
+    }
+
+    pub(super) fn indexed_sum(&mut self, index: &Symbol, body: &Node) -> Valued {
+        if self
+            .letters
+            .index(&index.name, self.at)
+            .is_some_and(|rule| rule.axes_of.is_some())
+        {
+            return self.sum_over_axes(&index.name, body);
+        }
+        let term = self.value(body)?;
+        match self.system.family_of(&index.name) {
+            Some(_) => self.summed(&term, &index.name),
+            None => self.sum_over_axes(&index.name, body),
+        }
+    }
+
+    pub(super) fn sum_over_axes(&mut self, letter: &str, body: &Node) -> Valued {
+        let before = self.axes.get(letter).copied();
+        let mut sum: Option<Value> = None;
+        for axis in 0..3 {
+            self.axes.insert(letter.to_owned(), axis);
+            let term = self.value(body)?;
+            let custom = self.custom();
+            sum = Some(match sum {
+                Some(sum) => self.system.plus(&sum, &term, custom)?,
+                None => term,
+            });
+        }
+        match before {
+            Some(axis) => self.axes.insert(letter.to_owned(), axis),
+            None => self.axes.remove(letter),
+        };
+        sum.map_or_else(|| beyond("an empty sum"), Ok)
+    }
+
+    pub(super) fn summed(&mut self, term: &Value, index: &str) -> Valued {
+        let sums = term
+            .entries
+            .iter()
+            .map(|entry| self.system.sum(entry, index));
+        match sums.collect::<Option<Vec<_>>>() {
+            Some(entries) => Ok(Value {
+                entries,
+                ..term.clone()
+            }),
+            None => beyond("a sum with its index below a line"),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! The letters in a formula that number axes.
+
+use crate::notation::ast::{Kind, Node};
+use crate::verify::term::letters::{At, Letters, plain};
+use std::collections::BTreeMap;
+
+/// How often each letter that numbers axes stands in a formula.
+pub(crate) fn axis_letters(letters: &Letters, at: &At, node: &Node) -> BTreeMap<String, usize> {
+    let mut found = BTreeMap::new();
+    count(letters, at, node, &mut found);
+    found
+}
+
+fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, usize>) {
+    let mut label = |text: &str| {
+        for letter in plain(text).chars() {
+            let letter = letter.to_string();
+            if letters
+                .index(&letter, at)
+                .is_some_and(|rule| rule.axes_of.is_some())
+            {
+                *found.entry(letter).or_default() += 1;
+            }
+        }
+    };
+    match &node.kind {
+        Kind::Symbol(symbol) => symbol.subscripts.iter().for_each(|s| label(s)),
+        Kind::InFrame(_, frame) => label(&frame.text),
+        Kind::IndexedSum { index, body, .. } => {
+            let mut inner = BTreeMap::new();
+            count(letters, at, body, &mut inner);
+            inner.remove(&index.name);
+            for (letter, times) in inner {
+                *found.entry(letter).or_default() += times;
+            }
+            return;
+        }
+        // What is taken twice has its letters twice.
+        Kind::Power(base, exponent) => {
+            count(letters, at, base, found);
+            count(letters, at, exponent, found);
+            return;
+        }
+        Kind::Derivative {
+            operand, variables, ..
+        } => {
+            count(letters, at, operand, found);
+            variables.iter().for_each(|v| count(letters, at, v, found));
+            return;
+        }
+        _ => {}
+    }
+    node.children()
+        .for_each(|child| count(letters, at, child, found));
+}

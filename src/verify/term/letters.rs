@@ -1,0 +1,343 @@
+//! What letters, marks, labels and operators mean, and for which part of the document.
+
+use crate::notation::ast::{Kind, Node, Operator as Sign, Symbol};
+use crate::notation::print;
+use crate::verify::model::system::FrameId;
+use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeSet;
+
+/// A place in a document.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct At {
+    /// The cell of a notebook, from 0.
+    pub(crate) cell: Option<usize>,
+    /// The line, from 1.
+    pub(crate) line: usize,
+    /// The headings that it stands under, outermost first.
+    pub(crate) sections: Vec<String>,
+}
+
+/// The part of a document for which something holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Reach {
+    All,
+    Lines {
+        cell: Option<usize>,
+        first: usize,
+        last: usize,
+    },
+    Cells(Vec<usize>),
+    Section(String),
+    /// The n-th writing on a line.
+    Occurrence {
+        number: usize,
+        cell: Option<usize>,
+        line: usize,
+    },
+    Both(Box<Reach>, Box<Reach>),
+}
+
+impl Reach {
+    /// Whether a place belongs to it; an occurrence is asked for by its number.
+    pub(crate) fn covers(&self, at: &At, number: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Lines { cell, first, last } => {
+                (cell.is_none() || *cell == at.cell) && (*first..=*last).contains(&at.line)
+            }
+            Self::Cells(cells) => at.cell.is_some_and(|cell| cells.contains(&cell)),
+            Self::Section(title) => at.sections.iter().any(|s| s.trim() == title.trim()),
+            Self::Occurrence {
+                number: n,
+                cell,
+                line,
+            } => *cell == at.cell && *line == at.line && *n == number,
+            Self::Both(a, b) => a.covers(at, number) && b.covers(at, number),
+        }
+    }
+
+    /// Whether it is made of another one.
+    pub(crate) fn holds(&self, part: &Self) -> bool {
+        match self {
+            Self::Both(a, b) => a.holds(part) || b.holds(part),
+            own => own == part,
+        }
+    }
+
+    /// How narrow it is: the narrower one wins.
+    pub(crate) fn narrowness(&self) -> usize {
+        match self {
+            Self::All => 0,
+            Self::Cells(_) => 10,
+            Self::Section(_) => 20,
+            Self::Lines { first, last, .. } => 1_000_000 - last.saturating_sub(*first).min(900_000),
+            Self::Occurrence { .. } => 2_000_000,
+            Self::Both(a, b) => a.narrowness().max(b.narrowness()) + 1,
+        }
+    }
+}
+
+/// An operator that a document defines.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Operator {
+    /// The cross-product matrix of what it is applied to.
+    CrossProductMatrix,
+    /// The matrix of the rotation by the length of a vector about it.
+    RotationVector,
+}
+
+/// What a writing means.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// A quantity.
+    Quantity(Quantity),
+    /// Another writing: the same thing.
+    Same(Box<Node>),
+    /// A function of what stands behind it.
+    Operator(Operator),
+    /// A number that is equal to a formula of which one letter is any.
+    Time,
+}
+
+/// What one writing means, where.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Letter {
+    /// The writing, spelled.
+    pub(crate) spelled: String,
+    /// The same without what only makes it bold or upright.
+    pub(crate) loose: String,
+    /// How it is printed.
+    pub(crate) latex: String,
+    pub(crate) meaning: Meaning,
+    pub(crate) reach: Reach,
+    /// The sentence that says so.
+    pub(crate) sentence: String,
+}
+
+/// What a mark or a label does to the letter that carries it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Effect {
+    /// The components on a frame.
+    ComponentsOn(FrameId),
+    /// The rate seen from a frame.
+    RateSeenFrom(FrameId),
+    /// The cross-product matrix.
+    CrossProductMatrix,
+    /// Nothing: the thing itself.
+    Itself,
+}
+
+/// A mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mark {
+    Tilde,
+    Hat,
+    Bar,
+    Prime,
+    Dot,
+    /// A vector or tensor without a label.
+    NoLabel,
+    /// d/dt.
+    Leibniz,
+}
+
+/// A rule for a mark.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MarkRule {
+    pub(crate) mark: Mark,
+    pub(crate) effect: Effect,
+    pub(crate) reach: Reach,
+}
+
+/// A rule for a label below or above a letter.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct LabelRule {
+    pub(crate) label: String,
+    pub(crate) effect: Effect,
+    /// Whether it means so on a rate alone.
+    pub(crate) on_rate: bool,
+    /// The number of the component, for labels that number components.
+    pub(crate) component: Option<usize>,
+    pub(crate) reach: Reach,
+}
+
+/// Letters that number things.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct IndexRule {
+    pub(crate) letter: String,
+    /// What it numbers: the axes of a frame, or a family by its name.
+    pub(crate) axes_of: Option<FrameId>,
+    pub(crate) reach: Reach,
+}
+
+/// All that is known of writings.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Letters {
+    pub(crate) letters: Vec<Letter>,
+    pub(crate) marks: Vec<MarkRule>,
+    pub(crate) labels: Vec<LabelRule>,
+    pub(crate) indices: Vec<IndexRule>,
+    /// Frames by the labels that they may have.
+    pub(crate) frame_names: Vec<(String, FrameId)>,
+    /// A repeated axis index is summed.
+    pub(crate) summed: bool,
+    /// The frame of components that say no other.
+    pub(crate) component_frame: FrameId,
+    /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
+    pub(crate) integrals: bool,
+    /// Letters that with a cross behind them are matrices: `ω×`.
+    pub(crate) crossing: Vec<String>,
+    /// ω_{X/Y} for any frames.
+    pub(crate) angular_velocities: Vec<String>,
+    /// The symbols that the document writes, spelled.
+    pub(crate) written: BTreeSet<String>,
+    /// Writings that stand for other formulas.
+    pub(crate) means: Vec<(String, Node, Reach)>,
+}
+
+impl Letters {
+    /// The narrowest meaning of a spelled writing at a place.
+    pub(crate) fn find(
+        &self,
+        spelled: &str,
+        loose: &str,
+        at: &At,
+        number: usize,
+    ) -> Option<&Letter> {
+        let best = |exact: bool| {
+            let fits = |l: &&Letter| {
+                let same = if exact {
+                    l.spelled == spelled
+                } else {
+                    l.loose == loose
+                };
+                same && l.reach.covers(at, number)
+            };
+            let mut fitting: Vec<&Letter> = self.letters.iter().filter(fits).collect();
+            // The later of two equally narrow ones replaces the earlier.
+            fitting.sort_by_key(|l| l.reach.narrowness());
+            fitting.pop()
+        };
+        best(true).or_else(|| best(false))
+    }
+
+    /// The same for a lone symbol: bold and plain are two letters where the document writes both.
+    pub(crate) fn find_lone(
+        &self,
+        spelled: &str,
+        loose: &str,
+        at: &At,
+        number: usize,
+    ) -> Option<&Letter> {
+        let found = self.find(spelled, loose, at, number)?;
+        let apart = found.spelled != spelled && self.written.contains(&found.spelled);
+        (!apart).then_some(found)
+    }
+
+    pub(crate) fn mark(&self, mark: Mark, at: &At) -> Option<&Effect> {
+        let mut rules: Vec<&MarkRule> = self
+            .marks
+            .iter()
+            .filter(|r| r.mark == mark && r.reach.covers(at, 0))
+            .collect();
+        rules.sort_by_key(|r| r.reach.narrowness());
+        rules.pop().map(|r| &r.effect)
+    }
+
+    pub(crate) fn label(&self, label: &str, on_rate: bool, at: &At) -> Option<&LabelRule> {
+        let fits =
+            |r: &&LabelRule| r.label == label && (!r.on_rate || on_rate) && r.reach.covers(at, 0);
+        let mut rules: Vec<&LabelRule> = self.labels.iter().filter(fits).collect();
+        rules.sort_by_key(|r| r.reach.narrowness());
+        rules.pop()
+    }
+
+    pub(crate) fn index(&self, letter: &str, at: &At) -> Option<&IndexRule> {
+        let fits = |r: &&IndexRule| r.letter == letter && r.reach.covers(at, 0);
+        let mut rules: Vec<&IndexRule> = self.indices.iter().filter(fits).collect();
+        rules.sort_by_key(|r| r.reach.narrowness());
+        rules.pop()
+    }
+
+    pub(crate) fn frame(&self, name: &str) -> Option<FrameId> {
+        let found = self.frame_names.iter().find(|(n, _)| n == name);
+        found.map(|(_, frame)| *frame)
+    }
+}
+
+/// The writing of a formula that stands for something as a whole.
+pub(crate) fn spelled(node: &Node) -> String {
+    match &node.kind {
+        Kind::Symbol(symbol) => spell(symbol, true),
+        Kind::Group(_, inner) => spelled(inner),
+        Kind::Product(factors) if factors.iter().all(|f| f.operator == Sign::Juxtaposed) => factors
+            .iter()
+            .map(|f| spelled(&f.node))
+            .collect::<Vec<_>>()
+            .join(" "),
+        _ => print::latex(node),
+    }
+}
+
+/// The same without what only makes letters bold or upright.
+pub(crate) fn loosely(node: &Node) -> String {
+    match &node.kind {
+        Kind::Symbol(symbol) => spell(symbol, false),
+        Kind::Group(_, inner) => loosely(inner),
+        Kind::Product(_) => spelled(node),
+        _ => print::latex(node),
+    }
+}
+
+/// A symbol with its marks and labels, as one word.
+pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
+    let style = symbol.style;
+    let mut word = symbol.name.clone();
+    let mut mark = |is: bool, name: &str| {
+        if is {
+            word.push('~');
+            word.push_str(name);
+        }
+    };
+    mark(style.hat, "hat");
+    mark(style.tilde, "tilde");
+    mark(style.other, "other");
+    mark(style.calligraphic, "cal");
+    mark(symbol.variation, "delta");
+    if exactly {
+        mark(style.vector, "vector");
+        mark(style.tensor, "tensor");
+        mark(style.bar, "bar");
+    }
+    for label in &symbol.subscripts {
+        word.push('_');
+        word.push_str(&plain(label));
+    }
+    for label in &symbol.superscripts {
+        word.push('^');
+        word.push_str(&plain(label));
+    }
+    for _ in 0..symbol.primes {
+        word.push('\'');
+    }
+    word
+}
+
+/// A label without spaces and commas.
+pub(crate) fn plain(label: &str) -> String {
+    label
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != ',')
+        .collect()
+}
+
+impl Letters {
+    /// Whether anything but lone symbols has a meaning.
+    pub(crate) fn has_wholes(&self) -> bool {
+        !self.means.is_empty()
+            || self
+                .letters
+                .iter()
+                .any(|l| l.spelled.contains(['\\', '{', ' ', '[']))
+    }
+}

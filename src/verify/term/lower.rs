@@ -1,0 +1,351 @@
+//! Lowers the tree of a formula to a value.
+
+use crate::algebra::{Fraction, Polynomial, Rational};
+use crate::mechanics;
+use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
+use crate::source::Source;
+use crate::verify::model::system::System;
+use crate::verify::term::letters::{At, Effect, Letters, Mark, Meaning, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued, beyond};
+use num_traits::{One, Zero};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// How deep meanings may stand in meanings.
+const DEEPEST: usize = 24;
+
+/// What lowering a formula needs and finds.
+pub(crate) struct Lowering<'a> {
+    pub(crate) system: &'a mut System,
+    pub(crate) letters: &'a Letters,
+    pub(crate) source: &'a Source,
+    pub(crate) at: &'a At,
+    /// The axes that index letters number in this reading of the line.
+    pub(crate) axes: BTreeMap<String, usize>,
+    /// Shapes of letters that definitions have settled.
+    pub(crate) shapes: &'a HashMap<String, Shape>,
+    /// Letters of which nothing is told.
+    pub(crate) unknown: BTreeSet<String>,
+    /// The frames of components that were met since it was last emptied.
+    pub(crate) frames_seen: BTreeSet<usize>,
+    /// How often each writing stood on the line so far.
+    pub(crate) counts: HashMap<String, usize>,
+    pub(super) only_known: bool,
+    depth: usize,
+}
+
+impl<'a> Lowering<'a> {
+    pub(crate) fn new(
+        system: &'a mut System,
+        letters: &'a Letters,
+        source: &'a Source,
+        at: &'a At,
+        shapes: &'a HashMap<String, Shape>,
+    ) -> Self {
+        Self {
+            system,
+            letters,
+            source,
+            at,
+            axes: BTreeMap::new(),
+            shapes,
+            unknown: BTreeSet::new(),
+            frames_seen: BTreeSet::new(),
+            counts: HashMap::new(),
+            only_known: false,
+            depth: 0,
+        }
+    }
+
+    pub(super) fn count(&mut self, spelled: &str) -> usize {
+        let count = self.counts.entry(spelled.to_owned()).or_default();
+        *count += 1;
+        *count
+    }
+
+    pub(super) fn letters_unknown(&self) -> usize {
+        self.unknown.len()
+    }
+
+    /// The frame of lists that say no other.
+    pub(crate) fn custom(&self) -> usize {
+        match self.frames_seen.len() {
+            1 => self
+                .frames_seen
+                .iter()
+                .next()
+                .copied()
+                .unwrap_or(self.letters.component_frame),
+            _ => self.letters.component_frame,
+        }
+    }
+
+    /// Follows a meaning that is itself a formula.
+    pub(super) fn deeper(&mut self, value: impl FnOnce(&mut Self) -> Valued) -> Valued {
+        if self.depth >= DEEPEST {
+            return beyond("meanings that go round in a circle");
+        }
+        self.depth += 1;
+        let value = value(self);
+        self.depth -= 1;
+        value
+    }
+
+    /// The value of a node.
+    pub(crate) fn value(&mut self, node: &Node) -> Valued {
+        if let Some(value) = self.as_a_whole(node) {
+            return value;
+        }
+        match &node.kind {
+            Kind::Number(number) => Ok(Value::scalar(constant(number))),
+            Kind::Bold(number) => self.bold(number),
+            Kind::Symbol(symbol) => self.symbol(symbol),
+            Kind::Negate(inner) => Ok(self.value(inner)?.negated()),
+            Kind::Sum(terms) => self.sum(terms),
+            Kind::Product(factors) => self.product(factors),
+            Kind::Quotient(top, bottom) => {
+                let (top, bottom) = (self.value(top)?, self.value(bottom)?);
+                self.system.quotient(&top, &bottom)
+            }
+            Kind::Power(base, exponent) => self.power(base, exponent),
+            Kind::Transpose(inner) => Ok(self.value(inner)?.transposed()),
+            Kind::Skew(inner) => self.skew(node, inner),
+            Kind::Group(bracket, inner) => self.group(*bracket, inner),
+            Kind::Norm(inner) => self.norm(inner),
+            Kind::Tuple(entries) => self.list(std::slice::from_ref(entries), true),
+            Kind::Matrix(rows) => self.list(rows, false),
+            Kind::Determinant(rows) => self.determinant(rows),
+            Kind::TimeDerivative {
+                operand,
+                order,
+                style,
+                frame,
+            } => self.time_derivative(operand, *order, *style, frame.as_ref()),
+            Kind::Derivative {
+                operand,
+                variables,
+                partial,
+            } => self.derivative(operand, variables, *partial),
+            Kind::Function(function, inner) => self.function(*function, inner),
+            Kind::Call(head, arguments) => self.call(head, arguments),
+            Kind::InFrame(inner, label) if is_size(&label.text) => self.sized(inner),
+            Kind::InFrame(inner, label) => self.in_frame(inner, &label.text),
+            Kind::Integral {
+                integrand,
+                variable,
+                limits,
+            } => self.integral(integrand, variable, limits.is_some()),
+            Kind::IndexedSum { index, body, .. } => self.indexed_sum(index, body),
+            Kind::WithUnit(..) => beyond("units of measurement"),
+            Kind::PlusMinus(_) => beyond("a sign that is left open"),
+            Kind::Ellipsis => beyond("something left out"),
+            Kind::Error(message) => beyond(message.clone()),
+        }
+    }
+
+    /// A writing that a sentence gives a meaning as a whole: `[I_s]`, `dA/dt_{rotating}`, `I\omega^2`.
+    fn as_a_whole(&mut self, node: &Node) -> Option<Valued> {
+        if matches!(node.kind, Kind::Symbol(_) | Kind::Number(_)) || !self.letters.has_wholes() {
+            return None;
+        }
+        let (exact, loose) = (spelled(node), loosely(node));
+        let means = self
+            .letters
+            .means
+            .iter()
+            .find(|(w, _, reach)| *w == exact && reach.covers(self.at, 1));
+        if let Some((_, meaning, _)) = means {
+            let meaning = meaning.clone();
+            return Some(self.deeper(|lowering| lowering.value(&meaning)));
+        }
+        if matches!(node.kind, Kind::Group(..)) {
+            return None;
+        }
+        let number = match self.letters.letters.iter().any(|l| l.spelled == exact) {
+            true => self.count(&exact),
+            false => 1,
+        };
+        let letter = self.letters.find(&exact, &loose, self.at, number)?.clone();
+        match letter.meaning {
+            Meaning::Quantity(quantity) => Some(self.system.letter(&letter.latex, &quantity)),
+            Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(&same))),
+            _ => None,
+        }
+    }
+
+    fn bold(&mut self, number: &Number) -> Valued {
+        let value = constant(number);
+        match value.is_zero() {
+            true => Ok(Value {
+                rows: 3,
+                columns: 1,
+                entries: vec![Fraction::zero(); 3],
+                basis: [Basis::Any; 2],
+            }),
+            false => Ok(self.system.value_of(&Quantity::Identity)?.scaled(&value)),
+        }
+    }
+
+    /// 0 and 1 with their size below: a matrix.
+    fn sized(&mut self, inner: &Node) -> Valued {
+        let number = self.value(inner)?.to_scalar()?;
+        let one = self.system.value_of(&Quantity::Identity)?;
+        Ok(one.scaled(&number))
+    }
+
+    fn sum(&mut self, terms: &[Term]) -> Valued {
+        let mut sum: Option<Value> = None;
+        for term in terms {
+            let value = self.value(&term.node)?;
+            let value = if term.negative {
+                value.negated()
+            } else {
+                value
+            };
+            sum = Some(match sum {
+                Some(sum) => {
+                    let custom = self.custom();
+                    self.system.plus(&sum, &value, custom)?
+                }
+                None => value,
+            });
+        }
+        sum.map_or_else(|| beyond("an empty sum"), Ok)
+    }
+
+    fn power(&mut self, base: &Node, exponent: &Node) -> Valued {
+        // A label that the reader took for a power: B in ω^B, once in brackets.
+        if let Kind::Symbol(label) = &exponent.kind
+            && let Some(effect) = self.effect_of(&label.name, false)
+        {
+            let value = self.value(base)?;
+            return self.affected(value, &effect);
+        }
+        let exponent = self.value(exponent)?.to_scalar()?;
+        // A length is squared without its root.
+        if let Kind::Norm(inner) = &base.kind
+            && let Some(power) = exponent.to_rational().and_then(|p| p.to_integer())
+            && power > 0
+            && power % 2 == 0
+        {
+            let inner = self.value(inner)?;
+            if !inner.is_matrix() {
+                let custom = self.custom();
+                let square = self.system.dot(&inner, &inner, custom)?;
+                return self.whole_power(&square, power / 2);
+            }
+        }
+        let value = self.value(base)?;
+        let Some(power) = exponent.to_rational() else {
+            return beyond("a power that is no number");
+        };
+        if let Some(power) = power.to_integer() {
+            return self.whole_power(&value, power);
+        }
+        let (twice, base) = (power * Rational::from(2), value.to_scalar()?);
+        match (twice.to_integer(), self.system.atoms.root(&base)) {
+            (Some(twice), Some(root)) => self.whole_power(&Value::scalar(root), twice),
+            _ => beyond("a root that is not worked out"),
+        }
+    }
+
+    fn whole_power(&mut self, value: &Value, power: i64) -> Valued {
+        if power < 0 {
+            let inverse = self.system.inverse(value)?;
+            return self.whole_power(&inverse, -power);
+        }
+        if power > 24 {
+            return beyond("a power this high");
+        }
+        if value.is_vector() && power == 2 {
+            let custom = self.custom();
+            return self.system.dot(value, value, custom);
+        }
+        let mut product = match value.is_scalar() {
+            true => Value::scalar(Fraction::one()),
+            false => self.system.value_of(&Quantity::Identity)?,
+        };
+        for _ in 0..power {
+            let custom = self.custom();
+            product = self.system.times(&product, value, custom)?;
+        }
+        Ok(product)
+    }
+
+    fn skew(&mut self, node: &Node, inner: &Node) -> Valued {
+        let written = self.source.slice(node.span);
+        let mark = if written.contains("tilde") {
+            Some(Mark::Tilde)
+        } else if written.contains("hat") {
+            Some(Mark::Hat)
+        } else {
+            None
+        };
+        let effect = mark.and_then(|mark| self.letters.mark(mark, self.at).cloned());
+        // A mark that no sentence gives a meaning makes another letter.
+        if let (Some(Mark::Tilde), None, Kind::Symbol(symbol)) = (mark, &effect, &inner.kind) {
+            let mut marked = symbol.clone();
+            marked.style.tilde = true;
+            return self.symbol(&marked);
+        }
+        let value = self.value(inner)?;
+        self.affected(value, &effect.unwrap_or(Effect::CrossProductMatrix))
+    }
+
+    fn group(&mut self, bracket: Bracket, inner: &Node) -> Valued {
+        // [v] of a vector alone, with a mark that makes a matrix of it, is that matrix; else brackets only group.
+        let value = self.value(inner)?;
+        let _ = bracket;
+        Ok(value)
+    }
+
+    fn norm(&mut self, inner: &Node) -> Valued {
+        let value = self.value(inner)?;
+        if value.is_matrix() {
+            return Ok(Value::scalar(mechanics::determinant(&value.to_matrix()?)));
+        }
+        let custom = self.custom();
+        let square = match value.is_scalar() {
+            true => value.entries[0].clone() * value.entries[0].clone(),
+            false => self.system.dot(&value, &value, custom)?.to_scalar()?,
+        };
+        match self.system.atoms.root(&square) {
+            Some(root) => Ok(Value::scalar(root)),
+            None => beyond("a length that is not worked out"),
+        }
+    }
+
+    fn in_frame(&mut self, inner: &Node, label: &str) -> Valued {
+        if let Some(effect) = self.effect_of(label, true) {
+            let value = self.value(inner)?;
+            return self.affected(value, &effect);
+        }
+        if let Some((axes, frame)) = self.axes_of_label(label) {
+            let value = self.value(inner)?;
+            let own = match value.vector_basis() {
+                Basis::On(frame) => Some(frame),
+                _ => None,
+            };
+            let frame = own.or(frame).unwrap_or(self.letters.component_frame);
+            return self.entry(&value, &axes, frame);
+        }
+        if let Some(frame) = self.letters.frame(label) {
+            let value = self.value(inner)?;
+            return self.affected(value, &Effect::ComponentsOn(frame));
+        }
+        Err(Trouble::Unknown(label.to_owned()))
+    }
+}
+
+pub(super) fn constant(number: &Number) -> Fraction {
+    match number.value.is_zero() {
+        true => Fraction::zero(),
+        false => Fraction::from(Polynomial::constant(Rational::from(number.value.clone()))),
+    }
+}
+
+/// `3×3`.
+fn is_size(label: &str) -> bool {
+    let plain: String = label.chars().filter(|c| !c.is_whitespace()).collect();
+    matches!(plain.as_str(), "3×3" | "3x3" | "3\\times3" | "3")
+}

@@ -1,0 +1,109 @@
+//! Lists, matrices and determinants that are written out.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
+
+impl Lowering<'_> {
+    /// A list of components, or a matrix row by row; entries may be vectors side by side.
+    pub(super) fn list(&mut self, rows: &[Vec<Node>], column: bool) -> Valued {
+        let seen = std::mem::take(&mut self.frames_seen);
+        let mut values = vec![];
+        let blank: Vec<usize> = blank_columns(rows);
+        for row in rows {
+            let kept = row.iter().enumerate().filter(|(at, _)| !blank.contains(at));
+            let row: Result<Vec<Value>, Trouble> = kept.map(|(_, node)| self.value(node)).collect();
+            values.push(row?);
+        }
+        let frames = std::mem::replace(&mut self.frames_seen, seen);
+        self.frames_seen.extend(&frames);
+        let custom = self.custom();
+        let width = values.first().map_or(0, Vec::len);
+        if width == 0 || values.iter().any(|row| row.len() != width) {
+            return ill_typed("the rows of a matrix differ in length");
+        }
+        let all: Vec<&Value> = values.iter().flatten().collect();
+        if all.iter().all(|v| v.is_scalar()) {
+            let entries: Vec<Fraction> = all.iter().map(|v| v.entries[0].clone()).collect();
+            let value = match column {
+                true => Value::written(entries.len(), 1, entries),
+                false => Value::written(values.len(), width, entries),
+            };
+            // A list of components of one frame is on that frame.
+            return Ok(match (value.is_vector(), frames.len(), frames.first()) {
+                (true, 1, Some(&frame)) => {
+                    self.system
+                        .taken_on(&value, [Basis::On(frame), Basis::Any], frame)
+                }
+                _ => value,
+            });
+        }
+        if all.len() == 1 {
+            return Ok(all[0].clone());
+        }
+        if values.len() == 1 && all.iter().all(|v| v.is_vector()) {
+            let out: Vec<Value> = all
+                .iter()
+                .map(|v| self.system.written_out(v, custom))
+                .collect();
+            let entries = (0..3)
+                .flat_map(|r| out.iter().map(move |v| v.entries[r].clone()))
+                .collect();
+            return Ok(Value::written(3, width, entries));
+        }
+        if width == 1 && all.iter().all(|v| v.is_row()) {
+            let out: Vec<Value> = all
+                .iter()
+                .map(|v| self.system.written_out(v, custom))
+                .collect();
+            let entries = out.iter().flat_map(|v| v.entries.clone()).collect();
+            return Ok(Value::written(values.len(), 3, entries));
+        }
+        beyond("a matrix of vectors in this arrangement")
+    }
+
+    /// A determinant of numbers, or with unit vectors in its first row a cross product.
+    pub(super) fn determinant(&mut self, rows: &[Vec<Node>]) -> Valued {
+        let mut values = vec![];
+        for row in rows {
+            let row: Result<Vec<Value>, Trouble> =
+                row.iter().map(|node| self.value(node)).collect();
+            values.push(row?);
+        }
+        if values.len() != 3 || values.iter().any(|row| row.len() != 3) {
+            return beyond("a determinant that is not 3 × 3");
+        }
+        let custom = self.custom();
+        let scalars = |row: &[Value]| {
+            row.iter()
+                .map(Value::to_scalar)
+                .collect::<Result<Vec<_>, _>>()
+        };
+        let (second, third) = (scalars(&values[1])?, scalars(&values[2])?);
+        let mut sum: Option<Value> = None;
+        for (k, first) in values[0].iter().enumerate() {
+            let (p, q) = ((k + 1) % 3, (k + 2) % 3);
+            let minor = second[p].clone() * third[q].clone() - second[q].clone() * third[p].clone();
+            let term = first.scaled(&minor);
+            sum = Some(match sum {
+                Some(sum) => self.system.plus(&sum, &term, custom)?,
+                None => term,
+            });
+        }
+        sum.map_or_else(|| beyond("an empty determinant"), Ok)
+    }
+}
+
+/// Columns in which no row has anything, where the matrix is square without them: `&&` only moves cells apart.
+fn blank_columns(rows: &[Vec<Node>]) -> Vec<usize> {
+    let width = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let blank = |node: &Node| matches!(node.kind, Kind::Number(_)) && node.span.range().is_empty();
+    let all = |column: &usize| rows.iter().all(|row| row.get(*column).is_none_or(blank));
+    let blank: Vec<usize> = (0..width).filter(all).collect();
+    if width - blank.len() == rows.len() {
+        blank
+    } else {
+        vec![]
+    }
+}

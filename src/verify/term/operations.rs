@@ -1,0 +1,261 @@
+//! Sums, products and rates of values.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::model::system::{FrameId, System};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
+use num_traits::{One, Zero};
+
+impl System {
+    /// The sum of two values of one shape.
+    pub(crate) fn plus(&mut self, a: &Value, b: &Value, custom: FrameId) -> Valued {
+        if (a.rows, a.columns) != (b.rows, b.columns) {
+            if a.is_zero() && a.is_scalar() {
+                return Ok(b.clone());
+            }
+            if b.is_zero() && b.is_scalar() {
+                return Ok(a.clone());
+            }
+            return ill_typed(format!("{} and {} are added", a.shape(), b.shape()));
+        }
+        let (a, b) = self.brought_together(a, b, custom);
+        let entries = a
+            .entries
+            .iter()
+            .zip(&b.entries)
+            .map(|(a, b)| a.clone() + b.clone());
+        Ok(Value {
+            entries: entries.collect(),
+            ..a.clone()
+        })
+    }
+
+    /// a b, as a matrix product or a product with a number.
+    pub(crate) fn times(&mut self, a: &Value, b: &Value, custom: FrameId) -> Valued {
+        if a.is_scalar() {
+            return Ok(b.scaled(&a.entries[0]));
+        }
+        if b.is_scalar() {
+            return Ok(a.scaled(&b.entries[0]));
+        }
+        if a.columns != b.rows {
+            return ill_typed(format!("{} is multiplied by {}", a.shape(), b.shape()));
+        }
+        let (a, b) = self.fitted(a, b, custom);
+        let mut entries = Vec::with_capacity(a.rows * b.columns);
+        for r in 0..a.rows {
+            for c in 0..b.columns {
+                let mut sum = Fraction::zero();
+                for k in 0..a.columns {
+                    let (left, right) =
+                        (&a.entries[r * a.columns + k], &b.entries[k * b.columns + c]);
+                    if !left.is_zero() && !right.is_zero() {
+                        sum += left.clone() * right.clone();
+                    }
+                }
+                entries.push(sum);
+            }
+        }
+        let basis = outer(&a, &b);
+        Ok(Value {
+            rows: a.rows,
+            columns: b.columns,
+            entries,
+            basis,
+        })
+    }
+
+    /// Factors whose inner indices run over the same axes.
+    fn fitted(&mut self, a: &Value, b: &Value, custom: FrameId) -> (Value, Value) {
+        let (left, right) = (a.basis[1], b.basis[0]);
+        let inner = a.columns > 1;
+        let fits = match (left, right) {
+            _ if !inner => {
+                // An outer product: both must be lists, or neither.
+                (a.basis[0] == Basis::Written) == (b.basis[1] == Basis::Written)
+            }
+            (Basis::Written, Basis::Written) => true,
+            (Basis::Written, _) | (_, Basis::Written) => false,
+            (Basis::On(f), Basis::On(g)) => f == g,
+            _ => true,
+        };
+        match fits {
+            true => (a.clone(), b.clone()),
+            false => {
+                // A list beside an array on a frame is a list on that frame.
+                let near = |basis: Basis| match basis {
+                    Basis::On(frame) => frame,
+                    _ => custom,
+                };
+                (
+                    self.written_out(a, near(right)),
+                    self.written_out(b, near(left)),
+                )
+            }
+        }
+    }
+
+    /// a · b.
+    pub(crate) fn dot(&mut self, a: &Value, b: &Value, custom: FrameId) -> Valued {
+        if a.is_scalar() || b.is_scalar() {
+            return self.times(a, b, custom);
+        }
+        if a.is_matrix() {
+            return self.times(a, b, custom);
+        }
+        if b.is_matrix() {
+            let transposed = b.transposed();
+            return self.times(&transposed, a, custom);
+        }
+        let row = if a.rows == 1 {
+            a.clone()
+        } else {
+            a.transposed()
+        };
+        let column = if b.columns == 1 {
+            b.clone()
+        } else {
+            b.transposed()
+        };
+        self.times(&row, &column, custom)
+    }
+
+    /// a × b.
+    pub(crate) fn cross(&mut self, a: &Value, b: &Value, custom: FrameId) -> Valued {
+        if a.is_scalar() && b.is_scalar() {
+            return self.times(a, b, custom);
+        }
+        if a.is_vector() && b.is_matrix() {
+            let basis = a.vector_basis();
+            let skew = Value::matrix(&mechanics::skew(&a.to_vector()?), [basis; 2]);
+            return self.times(&skew, b, custom);
+        }
+        if !a.is_vector() || !b.is_vector() {
+            return ill_typed(format!("{} is crossed with {}", a.shape(), b.shape()));
+        }
+        let (a, b) = self.brought_together(a, b, custom);
+        let cross = mechanics::cross(&a.to_vector()?, &b.to_vector()?);
+        Ok(Value::vector(&cross, a.basis[0]))
+    }
+
+    /// a over b.
+    pub(crate) fn quotient(&mut self, a: &Value, b: &Value) -> Valued {
+        let below = b.to_scalar()?;
+        if below.is_zero() {
+            return beyond("a division by zero");
+        }
+        Ok(a.scaled(&(Fraction::one() / below)))
+    }
+
+    /// The rate of a value: of an array and of a list entry by entry, of a thing itself as seen from a frame.
+    pub(crate) fn rate_of_value(&mut self, value: &Value, seen: FrameId) -> Valued {
+        let entries: Vec<Fraction> = value
+            .entries
+            .iter()
+            .map(|e| self.atoms.derivative(e))
+            .collect();
+        let mut rate = Value {
+            entries,
+            ..value.clone()
+        };
+        let frame = |basis: Basis| match basis {
+            Basis::Itself => Some(seen),
+            Basis::On(frame) => Some(frame),
+            Basis::Any | Basis::Written => None,
+        };
+        if value.rows == 3
+            && let Some(frame) = frame(value.basis[0])
+        {
+            let omega = self.angular_velocity(self.work, frame);
+            let turn = Value::matrix(&mechanics::skew(&omega), [value.basis[0]; 2]);
+            let carried = self.times(&turn, value, frame)?;
+            rate = self.plus(&rate, &carried, frame)?;
+        }
+        if value.columns == 3
+            && let Some(frame) = frame(value.basis[1])
+        {
+            let omega = self.angular_velocity(self.work, frame);
+            let turn = Value::matrix(&mechanics::skew(&omega), [value.basis[1]; 2]);
+            let carried = self.times(value, &turn, frame)?.negated();
+            rate = self.plus(&rate, &carried, frame)?;
+        }
+        Ok(rate)
+    }
+
+    /// The inverse of a number or of a matrix.
+    pub(crate) fn inverse(&mut self, value: &Value) -> Valued {
+        if value.is_scalar() {
+            return self.quotient(&Value::scalar(Fraction::one()), value);
+        }
+        let matrix = value.to_matrix()?;
+        let determinant = mechanics::determinant(&matrix);
+        if determinant.is_zero() {
+            return beyond("the inverse of a matrix that has none");
+        }
+        let inverse = mechanics::adjugate(&matrix).map(|e| e / determinant.clone());
+        Ok(Value::matrix(&inverse, [value.basis[1], value.basis[0]]))
+    }
+
+    /// Sides that are compared: of one shape and on the same axes.
+    pub(crate) fn compared(
+        &mut self,
+        a: &Value,
+        b: &Value,
+        custom: FrameId,
+    ) -> Result<(Value, Value), Trouble> {
+        let same = (a.rows, a.columns) == (b.rows, b.columns);
+        if same {
+            return Ok(self.brought_together(a, b, custom));
+        }
+        // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
+        if a.is_scalar() && a.is_zero() {
+            let zero = Value {
+                entries: vec![Fraction::zero(); b.entries.len()],
+                ..b.clone()
+            };
+            return Ok((zero, b.clone()));
+        }
+        if b.is_scalar() && b.is_zero() {
+            let zero = Value {
+                entries: vec![Fraction::zero(); a.entries.len()],
+                ..a.clone()
+            };
+            return Ok((a.clone(), zero));
+        }
+        if a.is_row() && b.is_vector() && a.basis[1] == Basis::Written {
+            return Ok(self.brought_together(&a.transposed(), b, custom));
+        }
+        if a.is_vector() && b.is_row() && b.basis[1] == Basis::Written {
+            return Ok(self.brought_together(a, &b.transposed(), custom));
+        }
+        ill_typed(format!("{} is set equal to {}", a.shape(), b.shape()))
+    }
+}
+
+/// The axes of what a product leaves; of the thing itself times an array those of the array.
+fn outer(a: &Value, b: &Value) -> [Basis; 2] {
+    let taken = |own: Basis, other: Basis| match (own, other) {
+        (Basis::Itself | Basis::Any, Basis::On(frame)) => Basis::On(frame),
+        (Basis::Any, Basis::Itself) => Basis::Itself,
+        _ => own,
+    };
+    let left = if a.columns == 3 && a.rows == 3 {
+        taken(a.basis[0], inner_if_same(a, b.basis[0]))
+    } else {
+        a.basis[0]
+    };
+    let right = if b.columns == 3 && b.rows == 3 {
+        taken(b.basis[1], inner_if_same(b, a.basis[1]))
+    } else {
+        b.basis[1]
+    };
+    [left, right]
+}
+
+/// The axes of the other factor, where this one is a tensor itself.
+fn inner_if_same(tensor: &Value, other: Basis) -> Basis {
+    match tensor.basis {
+        [a, b] if a == b => other,
+        [own, _] => own,
+    }
+}

@@ -1,0 +1,278 @@
+//! Products: what stands side by side binds first, then crosses, then dots.
+
+use crate::algebra::Place;
+use crate::notation::ast::{Factor, Kind, Node, Operator as Sign};
+use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::system::FrameId;
+use crate::verify::term::indices::axis_letters;
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::{Value, Valued, beyond};
+use std::collections::BTreeMap;
+
+impl Lowering<'_> {
+    /// The value of a product.
+    pub(super) fn product(&mut self, factors: &[Factor]) -> Valued {
+        if let Some(letter) = self.summed_letter(factors) {
+            let kind = Kind::Product(factors.to_vec());
+            let span = factors
+                .first()
+                .map_or_else(Default::default, |f| f.node.span);
+            return self.sum_over_axes(&letter, &Node { kind, span });
+        }
+        let crossed = self.with_crossing_letters(factors);
+        let mut runs: Vec<(Sign, Vec<&Node>)> = vec![];
+        for factor in &crossed {
+            match (factor.operator, runs.last_mut()) {
+                (Sign::Juxtaposed, Some((_, run))) => run.push(&factor.node),
+                (sign, _) => runs.push((sign, vec![&factor.node])),
+            }
+        }
+        let mut values: Vec<(Sign, Value)> = vec![];
+        for (sign, run) in runs {
+            values.push((sign, self.run(&run)?));
+        }
+        let custom = self.custom();
+        for sign in [Sign::Tensor, Sign::Cross, Sign::Dot] {
+            // Repeated crosses are taken from the right, and so the others, for which it does not matter.
+            while let Some(at) = values
+                .iter()
+                .rposition(|(s, _)| *s == sign)
+                .filter(|&at| at > 0)
+            {
+                let (_, right) = values.remove(at);
+                let left = values[at - 1].1.clone();
+                values[at - 1].1 = self.joined(&left, sign, &right, custom)?;
+            }
+        }
+        match values.into_iter().next() {
+            Some((_, value)) => Ok(value),
+            None => beyond("an empty product"),
+        }
+    }
+
+    /// A letter without an axis that stands once in each of two factors: it is summed over, where that is the convention.
+    fn summed_letter(&self, factors: &[Factor]) -> Option<String> {
+        if !self.letters.summed {
+            return None;
+        }
+        let mut times: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        for factor in factors {
+            for (letter, count) in axis_letters(self.letters, self.at, &factor.node) {
+                times.entry(letter).or_default().push(count);
+            }
+        }
+        // A factor that has a letter twice sums over it by itself.
+        times
+            .into_iter()
+            .find(|(letter, counts)| counts == &[1, 1] && !self.axes.contains_key(letter))
+            .map(|(letter, _)| letter)
+    }
+
+    /// A letter of which `ω×` is said to be a matrix stands as that matrix.
+    fn with_crossing_letters(&self, factors: &[Factor]) -> Vec<Factor> {
+        let mut all = factors.to_vec();
+        if self.letters.crossing.is_empty() {
+            return all;
+        }
+        for at in 1..all.len() {
+            if all[at].operator == Sign::Cross
+                && self.letters.crossing.contains(&spelled(&all[at - 1].node))
+            {
+                let node = all[at - 1].node.clone();
+                all[at - 1].node = Node {
+                    span: node.span,
+                    kind: Kind::Skew(Box::new(node)),
+                };
+                all[at].operator = Sign::Juxtaposed;
+            }
+        }
+        all
+    }
+
+    /// Factors side by side. Matrices act on what stands right of them, so the product is taken from the right.
+    fn run(&mut self, run: &[&Node]) -> Valued {
+        let mut values = vec![];
+        let mut at = 0;
+        while at < run.len() {
+            // d/dt before a product reaches over all of it.
+            if let Kind::TimeDerivative {
+                operand,
+                order,
+                style,
+                frame,
+            } = &run[at].kind
+                && is_empty(operand)
+            {
+                let rest = self.run(&run[at + 1..])?;
+                values.push(self.rate_of(&rest, *order, *style, frame.as_ref())?);
+                break;
+            }
+            if let Some(whole) = self.sum_over_rest(&run[at..]) {
+                values.push(self.value(&whole)?);
+                break;
+            }
+            if let Some((length, value)) = self.phrase(&run[at..]) {
+                values.push(value?);
+                at += length;
+                continue;
+            }
+            if at + 1 < run.len() && self.is_differential(run[at]) {
+                values.push(self.differential(run[at + 1])?);
+                at += 2;
+                continue;
+            }
+            values.push(self.value(run[at])?);
+            at += 1;
+        }
+        let custom = self.custom();
+        let Some(mut product) = values.pop() else {
+            return beyond("an empty product");
+        };
+        while let Some(left) = values.pop() {
+            // Numbers wait: a row before a number and a column is taken as a row before a column.
+            product = self.joined(&left, Sign::Juxtaposed, &product, custom)?;
+        }
+        Ok(product)
+    }
+
+    /// A sum reaches over the factors behind it that have its index.
+    fn sum_over_rest(&self, run: &[&Node]) -> Option<Node> {
+        let [
+            Node {
+                kind:
+                    Kind::IndexedSum {
+                        index,
+                        limits,
+                        body,
+                    },
+                span,
+            },
+            rest @ ..,
+        ] = run
+        else {
+            return None;
+        };
+        if !rest.iter().any(|node| has_index(node, &index.name)) {
+            return None;
+        }
+        let factor = |node: &Node| Factor {
+            operator: Sign::Juxtaposed,
+            sign: crate::source::Span::default(),
+            node: node.clone(),
+        };
+        let factors = std::iter::once(&**body)
+            .chain(rest.iter().copied())
+            .map(factor)
+            .collect();
+        let body = Node {
+            span: *span,
+            kind: Kind::Product(factors),
+        };
+        let (index, limits) = (index.clone(), limits.clone());
+        Some(Node {
+            span: *span,
+            kind: Kind::IndexedSum {
+                index,
+                limits,
+                body: Box::new(body),
+            },
+        })
+    }
+
+    /// Whether a letter is the d of a differential.
+    fn is_differential(&self, node: &Node) -> bool {
+        let Kind::Symbol(symbol) = &node.kind else {
+            return false;
+        };
+        let plain = symbol.name == "d" && symbol.subscripts.is_empty() && symbol.primes == 0;
+        plain
+            && self
+                .letters
+                .find(&spelled(node), &loosely(node), self.at, 0)
+                .is_none()
+    }
+
+    /// dx is the rate of x times dt.
+    fn differential(&mut self, of: &Node) -> Valued {
+        let key = Key::new("dt");
+        let dt = self
+            .system
+            .atoms
+            .variable(key, Place::Rate, Motion::Constant);
+        let value = self.value(of)?;
+        let ground = self.system.ground;
+        Ok(self
+            .system
+            .rate_of_value(&value, ground)?
+            .scaled(&fraction(dt)))
+    }
+
+    /// Letters side by side that have a meaning as a whole, from the beginning of a run.
+    fn phrase(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
+        let most = run.len().min(4);
+        (2..=most).rev().find_map(|length| {
+            let whole = run[..length]
+                .iter()
+                .map(|node| spelled(node))
+                .collect::<Vec<_>>()
+                .join(" ");
+            let means = self
+                .letters
+                .means
+                .iter()
+                .find(|(w, _, reach)| *w == whole && reach.covers(self.at, 1));
+            if let Some((_, meaning, _)) = means {
+                let meaning = meaning.clone();
+                return Some((length, self.deeper(|lowering| lowering.value(&meaning))));
+            }
+            let letter = self.letters.find(&whole, &whole, self.at, 1)?.clone();
+            match letter.meaning {
+                Meaning::Quantity(quantity) => {
+                    Some((length, self.system.letter(&letter.latex, &quantity)))
+                }
+                Meaning::Same(same) => {
+                    Some((length, self.deeper(|lowering| lowering.value(&same))))
+                }
+                _ => None,
+            }
+        })
+    }
+
+    /// Two values with a sign between them.
+    pub(super) fn joined(
+        &mut self,
+        left: &Value,
+        sign: Sign,
+        right: &Value,
+        custom: FrameId,
+    ) -> Valued {
+        match sign {
+            Sign::Juxtaposed => self.system.times(left, right, custom),
+            Sign::Dot => self.system.dot(left, right, custom),
+            Sign::Cross => self.system.cross(left, right, custom),
+            Sign::Tensor if left.is_vector() && right.is_vector() => {
+                let row = right.transposed();
+                self.system.times(left, &row, custom)
+            }
+            Sign::Tensor => beyond("a tensor product of these"),
+        }
+    }
+}
+
+/// Whether a derivative stands before what it acts on.
+fn is_empty(operand: &Node) -> bool {
+    matches!(&operand.kind, Kind::Product(factors) if factors.is_empty())
+}
+
+/// Whether a symbol in a formula has an index among its labels.
+fn has_index(node: &Node, index: &str) -> bool {
+    let own = match &node.kind {
+        Kind::Symbol(symbol) => symbol.subscripts.iter().any(|label| label.ends_with(index)),
+        _ => false,
+    };
+    own || node
+        .children()
+        .into_iter()
+        .any(|child| has_index(child, index))
+}

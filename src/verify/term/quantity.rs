@@ -1,0 +1,355 @@
+//! The quantities of mechanics as functions on the system: of what, about what, seen from where, on which axes.
+
+use crate::algebra::{Fraction, Place};
+use crate::mechanics;
+use crate::verify::model::atoms::{Key, Law, Motion, fraction, whole};
+use crate::verify::model::bodies::Velocities;
+use crate::verify::model::system::{
+    BodyId, FamilyId, FrameId, Matrix, PointId, System, Vector, component_text,
+};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+
+/// A place: a point, or a member of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Spot {
+    Point(PointId),
+    Member(FamilyId, String),
+}
+
+/// A thing with mass: a body, or a member of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Whole {
+    Body(BodyId),
+    Member(FamilyId, String),
+}
+
+/// What a letter denotes.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Quantity {
+    Position {
+        of: Spot,
+        from: PointId,
+    },
+    Velocity {
+        of: Spot,
+        relative: FrameId,
+    },
+    Acceleration {
+        of: Spot,
+        relative: FrameId,
+    },
+    AngularVelocity {
+        of: FrameId,
+        relative: FrameId,
+    },
+    Mass(Whole),
+    Inertia {
+        of: Whole,
+        about: PointId,
+    },
+    Momentum {
+        of: Whole,
+        relative: FrameId,
+    },
+    AngularMomentum {
+        of: Whole,
+        about: PointId,
+        relative: FrameId,
+        velocities: Velocities,
+    },
+    KineticEnergy {
+        of: Whole,
+        relative: FrameId,
+        rotation: bool,
+    },
+    Force(Whole),
+    ExternalForce(FamilyId, String),
+    Moment {
+        of: BodyId,
+        about: PointId,
+    },
+    /// A force by its letter, at a place, and its moment about a point.
+    MomentOf {
+        force: Box<Quantity>,
+        at: Spot,
+        about: PointId,
+    },
+    /// The rate of another quantity, seen from a frame; of an array entry by entry.
+    Rate {
+        of: Box<Quantity>,
+        seen: FrameId,
+    },
+    /// The component of a vector along a unit vector; of a tensor the moment about it.
+    Along {
+        of: Box<Quantity>,
+        axis: Box<Quantity>,
+    },
+    /// A component of a vector on the axes of a frame.
+    Component {
+        of: Box<Quantity>,
+        axis: usize,
+        on: FrameId,
+    },
+    /// An entry of a tensor on the axes of a frame, with the sign of the convention.
+    Entry {
+        of: Box<Quantity>,
+        row: usize,
+        column: usize,
+        on: FrameId,
+        integral: bool,
+    },
+    /// The distance of a place from an axis through a point.
+    Distance {
+        of: Spot,
+        from: PointId,
+        axis: Box<Quantity>,
+    },
+    Magnitude(Box<Quantity>),
+    /// The axis of a frame.
+    Axis(FrameId, usize),
+    /// The matrix that takes components on one frame to components on another.
+    Rotation {
+        from: FrameId,
+        to: FrameId,
+    },
+    CrossProductMatrix(Box<Quantity>),
+    Identity,
+    /// A vector of which no more is known than the frame that carries it, if one does.
+    Vector {
+        text: String,
+        carried: Option<FrameId>,
+    },
+    UnitVector {
+        text: String,
+        carried: Option<FrameId>,
+    },
+    /// A scalar by its letter.
+    Scalar {
+        text: String,
+        constant: bool,
+    },
+    /// A constant of the member of a family.
+    MemberScalar {
+        text: String,
+        index: String,
+    },
+    /// A unit vector of the member of a family.
+    MemberVector {
+        text: String,
+        carried: Option<FrameId>,
+        index: String,
+    },
+    /// Components on a frame in place of the vector.
+    On(Box<Quantity>, FrameId),
+    /// Something already worked out.
+    Known(Value),
+    Scaled(Box<Quantity>, Fraction),
+    Sum(Vec<Quantity>),
+}
+
+impl Quantity {
+    pub(crate) fn boxed(self) -> Box<Self> {
+        Box::new(self)
+    }
+
+    /// The law that gives its value, by the name that appears in `uses`.
+    fn law(&self) -> &'static str {
+        match self {
+            Self::Position { .. } | Self::Velocity { .. } | Self::Acceleration { .. } => {
+                "kinematics"
+            }
+            Self::AngularVelocity { .. } => "angular velocity",
+            Self::Inertia { .. } | Self::Mass(_) => "inertia",
+            Self::Momentum { .. } | Self::AngularMomentum { .. } => "inertia",
+            Self::KineticEnergy { .. } => "energy",
+            Self::Force(_) | Self::ExternalForce(..) => "newton",
+            Self::Moment { .. } | Self::MomentOf { .. } => "moment",
+            Self::Rotation { .. } => "attitude",
+            Self::Rate { of, .. }
+            | Self::Along { of, .. }
+            | Self::Component { of, .. }
+            | Self::Entry { of, .. }
+            | Self::On(of, _)
+            | Self::Scaled(of, _) => of.law(),
+            _ => "definition",
+        }
+    }
+
+    /// The frame on whose axes it is a component or an array.
+    pub(crate) fn frame(&self) -> Option<FrameId> {
+        match self {
+            Self::Component { on, .. } | Self::Entry { on, .. } | Self::On(_, on) => Some(*on),
+            Self::Scaled(of, _) => of.frame(),
+            _ => None,
+        }
+    }
+}
+
+impl System {
+    /// The value of a letter: variables with its name, told by the law that gives the quantity.
+    pub(crate) fn letter(&mut self, text: &str, quantity: &Quantity) -> Valued {
+        let value = self.value_of(quantity)?;
+        if quantity.is_indexed() || matches!(quantity, Quantity::Known(_) | Quantity::Sum(_)) {
+            return Ok(value);
+        }
+        let simple = |e: &Fraction| e.numerator().len() <= 1 && e.is_polynomial();
+        if value.entries.iter().all(simple) {
+            return Ok(value);
+        }
+        let name = quantity.law();
+        let columns = value.columns;
+        let entries = value.entries.iter().enumerate().map(|(at, entry)| {
+            if simple(entry) {
+                return entry.clone();
+            }
+            let text = match (value.is_scalar(), columns) {
+                (true, _) => text.to_owned(),
+                (_, 1) => component_text(text, at),
+                _ => format!("{{{text}}}_{{{}{}}}", at / columns + 1, at % columns + 1),
+            };
+            let law = Law {
+                name,
+                value: entry.clone(),
+            };
+            fraction(self.atoms.determined(&text, place_of(quantity), law))
+        });
+        let entries = entries.collect();
+        Ok(Value { entries, ..value })
+    }
+
+    /// The value of a quantity in the variables of the model.
+    pub(crate) fn value_of(&mut self, quantity: &Quantity) -> Valued {
+        let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
+        Ok(match quantity {
+            Quantity::Position { of, from } => itself(self.place(of, *from)),
+            Quantity::Velocity { of, relative } => itself(self.velocity_of(of, *relative)),
+            Quantity::Acceleration { of, relative } => {
+                let velocity = self.velocity_of(of, *relative);
+                itself(self.rate_seen_from(*relative, &velocity))
+            }
+            Quantity::AngularVelocity { of, relative } => {
+                itself(self.angular_velocity(*of, *relative))
+            }
+            Quantity::Magnitude(of) => {
+                let vector = self.value_of(of)?.to_vector()?;
+                match self.atoms.root(&vector.dot(&vector)) {
+                    Some(root) => Value::scalar(root),
+                    None => return beyond("a length that is not worked out"),
+                }
+            }
+            Quantity::Axis(frame, axis) => itself(self.axis(*frame, *axis)),
+            Quantity::Rotation { from, to } => {
+                let one = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
+                Value::matrix(&one, [Basis::On(*to), Basis::On(*from)])
+            }
+            Quantity::Identity => {
+                let one = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
+                Value::matrix(&one, [Basis::Any; 2])
+            }
+            Quantity::Known(value) => value.clone(),
+            of_body => return self.value_of_whole(of_body),
+        })
+    }
+
+    /// The value of a quantity of a thing with mass.
+    fn value_of_whole(&mut self, quantity: &Quantity) -> Valued {
+        let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
+        Ok(match quantity {
+            Quantity::Mass(of) => Value::scalar(self.mass_of(of)),
+            Quantity::Inertia { of, about } => {
+                let tensor = self.inertia_of(of, *about);
+                Value::matrix(&tensor, [Basis::Itself; 2])
+            }
+            Quantity::Momentum { of, relative } => itself(self.momentum_of(of, *relative)),
+            Quantity::AngularMomentum {
+                of,
+                about,
+                relative,
+                velocities,
+            } => itself(self.angular_momentum_of(of, *about, *relative, *velocities)),
+            Quantity::KineticEnergy {
+                of,
+                relative,
+                rotation,
+            } => Value::scalar(self.kinetic_energy_of(of, *relative, *rotation)),
+            Quantity::Force(of) => {
+                let momentum = self.momentum_of(of, self.ground);
+                itself(self.rate_seen_from(self.ground, &momentum))
+            }
+            Quantity::ExternalForce(family, index) => itself(self.member_force(*family, index)),
+            Quantity::Moment { of, about } => itself(self.total_moment(*of, *about)),
+            Quantity::MomentOf { force, at, about } => {
+                let force = self.value_of(force)?.to_vector()?;
+                let arm = self.place(at, *about);
+                itself(mechanics::cross(&arm, &force))
+            }
+            letter => return self.value_of_letter(letter),
+        })
+    }
+
+    /// The value of a letter that stands for itself.
+    fn value_of_letter(&mut self, quantity: &Quantity) -> Valued {
+        let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
+        Ok(match quantity {
+            Quantity::Vector { text, carried } => itself(self.named_vector(text, *carried)),
+            Quantity::UnitVector { text, carried } => itself(self.unit_vector(text, *carried)),
+            Quantity::Scalar { text, constant } => {
+                let motion = if *constant {
+                    Motion::Constant
+                } else {
+                    Motion::Free
+                };
+                let place = if *constant {
+                    Place::Parameter
+                } else {
+                    Place::Coordinate
+                };
+                Value::scalar(fraction(self.atoms.variable(Key::new(text), place, motion)))
+            }
+            Quantity::MemberScalar { text, index } => {
+                let key = Key::of_member(text, index);
+                Value::scalar(fraction(self.atoms.variable(
+                    key,
+                    Place::Parameter,
+                    Motion::Constant,
+                )))
+            }
+            Quantity::MemberVector {
+                text,
+                carried,
+                index,
+            } => {
+                let frame = carried.unwrap_or(self.ground);
+                let vector = self.carried_vector(text, frame, Some(index));
+                self.of_length_one(&vector);
+                itself(vector)
+            }
+            composed => return self.composed(composed),
+        })
+    }
+}
+
+fn place_of(quantity: &Quantity) -> Place {
+    match quantity {
+        Quantity::Mass(_)
+        | Quantity::Inertia { .. }
+        | Quantity::Entry { .. }
+        | Quantity::Along { .. } => Place::Parameter,
+        Quantity::Position { .. } | Quantity::Rotation { .. } | Quantity::Axis(..) => {
+            Place::Coordinate
+        }
+        Quantity::Force(_) | Quantity::Moment { .. } | Quantity::MomentOf { .. } => {
+            Place::Acceleration
+        }
+        _ => Place::Rate,
+    }
+}
+
+impl From<Trouble> for String {
+    fn from(trouble: Trouble) -> Self {
+        match trouble {
+            Trouble::Unknown(letter) => format!("nothing says what `{letter}` is"),
+            Trouble::IllTyped(message) | Trouble::Beyond(message) => message,
+        }
+    }
+}

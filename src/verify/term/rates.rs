@@ -1,0 +1,156 @@
+//! Derivatives in time and in other things.
+
+use crate::notation::ast::{DerivativeStyle, FrameLabel, Node};
+use crate::verify::model::system::FrameId;
+use crate::verify::term::letters::{Effect, Mark, plain};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+
+impl Lowering<'_> {
+    /// A derivative in time.
+    pub(super) fn time_derivative(
+        &mut self,
+        operand: &Node,
+        order: u8,
+        style: DerivativeStyle,
+        frame: Option<&FrameLabel>,
+    ) -> Valued {
+        let value = self.value(operand)?;
+        self.rate_of(&value, order, style, frame)
+    }
+
+    /// The rate of a value, as seen from the frame that the writing says.
+    pub(super) fn rate_of(
+        &mut self,
+        value: &Value,
+        order: u8,
+        style: DerivativeStyle,
+        frame: Option<&FrameLabel>,
+    ) -> Valued {
+        if order > 4 {
+            return beyond("a rate this high");
+        }
+        let (seen, labelled) = match frame {
+            Some(label) => (self.frame_of_rate(&plain(&label.text))?, true),
+            None => (self.customary_frame(style), false),
+        };
+        let mut rate = value.clone();
+        for _ in 0..order {
+            rate = match labelled {
+                true => self.seen_from(&rate, seen)?,
+                false => self.system.rate_of_value(&rate, seen)?,
+            };
+        }
+        Ok(rate)
+    }
+
+    /// Whose rate a derivative without a label is.
+    fn customary_frame(&self, style: DerivativeStyle) -> FrameId {
+        let mark = match style {
+            DerivativeStyle::Dots => Mark::Dot,
+            DerivativeStyle::Leibniz => Mark::Leibniz,
+        };
+        match self.letters.mark(mark, self.at) {
+            Some(Effect::RateSeenFrom(frame)) => *frame,
+            _ => self.system.ground,
+        }
+    }
+
+    /// The frame that a label on a derivative names.
+    fn frame_of_rate(&self, label: &str) -> Result<FrameId, Trouble> {
+        if let Some(Effect::RateSeenFrom(frame)) = self.effect_of(label, true) {
+            return Ok(frame);
+        }
+        let named = self.letters.frame(label);
+        named.ok_or_else(|| Trouble::Unknown(label.to_owned()))
+    }
+
+    /// The rate of the vector itself, whichever axes its components were taken on.
+    fn seen_from(&mut self, value: &Value, frame: FrameId) -> Valued {
+        let basis = value.basis.map(|basis| match basis {
+            Basis::On(_) => Basis::Itself,
+            other => other,
+        });
+        let rate = self.system.rate_of_value(
+            &Value {
+                basis,
+                ..value.clone()
+            },
+            frame,
+        )?;
+        Ok(Value {
+            basis: value.basis,
+            ..rate
+        })
+    }
+
+    /// A derivative in something other than time.
+    pub(super) fn derivative(
+        &mut self,
+        operand: &Node,
+        variables: &[Node],
+        partial: bool,
+    ) -> Valued {
+        let value = self.value(operand)?;
+        let [variable] = variables else {
+            return beyond("a derivative of higher order in something other than time");
+        };
+        let by = self.value(variable)?;
+        if by.is_scalar() && !partial {
+            return self.along_motion(&value, &by);
+        }
+        self.partial(&value, &by)
+    }
+
+    /// df/dx where both move: the quotient of the rates.
+    fn along_motion(&mut self, value: &Value, by: &Value) -> Valued {
+        let ground = self.system.ground;
+        let (top, bottom) = (
+            self.system.rate_of_value(value, ground)?,
+            self.system.rate_of_value(by, ground)?,
+        );
+        self.system.quotient(&top, &bottom)
+    }
+
+    /// ∂f/∂x, with everything that laws tell put in and all other free variables held fixed.
+    fn partial(&mut self, value: &Value, by: &Value) -> Valued {
+        let expanded: Vec<_> = value
+            .entries
+            .iter()
+            .map(|e| self.system.expanded(e))
+            .collect();
+        let mut entries = vec![];
+        for entry in &expanded {
+            for variable in &by.entries {
+                let variable = self.system.expanded(variable);
+                let Some(variable) = variable.as_variable() else {
+                    return beyond("a partial derivative in something that is no free variable");
+                };
+                entries.push(self.system.partial(entry, variable));
+            }
+        }
+        let columns = if by.is_scalar() {
+            value.columns
+        } else {
+            by.entries.len()
+        };
+        match (value.is_scalar(), by.is_scalar()) {
+            (true, false) => Ok(Value {
+                rows: by.rows,
+                columns: by.columns,
+                entries,
+                basis: by.basis,
+            }),
+            (_, true) => Ok(Value {
+                entries,
+                ..value.clone()
+            }),
+            _ => Ok(Value {
+                rows: value.rows,
+                columns,
+                entries,
+                basis: [value.vector_basis(), by.vector_basis()],
+            }),
+        }
+    }
+}

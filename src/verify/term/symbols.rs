@@ -1,0 +1,407 @@
+//! What a symbol stands for: its own sentence first, then its labels and marks, then custom.
+
+use crate::algebra::{Fraction, Place};
+use crate::notation::ast::{Node, Symbol};
+use crate::notation::print;
+use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::system::FrameId;
+use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, plain, spell};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Trouble, Value, Valued};
+use num_traits::One;
+
+/// Labels that number the axes of whatever frame is meant.
+const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
+
+impl Lowering<'_> {
+    /// The value of a symbol.
+    pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
+        let exact = spell(symbol, true);
+        let number = self.count(&exact);
+        if let Some(letter) = self
+            .letters
+            .find_lone(&exact, &spell(symbol, false), self.at, number)
+        {
+            let letter = letter.clone();
+            return self.meant(&letter, symbol, None);
+        }
+        if let Some(value) = self.reindexed(symbol)? {
+            return Ok(value);
+        }
+        if let Some(value) = self.by_frames(symbol) {
+            return value;
+        }
+        if let Some(value) = self.by_label(symbol)? {
+            return Ok(value);
+        }
+        if let Some(value) = self.by_mark(symbol)? {
+            return Ok(value);
+        }
+        if let Some(value) = self.by_custom(symbol) {
+            return value;
+        }
+        self.unknown(symbol)
+    }
+
+    /// The value of a letter that a sentence tells.
+    fn meant(&mut self, letter: &Letter, symbol: &Symbol, index: Option<(&str, &str)>) -> Valued {
+        match &letter.meaning {
+            Meaning::Quantity(quantity) => {
+                let (quantity, text) = match index {
+                    Some((from, to)) => (
+                        quantity.with_index(from, to),
+                        letter.latex.replace(&format!("_{from}"), &format!("_{to}")),
+                    ),
+                    None => (quantity.clone(), letter.latex.clone()),
+                };
+                if let Some(frame) = quantity.frame() {
+                    self.frames_seen.insert(frame);
+                }
+                let value = self.system.letter(&text, &quantity)?;
+                Ok(self.without_label(value, symbol))
+            }
+            Meaning::Same(node) => {
+                let node = node.clone();
+                self.deeper(|lowering| lowering.value(&node))
+            }
+            Meaning::Time => Ok(Value::scalar(self.time())),
+            Meaning::Operator(_) => Err(Trouble::Beyond(format!(
+                "`{}` stands without what it acts on",
+                letter.latex
+            ))),
+        }
+    }
+
+    /// A vector or tensor without a label, where a sentence says what that means.
+    fn without_label(&mut self, value: Value, symbol: &Symbol) -> Value {
+        let labelled = !symbol.superscripts.is_empty() || symbol.style.tilde || symbol.style.hat;
+        let itself = !value.is_scalar() && value.basis.contains(&Basis::Itself);
+        if labelled || !itself {
+            return value;
+        }
+        match self.letters.mark(Mark::NoLabel, self.at) {
+            Some(Effect::ComponentsOn(frame)) => on(value, *frame),
+            _ => value,
+        }
+    }
+
+    pub(super) fn time(&mut self) -> Fraction {
+        let motion = Motion::Rate(Fraction::one());
+        fraction(
+            self.system
+                .atoms
+                .variable(Key::new("t"), Place::Coordinate, motion),
+        )
+    }
+
+    /// A symbol of a member, by the letter of another member: what is told of m_i holds for m_j.
+    fn reindexed(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        for (at, label) in symbol.subscripts.iter().enumerate() {
+            let Some((family, to)) = self.system.index_in(label) else {
+                continue;
+            };
+            for from in self.system.families[family].indices.clone() {
+                if from == to {
+                    continue;
+                }
+                let mut other = symbol.clone();
+                let stem = &label[..label.len() - to.len()];
+                other.subscripts[at] = format!("{stem}{from}");
+                let found =
+                    self.letters
+                        .find(&spell(&other, true), &spell(&other, false), self.at, 0);
+                if let Some(letter) = found.cloned() {
+                    return self.meant(&letter, symbol, Some((&from, &to))).map(Some);
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// ω_{B/N}, ω_{BN}: the angular velocity of one frame relative to another.
+    fn by_frames(&mut self, symbol: &Symbol) -> Option<Valued> {
+        if !self.letters.angular_velocities.contains(&symbol.name) {
+            return None;
+        }
+        let [label] = symbol.subscripts.as_slice() else {
+            return None;
+        };
+        let (of, relative) = label.split_once('/')?;
+        let (of, relative) = (
+            self.letters.frame(of.trim())?,
+            self.letters.frame(relative.trim())?,
+        );
+        let quantity = Quantity::AngularVelocity { of, relative };
+        let text = print::latex(&symbol_node(symbol));
+        Some(self.system.letter(&text, &quantity))
+    }
+
+    /// A letter with one label more than a sentence tells of: a component, an entry, components on a frame.
+    fn by_label(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        if let Some(label) = symbol.superscripts.last() {
+            let mut base = symbol.clone();
+            let label = plain(label);
+            base.superscripts.pop();
+            if let Some(effect) = self.effect_of(&label, false) {
+                return match self.known(&base)? {
+                    Some((value, _)) => self.affected(value, &effect).map(Some),
+                    None => Ok(None),
+                };
+            }
+        }
+        let Some(last) = symbol.subscripts.last().map(|l| plain(l)) else {
+            return Ok(None);
+        };
+        // An index without an axis is no letter of its own.
+        let numbers = |letter: &str| {
+            let rule = self.letters.index(letter, self.at);
+            rule.is_some_and(|rule| rule.axes_of.is_some()) && !self.axes.contains_key(letter)
+        };
+        if last
+            .chars()
+            .next_back()
+            .is_some_and(|end| numbers(&end.to_string()))
+        {
+            return Err(Trouble::Beyond(
+                "an index that stands for no axis here".into(),
+            ));
+        }
+        let mut base = symbol.clone();
+        base.subscripts.pop();
+        if let Some(value) = self.component(&base, &last)? {
+            return Ok(Some(value));
+        }
+        if let Some(effect) = self.effect_of(&last, false) {
+            // A label of a letter that nothing is told of belongs to the letter.
+            return match self.known(&base)? {
+                Some((value, _)) => self.affected(value, &effect).map(Some),
+                None => Ok(None),
+            };
+        }
+        // The label may be the end of a longer one: `b1` on body axes, `s1`.
+        let mut letters = last.chars();
+        let Some(end) = letters.next_back().filter(|_| !letters.as_str().is_empty()) else {
+            return Ok(None);
+        };
+        base.subscripts.push(letters.as_str().to_owned());
+        self.component(&base, &end.to_string())
+    }
+
+    /// What a label of a frame or by a rule does.
+    pub(super) fn effect_of(&self, label: &str, on_rate: bool) -> Option<Effect> {
+        if let Some(rule) = self.letters.label(label, on_rate, self.at)
+            && rule.component.is_none()
+        {
+            return Some(rule.effect.clone());
+        }
+        None
+    }
+
+    /// What a mark or a label makes of a value.
+    pub(super) fn affected(&mut self, value: Value, effect: &Effect) -> Valued {
+        Ok(match effect {
+            Effect::ComponentsOn(frame) => {
+                self.frames_seen.insert(*frame);
+                on(value, *frame)
+            }
+            Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
+            Effect::CrossProductMatrix => {
+                let basis = value.vector_basis();
+                let skew = crate::mechanics::skew(&value.to_vector()?);
+                Value::matrix(&skew, [basis; 2])
+            }
+            Effect::Itself => value,
+        })
+    }
+
+    /// A component of a vector or an entry of a tensor.
+    fn component(&mut self, base: &Symbol, label: &str) -> Result<Option<Value>, Trouble> {
+        let Some((axes, frame)) = self.axes_of_label(label) else {
+            return Ok(None);
+        };
+        let Some((value, own)) = self.known(base)? else {
+            return Ok(None);
+        };
+        if value.is_scalar() {
+            return Ok(None);
+        }
+        let frame = own.or(frame).unwrap_or(self.letters.component_frame);
+        self.entry(&value, &axes, frame).map(Some)
+    }
+
+    /// A component or an entry on the axes of a frame. One label of a tensor is a principal moment.
+    pub(super) fn entry(&mut self, value: &Value, axes: &[usize], frame: FrameId) -> Valued {
+        self.frames_seen.insert(frame);
+        let out = match value.basis.contains(&Basis::Written) {
+            true => value.clone(),
+            false => self.system.written_out(&on(value.clone(), frame), frame),
+        };
+        let at = |row: usize, column: usize| out.entries.get(row * out.columns + column).cloned();
+        let entry = match *axes {
+            [axis] if value.is_vector() || value.is_row() => out.entries.get(axis).cloned(),
+            [axis] => at(axis, axis),
+            [row, column] if value.is_matrix() => {
+                let entry = at(row, column);
+                let integral =
+                    self.letters.integrals && row != column && self.written_as_products(value);
+                if integral { entry.map(|e| -e) } else { entry }
+            }
+            _ => None,
+        };
+        entry.map(Value::scalar).ok_or_else(|| {
+            Trouble::IllTyped(format!(
+                "{} has no component with these labels",
+                value.shape()
+            ))
+        })
+    }
+
+    /// Products of inertia have a sign convention; entries of other matrices have none.
+    fn written_as_products(&self, value: &Value) -> bool {
+        value.basis[0] == value.basis[1] && value.transposed().entries == value.entries
+    }
+
+    /// The axes that a label numbers, and the frame that it names.
+    pub(super) fn axes_of_label(&self, label: &str) -> Option<(Vec<usize>, Option<FrameId>)> {
+        let rule = self.letters.label(label, false, self.at);
+        if let Some((axis, rule)) = rule.and_then(|r| Some((r.component?, r))) {
+            let frame = match rule.effect {
+                Effect::ComponentsOn(frame) => Some(frame),
+                _ => None,
+            };
+            return Some((vec![axis], frame));
+        }
+        if let Some(axis) = self.axis_of_letter(label) {
+            return Some((
+                vec![axis],
+                self.letters.index(label, self.at).and_then(|r| r.axes_of),
+            ));
+        }
+        let letters: Vec<String> = label.chars().map(String::from).collect();
+        if letters.is_empty() || letters.len() > 2 {
+            return None;
+        }
+        let axes: Option<Vec<usize>> = letters
+            .iter()
+            .map(|l| {
+                let numbered = NUMBERED
+                    .iter()
+                    .find_map(|names| names.iter().position(|n| n == l));
+                self.axis_of_letter(l).or(numbered)
+            })
+            .collect();
+        let rule = self.letters.label(&letters[0], false, self.at);
+        let frame = rule.and_then(|r| match (r.component, &r.effect) {
+            (Some(_), Effect::ComponentsOn(frame)) => Some(*frame),
+            _ => None,
+        });
+        axes.map(|axes| (axes, frame))
+    }
+
+    /// The axis that an index letter has in this reading of the line.
+    pub(super) fn axis_of_letter(&self, letter: &str) -> Option<usize> {
+        self.axes.get(letter).copied()
+    }
+
+    /// The value of a symbol that sentences tell of, with the frame of its components; `None` where none does.
+    fn known(&mut self, symbol: &Symbol) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
+        let exact = spell(symbol, true);
+        let number = self.counts.get(&exact).copied().unwrap_or(0).max(1);
+        let found = self
+            .letters
+            .find(&exact, &spell(symbol, false), self.at, number);
+        let Some(letter) = found.cloned() else {
+            let before = self.letters_unknown();
+            self.only_known = true;
+            let value = self.reindexed(symbol).and_then(|value| match value {
+                Some(value) => Ok(Some(value)),
+                None => self.by_label(symbol),
+            });
+            self.only_known = false;
+            debug_assert!(before <= self.letters_unknown());
+            let text = print::latex(&symbol_node(symbol));
+            if matches!(value, Ok(None) | Err(Trouble::Unknown(_)))
+                && self.shapes.contains_key(&text)
+            {
+                let value = self.unknown(symbol)?;
+                return Ok(Some((value, None)));
+            }
+            return match value {
+                Ok(value) => Ok(value.map(|value| {
+                    let frame = frame_of(&value);
+                    (value, frame)
+                })),
+                Err(Trouble::Unknown(_)) => Ok(None),
+                Err(trouble) => Err(trouble),
+            };
+        };
+        let value = self.meant(&letter, symbol, None)?;
+        let frame = frame_of(&value);
+        Ok(Some((value, frame)))
+    }
+
+    fn by_mark(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        let mut base = symbol.clone();
+        let mark = if symbol.primes > 0 {
+            base.primes -= 1;
+            Mark::Prime
+        } else if symbol.style.tilde {
+            base.style.tilde = false;
+            Mark::Tilde
+        } else if symbol.style.hat {
+            base.style.hat = false;
+            Mark::Hat
+        } else if symbol.style.bar {
+            base.style.bar = false;
+            Mark::Bar
+        } else {
+            return Ok(None);
+        };
+        let Some(effect) = self.letters.mark(mark, self.at).cloned() else {
+            return Ok(None);
+        };
+        let value = self.unlabelled(|lowering| lowering.symbol(&base))?;
+        self.affected(value, &effect).map(Some)
+    }
+
+    /// Of what a mark acts on, a rule for writings without a mark says nothing.
+    fn unlabelled(&mut self, value: impl FnOnce(&mut Self) -> Valued) -> Valued {
+        let value = value(self)?;
+        match self.letters.mark(Mark::NoLabel, self.at) {
+            Some(Effect::ComponentsOn(frame)) if value.vector_basis() == Basis::On(*frame) => {
+                Ok(Value {
+                    basis: [Basis::Itself; 2],
+                    ..value
+                })
+            }
+            _ => Ok(value),
+        }
+    }
+}
+
+/// A value as components on a frame.
+pub(super) fn on(value: Value, frame: FrameId) -> Value {
+    match value.is_scalar() || value.is_zero() && value.basis == [Basis::Any; 2] {
+        true => value,
+        false => Value {
+            basis: [Basis::On(frame); 2],
+            ..value
+        },
+    }
+}
+
+/// The frame that an array is on.
+fn frame_of(value: &Value) -> Option<FrameId> {
+    match value.basis[usize::from(value.rows == 1)] {
+        Basis::On(frame) => Some(frame),
+        _ => None,
+    }
+}
+
+pub(super) fn symbol_node(symbol: &Symbol) -> Node {
+    Node {
+        kind: crate::notation::ast::Kind::Symbol(symbol.clone()),
+        span: crate::source::Span::default(),
+    }
+}

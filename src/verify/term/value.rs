@@ -1,0 +1,311 @@
+//! Scalars, vectors and matrices, and the axes that their entries are taken on.
+//!
+//! A geometric vector is the same in every frame, and its rate needs a frame. An array holds the components on the axes
+//! of a frame, and its rate is entry by entry. Both are worked with by their components on the work frame; only what a
+//! document writes out entry by entry is a mere list, until it meets something that says which axes it is on.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::model::system::{FrameId, Matrix, System, Vector};
+use num_traits::Zero;
+
+/// What an index of a value runs over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Basis {
+    /// Any axes: the identity matrix, zero.
+    Any,
+    /// No axes: the vector itself. The entries are components on the work frame.
+    Itself,
+    /// The axes of a frame. The entries are still components on the work frame.
+    On(FrameId),
+    /// Entries as they are written out.
+    Written,
+}
+
+/// A scalar, a vector or a matrix.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Value {
+    pub(crate) rows: usize,
+    pub(crate) columns: usize,
+    /// Row by row.
+    pub(crate) entries: Vec<Fraction>,
+    /// Of rows and of columns; of an index with one value it says nothing.
+    pub(crate) basis: [Basis; 2],
+}
+
+/// The shape of a letter and the axes that it is on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Shape {
+    pub(crate) rows: usize,
+    pub(crate) columns: usize,
+    pub(crate) basis: [Basis; 2],
+}
+
+/// Why a formula has no value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Trouble {
+    /// Nothing says what a letter is: its writing.
+    Unknown(String),
+    /// Shapes that do not fit: the line is wrong as it is typed.
+    IllTyped(String),
+    /// It is beyond what is worked out.
+    Beyond(String),
+}
+
+pub(crate) type Valued = Result<Value, Trouble>;
+
+/// An answer that says what does not fit.
+pub(crate) fn ill_typed<T>(message: impl Into<String>) -> Result<T, Trouble> {
+    Err(Trouble::IllTyped(message.into()))
+}
+
+/// An answer that says what is not worked out.
+pub(crate) fn beyond<T>(message: impl Into<String>) -> Result<T, Trouble> {
+    Err(Trouble::Beyond(message.into()))
+}
+
+impl Value {
+    pub(crate) fn scalar(value: Fraction) -> Self {
+        Self {
+            rows: 1,
+            columns: 1,
+            entries: vec![value],
+            basis: [Basis::Any; 2],
+        }
+    }
+
+    pub(crate) fn vector(vector: &Vector, basis: Basis) -> Self {
+        let entries = vector.iter().cloned().collect();
+        Self {
+            rows: 3,
+            columns: 1,
+            entries,
+            basis: [basis, Basis::Any],
+        }
+    }
+
+    pub(crate) fn matrix(matrix: &Matrix, basis: [Basis; 2]) -> Self {
+        let entries = (0..9).map(|at| matrix[(at / 3, at % 3)].clone()).collect();
+        Self {
+            rows: 3,
+            columns: 3,
+            entries,
+            basis,
+        }
+    }
+
+    /// Entries as a document writes them.
+    pub(crate) fn written(rows: usize, columns: usize, entries: Vec<Fraction>) -> Self {
+        Self {
+            rows,
+            columns,
+            entries,
+            basis: [Basis::Written; 2],
+        }
+    }
+
+    pub(crate) fn is_scalar(&self) -> bool {
+        self.rows == 1 && self.columns == 1
+    }
+
+    pub(crate) fn is_vector(&self) -> bool {
+        self.rows == 3 && self.columns == 1
+    }
+
+    pub(crate) fn is_row(&self) -> bool {
+        self.rows == 1 && self.columns == 3
+    }
+
+    pub(crate) fn is_matrix(&self) -> bool {
+        self.rows == 3 && self.columns == 3
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.entries.iter().all(Fraction::is_zero)
+    }
+
+    pub(crate) fn to_scalar(&self) -> Result<Fraction, Trouble> {
+        match self.is_scalar() {
+            true => Ok(self.entries[0].clone()),
+            false => ill_typed(format!("{} stands where a number must stand", self.shape())),
+        }
+    }
+
+    pub(crate) fn to_vector(&self) -> Result<Vector, Trouble> {
+        match self.is_vector() || self.is_row() {
+            true => Ok(Vector::from_fn(|row, _| self.entries[row].clone())),
+            false => ill_typed(format!("{} stands where a vector must stand", self.shape())),
+        }
+    }
+
+    pub(crate) fn to_matrix(&self) -> Result<Matrix, Trouble> {
+        match self.is_matrix() {
+            true => Ok(Matrix::from_fn(|r, c| self.entries[3 * r + c].clone())),
+            false => ill_typed(format!("{} stands where a matrix must stand", self.shape())),
+        }
+    }
+
+    /// `a number`, `a vector`, `a 3 × 2 matrix`.
+    pub(crate) fn shape(&self) -> String {
+        match (self.rows, self.columns) {
+            (1, 1) => "a number".into(),
+            (3, 1) => "a vector".into(),
+            (rows, 1) => format!("a column of {rows}"),
+            (1, columns) => format!("a row of {columns}"),
+            (rows, columns) => format!("a {rows} × {columns} matrix"),
+        }
+    }
+
+    pub(crate) fn transposed(&self) -> Self {
+        let at = |r: usize, c: usize| self.entries[r * self.columns + c].clone();
+        let entries = (0..self.columns)
+            .flat_map(|c| (0..self.rows).map(move |r| (r, c)))
+            .map(|(r, c)| at(r, c))
+            .collect();
+        Self {
+            rows: self.columns,
+            columns: self.rows,
+            entries,
+            basis: [self.basis[1], self.basis[0]],
+        }
+    }
+
+    pub(crate) fn scaled(&self, factor: &Fraction) -> Self {
+        let entries = self
+            .entries
+            .iter()
+            .map(|e| e.clone() * factor.clone())
+            .collect();
+        Self {
+            entries,
+            ..self.clone()
+        }
+    }
+
+    pub(crate) fn negated(&self) -> Self {
+        let entries = self.entries.iter().map(|e| -e.clone()).collect();
+        Self {
+            entries,
+            ..self.clone()
+        }
+    }
+
+    /// The basis of a vector, whether it stands as a column or as a row.
+    pub(crate) fn vector_basis(&self) -> Basis {
+        self.basis[usize::from(self.rows == 1)]
+    }
+
+    fn has_written(&self) -> bool {
+        self.runs_over(Basis::Written)
+    }
+
+    fn runs_over(&self, basis: Basis) -> bool {
+        (self.rows > 1 && self.basis[0] == basis) || (self.columns > 1 && self.basis[1] == basis)
+    }
+}
+
+impl System {
+    /// Entry by entry on the axes that a value is on; of a geometric one on those of a frame.
+    pub(crate) fn written_out(&mut self, value: &Value, custom: FrameId) -> Value {
+        let mut out = value.clone();
+        let frame = |basis: Basis| match basis {
+            Basis::On(frame) => Some(frame),
+            Basis::Itself => Some(custom),
+            Basis::Any | Basis::Written => None,
+        };
+        if value.rows == 3
+            && let Some(frame) = frame(value.basis[0])
+        {
+            let turn = self.rotation(frame, self.work);
+            out.entries = times(&turn, &out.entries, out.columns);
+        }
+        if value.columns == 3
+            && let Some(frame) = frame(value.basis[1])
+        {
+            let turn = self.rotation(frame, self.work);
+            let turned = Value {
+                basis: [Basis::Any; 2],
+                ..out.clone()
+            }
+            .transposed();
+            let entries = times(&turn, &turned.entries, turned.columns);
+            out.entries = Value { entries, ..turned }.transposed().entries;
+        }
+        out.basis = [Basis::Written; 2];
+        out
+    }
+
+    /// Written entries taken as those on the axes of frames.
+    pub(crate) fn taken_on(&mut self, value: &Value, basis: [Basis; 2], custom: FrameId) -> Value {
+        let mut out = value.clone();
+        let frame = |basis: Basis| match basis {
+            Basis::On(frame) => frame,
+            _ => custom,
+        };
+        if value.rows == 3 {
+            let turn = self.rotation(self.work, frame(basis[0]));
+            out.entries = times(&turn, &out.entries, out.columns);
+        }
+        if value.columns == 3 {
+            let turn = self.rotation(self.work, frame(basis[1]));
+            let turned = Value {
+                basis: [Basis::Any; 2],
+                ..out.clone()
+            }
+            .transposed();
+            let entries = times(&turn, &turned.entries, turned.columns);
+            out.entries = Value { entries, ..turned }.transposed().entries;
+        }
+        out.basis = basis;
+        out
+    }
+
+    /// Two values of one shape, on the same axes.
+    pub(crate) fn brought_together(
+        &mut self,
+        a: &Value,
+        b: &Value,
+        custom: FrameId,
+    ) -> (Value, Value) {
+        if a.is_scalar() || a.basis == b.basis {
+            return (a.clone(), b.clone());
+        }
+        if a.is_zero() || b.is_zero() {
+            let basis = if a.is_zero() { b.basis } else { a.basis };
+            return (Value { basis, ..a.clone() }, Value { basis, ..b.clone() });
+        }
+        match (a.has_written(), b.has_written()) {
+            (false, false) => {}
+            (true, false) => return (self.taken_on(a, b.basis, custom), b.clone()),
+            (false, true) => return (a.clone(), self.taken_on(b, a.basis, custom)),
+            (true, true) => return (self.written_out(a, custom), self.written_out(b, custom)),
+        }
+        if let Some(basis) = joined(a, b) {
+            return (Value { basis, ..a.clone() }, Value { basis, ..b.clone() });
+        }
+        (self.written_out(a, custom), self.written_out(b, custom))
+    }
+}
+
+/// The basis of two values that differ by no more than one being the thing itself.
+fn joined(a: &Value, b: &Value) -> Option<[Basis; 2]> {
+    let one = |a: Basis, b: Basis| match (a, b) {
+        _ if a == b => Some(a),
+        (Basis::Any | Basis::Itself, other) | (other, Basis::Any | Basis::Itself) => Some(other),
+        _ => None,
+    };
+    let basis = [one(a.basis[0], b.basis[0])?, one(a.basis[1], b.basis[1])?];
+    // The tensor itself has one frame for both indices; a matrix between two frames is none.
+    let two = a.is_matrix() && matches!(basis, [Basis::On(f), Basis::On(g)] if f != g);
+    (!two || a.basis == b.basis).then_some(basis)
+}
+
+fn times(turn: &Matrix, entries: &[Fraction], columns: usize) -> Vec<Fraction> {
+    let column = |c: usize| Vector::from_fn(|r, _| entries[r * columns + c].clone());
+    let turned: Vec<Vector> = (0..columns)
+        .map(|c| mechanics::apply(turn, &column(c)))
+        .collect();
+    (0..3)
+        .flat_map(|r| turned.iter().map(move |v| v[r].clone()))
+        .collect()
+}
