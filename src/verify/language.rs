@@ -1,0 +1,29 @@
+//! The small language in which people say what a document means.
+//!
+//! `lexicon` reads the words from a file of data, `words` parts a sentence, `reader` goes along it, `phrase`,
+//! `hanging`, `extent`, `sign`, `roles`, `predicate` and `clause` are the grammar, `bodies` finds the bodies that a text
+//! introduces, `declare` reads many sentences, `print` writes statements as sentences again and
+//! `manual` tells people about all of it. English stands nowhere else.
+
+mod bodies;
+mod clause;
+pub(crate) mod cues;
+mod declare;
+mod extent;
+mod forms;
+mod hanging;
+mod lexicon;
+mod manual;
+mod phrase;
+mod predicate;
+mod print;
+mod reader;
+mod roles;
+mod sign;
+pub mod statement;
+mod words;
+
+pub use declare::{read_declarations, read_sentence};
+pub use lexicon::Lexicon;
+pub use manual::manual;
+pub use print::sentence;

@@ -1,0 +1,251 @@
+//! Bodies that the lexicon does not have: a text introduces them by what it says of them.
+
+use super::lexicon::{Class, Inflection, Lexicon};
+use super::reader::{ARTICLES, is_glue};
+use super::words::{Kind, Token};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The name of a body has so many words.
+pub(crate) const LONGEST_NAME: usize = 4;
+
+/// A text introduces so many bodies.
+const MOST_BODIES: usize = 300;
+
+/// The words before the name of a body.
+const BEFORE: [&str; 43] = [
+    "fixed in",
+    "fixed to",
+    "attached to",
+    "at rest in",
+    "mass of",
+    "masses of",
+    "centre of",
+    "center of",
+    "gravity of",
+    "consists of",
+    "consist of",
+    "numbers",
+    "force on",
+    "forces on",
+    "moment on",
+    "moments on",
+    "torque on",
+    "force of",
+    "forces of",
+    "moment of",
+    "torque of",
+    "loads on",
+    "load on",
+    "acts on",
+    "act on",
+    "rolls on",
+    "slides on",
+    "touches",
+    "weight of",
+    "inertia of",
+    "point where",
+    "impulse of",
+    "impulse on",
+    "velocity of",
+    "speed of",
+    "momentum of",
+    "energy of",
+    "lagrangian of",
+    "tension of",
+    "axis of",
+    "angle of",
+    "strikes",
+    "leaves",
+];
+
+/// The bodies that some sentences introduce, by their names in lower case.
+pub(crate) fn introduced<'a>(
+    sentences: impl Iterator<Item = &'a [Token]> + Clone,
+    lexicon: &Lexicon,
+) -> BTreeSet<String> {
+    let contexts: Vec<Vec<&str>> = BEFORE.iter().map(|b| b.split(' ').collect()).collect();
+    let mut found = BTreeSet::new();
+    for tokens in sentences.clone() {
+        found.extend(names(tokens, &contexts, lexicon));
+        if found.len() > MOST_BODIES {
+            break;
+        }
+    }
+    let mut mentions: BTreeMap<&str, usize> = BTreeMap::new();
+    for tokens in sentences {
+        let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+        let mut here = BTreeSet::new();
+        for at in 0..words.len() {
+            for end in at + 1..=(at + LONGEST_NAME).min(words.len()) {
+                here.extend(found.get(&words[at..end].join(" ")));
+            }
+        }
+        for name in here {
+            *mentions.entry(name.as_str()).or_default() += 1;
+        }
+    }
+    let again = |name: &str| mentions.get(name).is_some_and(|n| *n > 1);
+    let kept = |name: &&String| again(name) || !mistyped(name, lexicon);
+    let mut bodies: BTreeSet<String> = found
+        .iter()
+        .filter(kept)
+        .take(MOST_BODIES)
+        .cloned()
+        .collect();
+    let single: Vec<String> = bodies.iter().filter_map(|name| singular(name)).collect();
+    bodies.extend(single);
+    bodies
+}
+
+/// The body of a family: "the legs" has leg `$i$`.
+pub(crate) fn singular(name: &str) -> Option<String> {
+    let stem = name.strip_suffix('s')?;
+    (stem.len() > 2 && !stem.ends_with(['s', 'u', 'i'])).then(|| stem.to_owned())
+}
+
+/// Whether a name looks like a word of the lexicon with a slip in it.
+fn mistyped(name: &str, lexicon: &Lexicon) -> bool {
+    let nouns = [Class::Noun, Class::Place, Class::Thing, Class::Adjective];
+    name.split(' ')
+        .filter(|word| !lexicon.begins(word))
+        .any(|word| {
+            let near = lexicon.nearest(word, &nouns);
+            let first = near.as_deref().and_then(|near| near.split(' ').next());
+            let apart = first.map_or(usize::MAX, |first| strsim::osa_distance(first, word));
+            let length = word.chars().count();
+            apart == 1 && length > 3 || apart == 2 && length > 7
+        })
+}
+
+/// The bodies that one sentence introduces.
+fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<String> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let mut names = vec![];
+    for at in 0..words.len() {
+        let before = contexts
+            .iter()
+            .any(|context| words[..at].ends_with(context));
+        if before {
+            listed(tokens, at, lexicon, &mut names);
+        } else if let Some((name, end)) = name(tokens, at, lexicon)
+            && begins(tokens, at)
+            && said(&words[end..], lexicon)
+        {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// A list of bodies: "the hub, the leg and the foot".
+fn listed(tokens: &[Token], mut at: usize, lexicon: &Lexicon, names: &mut Vec<String>) {
+    while at < tokens.len() {
+        match name(tokens, at, lexicon) {
+            Some((name, end)) => {
+                names.push(name);
+                at = end;
+            }
+            // a body of the lexicon
+            None => {
+                let article = usize::from(ARTICLES.contains(&tokens[at].lower.as_str()));
+                let words: Vec<&str> = tokens[at + article..]
+                    .iter()
+                    .take(LONGEST_NAME)
+                    .map(|t| t.lower.as_str())
+                    .collect();
+                match lexicon.find(&words, &[Class::Thing]) {
+                    Some(thing) => at += article + thing.length,
+                    None => return,
+                }
+            }
+        }
+        let start = at;
+        at += usize::from(tokens.get(at).is_some_and(|t| t.kind == Kind::Comma));
+        at += usize::from(tokens.get(at).is_some_and(|t| t.lower == "and"));
+        at += usize::from(tokens.get(at).is_some_and(|t| t.lower == "of"));
+        if at == start {
+            return;
+        }
+    }
+}
+
+/// The name of a body that stands here with its article, or with an index behind it, and where it ends.
+fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize)> {
+    let article = ARTICLES.contains(&tokens.get(at)?.lower.as_str());
+    let start = at + usize::from(article);
+    let mut end = start;
+    let mut unknown = false;
+    let mut whole = false;
+    while let Some(token) = tokens
+        .get(end)
+        .filter(|_| !whole && end < start + LONGEST_NAME)
+    {
+        let word = token.lower.as_str();
+        let plain = token.kind == Kind::Word
+            && word.chars().count() > 2
+            && word.chars().all(|c| c.is_alphabetic() || c == '-')
+            && (token.text == word || end == 0);
+        if !plain || is_glue(word) || ARTICLES.contains(&word) {
+            break;
+        }
+        if lexicon.begins(word) {
+            let rest: Vec<&str> = tokens[end..]
+                .iter()
+                .take(2)
+                .map(|t| t.lower.as_str())
+                .collect();
+            let other = [Class::Preposition, Class::Noun, Class::Place];
+            let other = lexicon.find(&rest, &other).is_some();
+            let thing = lexicon.find(&[word], &[Class::Thing]).is_some();
+            let verb = lexicon.find(&rest, &[Class::Verb]).is_some();
+            whole = thing && !other && !verb;
+            let adjective = end == start && lexicon.find(&[word], &[Class::Adjective]).is_some();
+            if !whole && (!adjective || other) {
+                break;
+            }
+        } else {
+            unknown = true;
+        }
+        end += 1;
+    }
+    let next = tokens.get(end);
+    let index = next.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number));
+    let described = next.is_some_and(|next| {
+        let word = [next.lower.as_str()];
+        let verb = lexicon.find(&word, &[Class::Verb]);
+        lexicon.find(&word, &[Class::Noun, Class::Place]).is_some()
+            && verb.is_none_or(|verb| verb.inflection != Inflection::Ending)
+    });
+    let last = tokens.get(end.wrapping_sub(1))?;
+    let body = whole || !lexicon.begins(&last.lower);
+    let found = unknown && body && !described && (article || index);
+    let words: Vec<&str> = tokens
+        .get(start..end)?
+        .iter()
+        .map(|t| t.lower.as_str())
+        .collect();
+    found.then(|| (words.join(" "), end))
+}
+
+/// Whether the subject of a sentence may begin here: at its beginning or behind an extent.
+fn begins(tokens: &[Token], at: usize) -> bool {
+    let Some(before) = at.checked_sub(1).and_then(|at| tokens.get(at)) else {
+        return true;
+    };
+    !matches!(
+        before.kind,
+        Kind::Word | Kind::Formula | Kind::Plain | Kind::Open
+    ) || before.lower == "on"
+}
+
+/// Whether these words say something of a body: that it is a …, or that it moves.
+fn said(words: &[&str], lexicon: &Lexicon) -> bool {
+    match words {
+        ["is", "a" | "an", ..] => true,
+        ["are", rest @ ..] => lexicon
+            .find(rest, &[Class::Adjective, Class::Thing])
+            .is_some(),
+        ["does" | "do", "not", ..] => true,
+        _ => lexicon.find(words, &[Class::Verb]).is_some(),
+    }
+}

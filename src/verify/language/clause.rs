@@ -1,0 +1,248 @@
+//! Whole sentences.
+
+use super::lexicon::{Class, Found};
+use super::phrase::NOUNS;
+use super::reader::{COPULAS, Read, Reader};
+use super::sign::operating;
+use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
+use super::words::Kind;
+
+/// What is said, and of which part of the document.
+pub(crate) type Said = (Extent, Statement);
+
+impl<'a> Reader<'a> {
+    /// A sentence. It says several things if it has several clauses or speaks of several parts of the document.
+    pub(crate) fn sentence(&mut self) -> Read<Vec<Said>> {
+        let mut extents = self.extents()?;
+        let mut said = vec![];
+        loop {
+            let mut statements = vec![];
+            let before = self.conditions()?;
+            match self.apart()? {
+                Some(several) => statements.extend(several),
+                None => {
+                    let subjects = match self.occurrence(&mut extents)? {
+                        Some(formula) => vec![Term::Formula(formula)],
+                        None => self.terms()?,
+                    };
+                    self.clause(&subjects, &mut statements)?;
+                }
+            }
+            for statement in &mut statements {
+                self.limit(statement, &before)?;
+            }
+            for statement in statements {
+                said.extend(
+                    extents
+                        .iter()
+                        .map(|extent| (extent.clone(), statement.clone())),
+                );
+            }
+            if !self.take_sign(Kind::Semicolon) || self.done() {
+                break;
+            }
+        }
+        match self.done() {
+            true => Ok(said),
+            false => Err(self.unexpected(
+                "word that fits",
+                "the sentence could end here",
+                &[Class::Preposition],
+            )),
+        }
+    }
+
+    /// Sentences of a form of their own.
+    fn apart(&mut self) -> Read<Option<Vec<Statement>>> {
+        if let Some(statements) = self.of_lines()? {
+            return Ok(Some(statements));
+        }
+        if let Some(statement) = self.rule()? {
+            return Ok(Some(vec![statement]));
+        }
+        if self.take("space has") {
+            return self.dimensions().map(|premise| Some(vec![premise]));
+        }
+        if self.take("no") {
+            return self.nothing_acts().map(|premise| Some(vec![premise]));
+        }
+        Ok(None)
+    }
+
+    /// "space has four dimensions".
+    fn dimensions(&mut self) -> Read<Statement> {
+        let number = match self.take_number() {
+            Some(number) => Some(number),
+            None => match self.word() {
+                "two" => Some(2),
+                "three" => Some(3),
+                "four" => Some(4),
+                _ => None,
+            }
+            .inspect(|_| self.at += 1),
+        };
+        let Some(number) = number else {
+            return Err(self.unexpected("number", "`three` could stand here", &[]));
+        };
+        if !self.take_any(&["dimensions"]) {
+            return Err(self.unexpected("noun", "`dimensions` could stand here", &NOUNS));
+        }
+        Ok(Statement::Premise(NounPhrase {
+            head: "dimension",
+            adjectives: vec![],
+            slots: vec![(Slot::Which, Term::Numbers(vec![number]))],
+        }))
+    }
+
+    /// "No moment acts on the body about G", behind "no".
+    fn nothing_acts(&mut self) -> Read<Statement> {
+        let (mut phrase, noun) = self.named()?;
+        let verb = self
+            .find(&[Class::Verb])
+            .filter(|verb| verb.entry.name == "act");
+        let Some(verb) = verb else {
+            return Err(self.unexpected("verb", "`acts on …` could stand here", &[Class::Verb]));
+        };
+        self.at += verb.length;
+        phrase.adjectives.insert(0, "no");
+        self.slots(noun, &mut phrase.slots)?;
+        for (slot, _) in &mut phrase.slots {
+            if *slot == Slot::Upon {
+                *slot = Slot::Of;
+            }
+        }
+        Ok(Statement::Premise(phrase))
+    }
+
+    /// What is said of some subjects, verb after verb.
+    fn clause(&mut self, subjects: &[Term], statements: &mut Vec<Statement>) -> Read<()> {
+        self.owner = subjects.to_vec();
+        let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
+        if self.done() || self.kind() == Some(Kind::Semicolon) {
+            return match formulas {
+                Some(formulas) => {
+                    statements.extend(formulas.into_iter().map(Statement::Holds));
+                    Ok(())
+                }
+                None => Err(self.unexpected("verb", "a verb could stand here", &[Class::Verb])),
+            };
+        }
+        if let Some(formulas) = &formulas
+            && (self.under_condition() || self.timed())
+        {
+            statements.push(self.holds(formulas.clone())?);
+            return Ok(());
+        }
+        loop {
+            statements.extend(self.said_of(subjects)?);
+            let start = self.at;
+            let separated = self.take_separator();
+            if separated && self.at_gap() {
+                self.at = self.gap(start, statements)?;
+            }
+            let verb = self.find(&[Class::Verb]).is_some() || COPULAS.contains(&self.word());
+            if !separated || !verb {
+                if separated && self.at != start && !self.done() {
+                    self.at = start;
+                }
+                return Ok(());
+            }
+        }
+    }
+
+    /// Whether it is said when or how nearly a formula holds.
+    pub(crate) fn under_condition(&self) -> bool {
+        let hold = self.lexicon.entry("hold", &[Class::Verb]);
+        let said = self.find(&[Class::Preposition]);
+        said.is_some_and(|said| hold.is_some_and(|hold| hold.slot(said.entry.name).is_some()))
+    }
+
+    /// "`$u = 0$` at `$t = 0$`": what is said of formulas that hold somewhere.
+    pub(crate) fn holds(&mut self, formulas: Vec<Formula>) -> Read<Statement> {
+        let mut slots = vec![];
+        if let Some(hold) = self.lexicon.entry("hold", &[Class::Verb]) {
+            self.slots(hold, &mut slots)?;
+            self.tail(hold, &mut slots)?;
+        }
+        Ok(Statement::Does {
+            subjects: formulas.into_iter().map(Term::Formula).collect(),
+            verb: "hold",
+            slots,
+        })
+    }
+
+    /// "and `$p$` its small disturbance": the verb is the one before, and so is the owner. Says where it ends.
+    fn gap(&mut self, start: usize, statements: &mut Vec<Statement>) -> Read<usize> {
+        let Some(Statement::Is { what, .. }) = statements.last() else {
+            return Ok(start);
+        };
+        let owner = what.slot(Slot::Of).cloned();
+        let mut subjects = vec![];
+        self.term(&mut subjects)?;
+        self.take_any(&["its"]);
+        let mut what = self.phrase()?;
+        what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
+        statements.push(Statement::Is { subjects, what });
+        Ok(self.at)
+    }
+
+    /// A verb with what hangs on it.
+    fn said_of(&mut self, subjects: &[Term]) -> Read<Vec<Statement>> {
+        let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
+        if let Some(formulas) = &formulas {
+            if self.take_any(&["means", "mean"]) || self.take("stands for") {
+                return match self.at_formula() || self.done() {
+                    true => self.means(formulas),
+                    false => self.predicate(subjects, Some(formulas.clone())),
+                };
+            }
+            if self.take("takes functions of") || self.take("take functions of") {
+                return self.functions_of(formulas.clone());
+            }
+            if let Some(fixed) = self.take_fixed() {
+                return Ok(operating(formulas.clone(), &NotationMeaning::Fixed(fixed)));
+            }
+        }
+        if self.take("stands for") || self.take("stand for") || self.take_any(&COPULAS) {
+            return self.predicate(subjects, formulas);
+        }
+        let Some(verb) = self.find(&[Class::Verb]) else {
+            return Err(self.unexpected(
+                "verb",
+                "`is` or a verb of the lexicon could stand here",
+                &[Class::Verb],
+            ));
+        };
+        if verb.entry.name == "lie" && self.word_at(1) == "between" {
+            self.at += 2;
+            return self.bounds(formulas);
+        }
+        self.verb(subjects, verb)
+    }
+
+    pub(crate) fn verb(&mut self, subjects: &[Term], verb: Found<'a>) -> Read<Vec<Statement>> {
+        self.at += verb.length;
+        let mut slots = vec![];
+        let object = verb.entry.slot("object");
+        if let Some(slot) =
+            object.filter(|_| self.starts_term() && self.find(&[Class::Preposition]).is_none())
+        {
+            let terms = self.terms_alike()?;
+            slots.extend(terms.into_iter().map(|term| (slot, term)));
+        }
+        self.slots(verb.entry, &mut slots)?;
+        self.tail(verb.entry, &mut slots)?;
+        Ok(vec![Statement::Does {
+            subjects: subjects.to_vec(),
+            verb: verb.entry.name,
+            slots,
+        }])
+    }
+}
+
+pub(crate) fn as_formula(term: &Term) -> Option<Formula> {
+    match term {
+        Term::Formula(formula) => Some(formula.clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,89 @@
+//! Declarations: sentences that an author writes, one a line.
+
+use super::bodies::introduced;
+use super::lexicon::Lexicon;
+use super::reader::Reader;
+use super::statement::{Declaration, Misread};
+use super::words::{Token, tokens, wrong};
+use crate::notation::Macros;
+use std::collections::BTreeSet;
+
+/// A sentence longer than this is not read.
+const LONGEST: usize = 10_000;
+
+/// Reads the sentences of a text, one a line. Lines that begin with `#` are remarks.
+pub fn read_declarations(
+    text: &str,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> (Vec<Declaration>, Vec<Misread>) {
+    let lines = text
+        .lines()
+        .enumerate()
+        .map(|(at, line)| (at + 1, line.trim_end()));
+    let sentences = lines
+        .filter(|(_, line)| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
+    let parted: Vec<_> = sentences
+        .map(|(line, sentence)| (line, sentence, parted(sentence, line)))
+        .collect();
+    let understood = parted
+        .iter()
+        .filter_map(|(_, _, tokens)| tokens.as_deref().ok());
+    let bodies = introduced(understood, lexicon);
+    let (mut declarations, mut misread) = (vec![], vec![]);
+    for (line, sentence, tokens) in parted {
+        let said =
+            tokens.and_then(|tokens| read(&tokens, sentence, line, macros, lexicon, &bodies));
+        match said {
+            Ok(said) => declarations.extend(said),
+            Err(error) => misread.push(error),
+        }
+    }
+    (declarations, misread)
+}
+
+/// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.
+pub fn read_sentence(
+    sentence: &str,
+    line: usize,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> Result<Vec<Declaration>, Misread> {
+    let tokens = parted(sentence, line)?;
+    let bodies = introduced(std::iter::once(tokens.as_slice()), lexicon);
+    read(&tokens, sentence, line, macros, lexicon, &bodies)
+}
+
+fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
+    match sentence.len() > LONGEST {
+        true => Err(wrong(
+            line,
+            1,
+            "the sentence is too long",
+            "say it in several",
+        )),
+        false => tokens(sentence, line),
+    }
+}
+
+fn read(
+    tokens: &[Token],
+    sentence: &str,
+    line: usize,
+    macros: &Macros,
+    lexicon: &Lexicon,
+    bodies: &BTreeSet<String>,
+) -> Result<Vec<Declaration>, Misread> {
+    let end = (
+        line,
+        sentence.trim_end().trim_end_matches('.').chars().count() + 1,
+    );
+    let said = Reader::new(tokens, end, lexicon, macros, bodies).sentence()?;
+    let declaration = |(extent, statement)| Declaration {
+        statement,
+        extent,
+        text: sentence.trim().to_owned(),
+        line,
+    };
+    Ok(said.into_iter().map(declaration).collect())
+}

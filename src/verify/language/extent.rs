@@ -1,0 +1,256 @@
+//! The part of the document that a sentence speaks of.
+
+use super::phrase::ORDINALS;
+use super::reader::{Read, Reader};
+use super::statement::{Extent, Formula};
+use super::words::Kind;
+
+/// A sentence may speak of so many parts of a document.
+const MOST_EXTENTS: usize = 200;
+
+/// How a line is called.
+const LINES: [&str; 4] = ["line", "lines", "row", "rows"];
+
+impl Reader<'_> {
+    /// The extents with which a sentence begins. Several parts of a document beside one another ("on lines 4 and 41")
+    /// are several extents.
+    pub(crate) fn extents(&mut self) -> Read<Vec<Extent>> {
+        let mut extents = vec![Extent::Document];
+        loop {
+            let start = self.at;
+            let found = self.extent(extents == [Extent::Document])?;
+            let subject = matches!(
+                self.word(),
+                "is" | "are" | "hold" | "holds" | "defines" | "define"
+            );
+            if found.is_empty() || subject {
+                self.at = start;
+                return Ok(extents);
+            }
+            extents = self.together(&extents, &found)?;
+            self.take_sign(Kind::Comma);
+        }
+    }
+
+    /// Each of some extents with each of others.
+    fn together(&self, some: &[Extent], others: &[Extent]) -> Read<Vec<Extent>> {
+        if some.len() * others.len() > MOST_EXTENTS {
+            return Err(self.error(
+                "too many parts of the document",
+                "say it in several sentences",
+            ));
+        }
+        let pairs = some.iter().flat_map(|a| others.iter().map(|b| both(a, b)));
+        Ok(pairs.collect())
+    }
+
+    /// One extent; none if something else begins here. The first one has a preposition.
+    fn extent(&mut self, first: bool) -> Read<Vec<Extent>> {
+        let start = self.at;
+        if self.take_any(&["on", "in"]) || !first {
+            if LINES.contains(&self.word()) {
+                return self.lines();
+            }
+            if self.take_any(&["cell", "cells"]) {
+                return Ok(vec![Extent::Cells(self.numbers()?)]);
+            }
+            if self.take("the section") || self.take("section") {
+                return Ok(vec![Extent::Section(self.quoted()?)]);
+            }
+        }
+        self.at = start;
+        if self.take("under the heading") {
+            return Ok(vec![Extent::Section(self.quoted()?)]);
+        }
+        if self.take("from line") {
+            let first = self.number()?;
+            return match self.take("on") {
+                true => Ok(vec![lines(first, None)]),
+                false => Err(self.unexpected("end of an extent", "say `from line 38 on`", &[])),
+            };
+        }
+        if self.word() == "between"
+            && self
+                .tokens
+                .get(self.at + 1)
+                .is_some_and(|t| t.kind == Kind::Open)
+        {
+            self.at += 1;
+            let from = self.label()?;
+            if !self.take("and") {
+                return Err(self.unexpected("second label", "say `between (4) and (9)`", &[]));
+            }
+            return Ok(vec![Extent::Between(from, self.label()?)]);
+        }
+        Ok(vec![])
+    }
+
+    /// "line 5", "lines 3 to 17", "lines 4, 8 and 41", with "of cell 2".
+    pub(crate) fn lines(&mut self) -> Read<Vec<Extent>> {
+        self.take_any(&LINES);
+        let mut ranges = vec![];
+        loop {
+            let first = self.number()?;
+            let last = if self.take("to") {
+                self.number()?
+            } else {
+                first
+            };
+            if last < first {
+                self.at -= 1;
+                return Err(self.error("the last line stands before the first", ""));
+            }
+            ranges.push((first, last));
+            let start = self.at;
+            if !self.take_separator() || self.kind() != Some(Kind::Number) {
+                self.at = start;
+                break;
+            }
+        }
+        let start = self.at;
+        let cell = match self.take_any(&["of", "in"]) && self.take("cell") {
+            true => Some(self.number()?),
+            false => {
+                self.at = start;
+                None
+            }
+        };
+        let one = |(first, last)| Extent::Lines {
+            cell,
+            first,
+            last: Some(last),
+        };
+        Ok(ranges.into_iter().map(one).collect())
+    }
+
+    /// "the second `$V$` of line 10"; the line may have been said before. The formula is what the sentence is about.
+    pub(crate) fn occurrence(&mut self, extents: &mut Vec<Extent>) -> Read<Option<Formula>> {
+        let start = self.at;
+        self.take("the");
+        let number = ORDINALS.iter().position(|o| *o == self.word());
+        self.at += usize::from(number.is_some());
+        let place = self.at;
+        let (Some(number), Some(formula)) = (number, self.formulas().into_iter().next()) else {
+            self.at = start;
+            return Ok(None);
+        };
+        if matches!(self.word(), "of" | "on" | "in") && LINES.contains(&self.word_at(1)) {
+            self.at += 1;
+            let said = self.lines()?;
+            *extents = self.together(extents, &said)?;
+        }
+        for extent in extents {
+            match once(extent, number + 1, &formula.source) {
+                Some(narrower) => *extent = narrower,
+                None => {
+                    self.at = place;
+                    return Err(self.error(
+                        "it is not said on which line",
+                        "say `the second … of line 10`",
+                    ));
+                }
+            }
+        }
+        Ok(Some(formula))
+    }
+
+    fn number(&mut self) -> Read<usize> {
+        match self.take_number() {
+            Some(number) => Ok(number),
+            None => Err(self.unexpected(
+                "number",
+                "the number of a line or a cell could stand here",
+                &[],
+            )),
+        }
+    }
+
+    pub(crate) fn numbers(&mut self) -> Read<Vec<usize>> {
+        let mut numbers = vec![self.number()?];
+        loop {
+            let start = self.at;
+            if !self.take_separator() || self.kind() != Some(Kind::Number) {
+                self.at = start;
+                return Ok(numbers);
+            }
+            numbers.push(self.number()?);
+        }
+    }
+
+    /// A heading between quotation marks.
+    pub(crate) fn quoted(&mut self) -> Read<String> {
+        let text = self
+            .peek()
+            .filter(|t| t.kind == Kind::Quoted)
+            .map(|t| t.text.clone());
+        match text {
+            Some(text) => {
+                self.at += 1;
+                Ok(text)
+            }
+            None => Err(self.unexpected("heading", "put the heading between quotation marks", &[])),
+        }
+    }
+
+    /// A label in brackets: "(4)", "(eq:spin)".
+    fn label(&mut self) -> Read<String> {
+        let found = match self.tokens.get(self.at..self.at + 3) {
+            Some([open, label, close]) if open.kind == Kind::Open && close.kind == Kind::Close => {
+                Some(label.text.clone())
+            }
+            _ => None,
+        };
+        match found {
+            Some(label) => {
+                self.at += 3;
+                Ok(label)
+            }
+            None => Err(self.unexpected("label", "put the label between brackets", &[])),
+        }
+    }
+}
+
+fn lines(first: usize, last: Option<usize>) -> Extent {
+    Extent::Lines {
+        cell: None,
+        first,
+        last,
+    }
+}
+
+/// One occurrence of a formula on a line.
+fn once(extent: &Extent, number: usize, formula: &str) -> Option<Extent> {
+    match extent {
+        Extent::Lines { cell, first, last } if *last == Some(*first) => Some(Extent::Occurrence {
+            number,
+            formula: formula.to_owned(),
+            cell: *cell,
+            line: *first,
+        }),
+        Extent::Both(a, b) => {
+            let narrower = once(b, number, formula)?;
+            Some(Extent::Both(a.clone(), Box::new(narrower)))
+        }
+        _ => None,
+    }
+}
+
+/// Two extents at once. Lines of one cell are lines of that cell.
+pub(crate) fn both(a: &Extent, b: &Extent) -> Extent {
+    match (a, b) {
+        (Extent::Document, other) | (other, Extent::Document) => other.clone(),
+        (
+            Extent::Cells(cells),
+            Extent::Lines {
+                cell: None,
+                first,
+                last,
+            },
+        ) if cells.len() == 1 => Extent::Lines {
+            cell: cells.first().copied(),
+            first: *first,
+            last: *last,
+        },
+        _ => Extent::Both(Box::new(a.clone()), Box::new(b.clone())),
+    }
+}

@@ -1,0 +1,230 @@
+//! What hangs on nouns and verbs by prepositions.
+
+use super::lexicon::{Class, Entry};
+use super::phrase::NOUNS;
+use super::reader::{Read, Reader};
+use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::words::Kind;
+
+impl<'a> Reader<'a> {
+    /// "the point where the disc touches the floor" is their contact point.
+    pub(crate) fn point_where(&mut self, phrase: &mut NounPhrase) -> Read<Option<&'a Entry>> {
+        if phrase.head != "point" || !self.take("where") {
+            return Ok(None);
+        }
+        let start = self.at;
+        let subjects = self.deeper(Self::terms)?;
+        let verb = self.take_entry(&[Class::Verb]);
+        let lexicon = self.lexicon;
+        let noun = verb
+            .and_then(|verb| lexicon.entry(verb.entry.name, &[Class::Where]))
+            .and_then(|rule| lexicon.entry(rule.slots.first()?.0, &NOUNS));
+        let Some(noun) = noun else {
+            self.at = start;
+            return Err(self.error(
+                "no point is known by what happens there",
+                "`where … touches …` or `where … acts` could stand here",
+            ));
+        };
+        phrase.head = noun.name;
+        phrase
+            .slots
+            .extend(subjects.into_iter().map(|term| (Slot::Of, term)));
+        if self.starts_term() {
+            let objects = self.deeper(Self::terms)?;
+            phrase
+                .slots
+                .extend(objects.into_iter().map(|term| (Slot::On, term)));
+        }
+        Ok(Some(noun))
+    }
+
+    /// What hangs on a noun or a verb by prepositions. What the entry does not take is left to what stands around it.
+    pub(crate) fn slots(&mut self, entry: &Entry, slots: &mut Vec<(Slot, Term)>) -> Read<()> {
+        let outer = self.owner.clone();
+        let mut last: Option<(&'static str, Slot)> = None;
+        loop {
+            let start = self.at;
+            let comma = self.take_sign(Kind::Comma);
+            let and = self.take("and");
+            let Some(found) = self.take_entry(&[Class::Preposition]) else {
+                self.at = start;
+                break;
+            };
+            let name = found.entry.name;
+            let again =
+                last.filter(|(before, _)| *before == name || before.ends_with(&format!(" {name}")));
+            let slot = match again {
+                Some((_, slot)) if and || comma => Some(slot),
+                _ if and => None,
+                _ => entry
+                    .slot(name)
+                    .filter(|slot| slots.iter().all(|(s, _)| s != slot)),
+            };
+            let Some(slot) = slot else {
+                self.at = start;
+                break;
+            };
+            // "of mass $m$" says whose nothing is
+            let size = |term: &Term| match term {
+                Term::Phrase(phrase) => self.lexicon.entry(phrase.head, &[Class::Noun]).is_some(),
+                _ => false,
+            };
+            let sized = entry.class == Class::Thing;
+            let of = slots
+                .iter()
+                .filter(|(s, term)| *s == Slot::Of && !(sized && size(term)));
+            self.owner = of.map(|(_, term)| term.clone()).collect();
+            if self.owner.is_empty() {
+                self.owner.clone_from(&outer);
+            }
+            let terms = self.deeper(|reader| reader.in_slot(slot))?;
+            slots.extend(terms.into_iter().map(|term| (slot, term)));
+            last = Some((again.map_or(name, |(before, _)| before), slot));
+        }
+        self.owner = outer;
+        Ok(())
+    }
+
+    /// The terms of a slot.
+    fn in_slot(&mut self, slot: Slot) -> Read<Vec<Term>> {
+        if matches!(slot, Slot::At | Slot::By)
+            && let Some(measure) = self.measure()
+        {
+            return Ok(vec![measure]);
+        }
+        let terms = self.terms_alike()?;
+        let particles = slot == Slot::Of && !self.particles;
+        if particles && (self.take("as particles") || self.take("as a particle")) {
+            self.particles = true;
+            let start = self.at;
+            let mut particles = vec![];
+            for part in terms {
+                self.at = start;
+                self.owner = vec![part.clone()];
+                let mut slots = vec![(Slot::Of, part)];
+                if let Some(entry) = self.lexicon.entry("particle", &[Class::Thing]) {
+                    self.slots(entry, &mut slots)?;
+                }
+                particles.push(Term::Phrase(Box::new(NounPhrase {
+                    head: "particle",
+                    adjectives: vec![],
+                    slots,
+                })));
+            }
+            self.particles = false;
+            return Ok(particles);
+        }
+        Ok(terms)
+    }
+
+    /// "the angle `$\theta$`", "the constant rate `$\Omega$`": what follows hangs on the verb again.
+    fn measure(&mut self) -> Option<Term> {
+        let start = self.at;
+        if self.kind() == Some(Kind::Word)
+            && let Ok((phrase, entry)) = self.named()
+            && entry.class == Class::Noun
+            && phrase.slot(Slot::Which).is_some()
+        {
+            return Some(Term::Phrase(Box::new(phrase)));
+        }
+        self.at = start;
+        None
+    }
+
+    /// "without slipping", "at `$t = 0$`", "for any frames X and Y", at the end of a clause.
+    pub(crate) fn tail(&mut self, entry: &Entry, slots: &mut Vec<(Slot, Term)>) -> Read<()> {
+        // a body that something is said to be has a place as well
+        let lie = self.lexicon.entry("lie", &[Class::Verb]);
+        let placed = lie.filter(|_| entry.class == Class::Thing);
+        loop {
+            if let Some(lie) = placed {
+                self.slots(lie, slots)?;
+            }
+            let start = self.at;
+            self.take_sign(Kind::Comma);
+            if let Some(adverb) = self.take_entry(&[Class::Adverb]) {
+                let mut phrase = NounPhrase {
+                    head: adverb.entry.name,
+                    adjectives: vec![],
+                    slots: vec![],
+                };
+                if let Some(slot) = adverb.entry.slot("object") {
+                    let terms = self.terms_alike()?;
+                    phrase
+                        .slots
+                        .extend(terms.into_iter().map(|term| (slot, term)));
+                }
+                slots.push((Slot::With, Term::Phrase(Box::new(phrase))));
+                self.slots(entry, slots)?;
+                continue;
+            }
+            if let Some(condition) = self.condition()? {
+                slots.push((Slot::At, condition));
+                continue;
+            }
+            let any = self
+                .find(&[Class::Preposition])
+                .filter(|f| f.entry.name == "for any");
+            let Some(any) = any else {
+                self.at = start;
+                self.take("respectively");
+                return Ok(());
+            };
+            self.at += any.length;
+            self.take_entry(&NOUNS);
+            let letters = self.terms()?;
+            slots.extend(letters.into_iter().map(|letter| (Slot::ForAny, letter)));
+        }
+    }
+
+    /// "at `$t = 0$`", "when `$t = 0$`".
+    fn condition(&mut self) -> Read<Option<Term>> {
+        let at = self
+            .find(&[Class::Preposition])
+            .filter(|f| f.entry.name == "at");
+        let Some(at) = at else { return Ok(None) };
+        let start = self.at;
+        self.at += at.length;
+        let mut formulas = self.formulas();
+        if formulas.len() != 1 {
+            self.at = start;
+            return Ok(None);
+        }
+        Ok(formulas.pop().map(Term::Formula))
+    }
+
+    /// Conditions with which a clause begins.
+    pub(crate) fn conditions(&mut self) -> Read<Vec<Term>> {
+        let mut conditions = vec![];
+        while let Some(condition) = self.condition()? {
+            conditions.push(condition);
+            self.take_sign(Kind::Comma);
+        }
+        Ok(conditions)
+    }
+
+    /// Says of a statement when it holds.
+    pub(crate) fn limit(&self, statement: &mut Statement, conditions: &[Term]) -> Read<()> {
+        if conditions.is_empty() {
+            return Ok(());
+        }
+        let at = conditions.iter().map(|term| (Slot::At, term.clone()));
+        match statement {
+            Statement::Is { what, .. } | Statement::Premise(what) => what.slots.extend(at),
+            Statement::Does { slots, .. } | Statement::LineHolds { slots, .. } => slots.extend(at),
+            Statement::Holds(formula) => {
+                *statement = Statement::Does {
+                    subjects: vec![Term::Formula(formula.clone())],
+                    verb: "hold",
+                    slots: at.collect(),
+                };
+            }
+            _ => {
+                let help = "say it of a formula or of a thing";
+                return Err(self.error("this cannot hold under a condition", help));
+            }
+        }
+        Ok(())
+    }
+}

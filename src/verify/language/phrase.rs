@@ -1,0 +1,336 @@
+//! Things and quantities: names, formulas, and nouns with what hangs on them.
+
+use super::bodies::singular;
+use super::lexicon::{Class, Entry, Inflection};
+use super::reader::{ARTICLES, Read, Reader};
+use super::statement::{Formula, NounPhrase, Slot, Term};
+use super::words::Kind;
+
+/// What may be the head of a phrase.
+pub(crate) const NOUNS: [Class; 3] = [Class::Noun, Class::Place, Class::Thing];
+
+/// Ordinals by which axes and entries are called.
+pub(crate) const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
+
+const WANTED: &str = "a name, a formula or a noun with its article could stand here";
+
+impl<'a> Reader<'a> {
+    /// A list of terms: "the hub, the gimbal and the wheel".
+    pub(crate) fn terms(&mut self) -> Read<Vec<Term>> {
+        self.list(|_, _, _| true)
+    }
+
+    /// A list of terms in a slot; it ends where things go over into quantities.
+    pub(crate) fn terms_alike(&mut self) -> Read<Vec<Term>> {
+        self.list(Self::alike)
+    }
+
+    fn list(&mut self, alike: fn(&Self, &Term, &Term) -> bool) -> Read<Vec<Term>> {
+        let mut terms = vec![];
+        self.term(&mut terms)?;
+        loop {
+            let start = self.at;
+            if !self.take_separator() || !self.goes_on() {
+                self.at = start;
+                return Ok(terms);
+            }
+            let known = terms.len();
+            let outer = self.owner.clone();
+            if matches!(self.word(), "its" | "their") {
+                self.owner.clone_from(&terms);
+            }
+            self.term(&mut terms)?;
+            self.owner = outer;
+            let pair = (terms.get(known.wrapping_sub(1)), terms.get(known));
+            if let (Some(a), Some(b)) = pair
+                && !alike(self, a, b)
+            {
+                terms.truncate(known);
+                self.at = start;
+                return Ok(terms);
+            }
+        }
+    }
+
+    /// Whether a term could begin here; a word that nobody knows is meant as one.
+    pub(crate) fn starts_term(&self) -> bool {
+        match self.kind() {
+            Some(Kind::Formula | Kind::Plain | Kind::Number) => true,
+            Some(Kind::Word) => {
+                let word = self.word();
+                let others = [Class::Noun, Class::Place, Class::Thing, Class::Adjective];
+                self.at_name()
+                    || ARTICLES.contains(&word)
+                    || self.find(&others).is_some()
+                    || !(self.lexicon.begins(word) || self.is_glue())
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether another member of a list could begin behind a comma or "and".
+    fn goes_on(&self) -> bool {
+        self.starts_term() && !self.at_gap() && self.find(&[Class::Adverb]).is_none()
+    }
+
+    /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
+    pub(crate) fn at_gap(&self) -> bool {
+        self.word_at(1) == "its"
+    }
+
+    /// Whether two members of a list may stand in one slot: no quantity beside a thing.
+    fn alike(&self, a: &Term, b: &Term) -> bool {
+        let quantity = |term: &Term| match term {
+            Term::Name(_) | Term::Member { .. } => Some(false),
+            Term::Phrase(phrase) => Some(self.lexicon.entry(phrase.head, &[Class::Noun]).is_some()),
+            Term::Formula(_) | Term::Numbers(_) => None,
+        };
+        match (quantity(a), quantity(b)) {
+            (Some(a), Some(b)) => a == b,
+            _ => true,
+        }
+    }
+
+    /// One term; a formula that is a list gives several.
+    pub(crate) fn term(&mut self, terms: &mut Vec<Term>) -> Read<()> {
+        match self.kind() {
+            Some(Kind::Formula | Kind::Plain) => {
+                terms.extend(self.formulas().into_iter().map(Term::Formula));
+            }
+            Some(Kind::Number) => match self.take_number() {
+                Some(number) => terms.push(Term::Numbers(vec![number])),
+                None => return Err(self.error("the number is too large", "")),
+            },
+            _ if self.at_name() => terms.push(self.name()),
+            _ => terms.push(self.deeper(Self::described)?),
+        }
+        Ok(())
+    }
+
+    /// A name as written.
+    fn name(&mut self) -> Term {
+        let name = self
+            .peek()
+            .map_or(String::new(), |token| token.text.clone());
+        self.at += 1;
+        Term::Name(name.replace(['′', '’'], "'"))
+    }
+
+    /// A thing by a noun: its name, a member of a family, or a phrase.
+    fn described(&mut self) -> Read<Term> {
+        let start = self.at;
+        let first = self.word();
+        let owned = matches!(first, "its" | "their");
+        self.take_any(&ARTICLES);
+        if self.at_name() {
+            return Ok(self.name());
+        }
+        let length = self.introduced(0);
+        if length > 0 && !owned {
+            return Ok(self.body(length));
+        }
+        let thing = self
+            .find(&NOUNS)
+            .filter(|found| found.entry.class == Class::Thing);
+        if let Some(found) = thing.filter(|_| !owned) {
+            let whole = found.entry.part && self.word_at(found.length) == "of";
+            if !whole {
+                self.at += found.length;
+                return Ok(self.member(found.entry, found.inflection));
+            }
+        }
+        self.at = start;
+        let mut owner = self.owner.clone();
+        match first {
+            "its" => owner.truncate(1),
+            "their" => {}
+            _ => owner.clear(),
+        }
+        if owned && owner.is_empty() {
+            return Err(self.error("it is not said whose", "name the thing"));
+        }
+        let phrase = self.phrase_of(owner)?;
+        Ok(Term::Phrase(Box::new(phrase)))
+    }
+
+    /// A body that the text introduces, or a member of a family of such.
+    fn body(&mut self, length: usize) -> Term {
+        let words = self.following(0).get(..length).unwrap_or_default();
+        let name = words.join(" ");
+        self.at += length;
+        match self.index() {
+            Some(index) => Term::Member {
+                family: singular(&name).unwrap_or(name),
+                index,
+            },
+            None => Term::Name(name),
+        }
+    }
+
+    /// The index of a member: "`$i$`", "2".
+    fn index(&mut self) -> Option<Formula> {
+        let start = self.at;
+        if self.kind() == Some(Kind::Number) {
+            let number = self.peek().map(|token| token.text.as_str())?;
+            self.at += 1;
+            return self.formula(number, false);
+        }
+        let mut formulas = self.formulas();
+        match (formulas.pop(), formulas.is_empty()) {
+            (Some(index), true) => Some(index),
+            _ => {
+                self.at = start;
+                None
+            }
+        }
+    }
+
+    /// A body: "the hub", "wheel $i$".
+    fn member(&mut self, entry: &'a Entry, inflection: Inflection) -> Term {
+        if let Some(index) = self.index() {
+            let family = entry.name.to_owned();
+            return Term::Member { family, index };
+        }
+        if self.at_name() {
+            let slots = vec![(Slot::Which, self.name())];
+            return Term::Phrase(Box::new(NounPhrase {
+                head: entry.name,
+                adjectives: vec![],
+                slots,
+            }));
+        }
+        Term::Name(match inflection {
+            Inflection::Base => entry.name.to_owned(),
+            _ => entry.ending.clone(),
+        })
+    }
+
+    /// A noun with its article, its adjectives and what hangs on it.
+    pub(crate) fn phrase(&mut self) -> Read<NounPhrase> {
+        self.phrase_of(vec![])
+    }
+
+    fn phrase_of(&mut self, owner: Vec<Term>) -> Read<NounPhrase> {
+        let (mut phrase, entry) = self.named()?;
+        phrase
+            .slots
+            .extend(owner.into_iter().map(|owner| (Slot::Of, owner)));
+        let entry = self.point_where(&mut phrase)?.unwrap_or(entry);
+        self.slots(entry, &mut phrase.slots)?;
+        while let Some(found) = self
+            .find(&[Class::Adjective])
+            .filter(|f| !f.entry.slots.is_empty())
+            && self.find(&[Class::Preposition]).is_none()
+        {
+            self.at += found.length;
+            phrase.adjectives.push(found.entry.name);
+            self.slots(found.entry, &mut phrase.slots)?;
+            self.slots(entry, &mut phrase.slots)?;
+        }
+        if phrase.slot(Slot::Of).is_none() {
+            for (slot, _) in phrase
+                .slots
+                .iter_mut()
+                .filter(|(slot, _)| *slot == Slot::Upon)
+            {
+                *slot = Slot::Of;
+            }
+        }
+        Ok(phrase)
+    }
+
+    /// Article, adjectives, noun, and which one: "the constant rate `$\Omega$`". An adjective that no noun follows is
+    /// the head itself: "constant".
+    pub(crate) fn named(&mut self) -> Read<(NounPhrase, &'a Entry)> {
+        self.take_any(&ARTICLES);
+        let mut adjectives: Vec<&'a Entry> = vec![];
+        let mut slots = vec![];
+        let (entry, inflection) = loop {
+            let noun = self.find(&NOUNS);
+            let adjective = self.find(&[Class::Adjective]);
+            let longer = |n: usize| {
+                adjective.is_none_or(|a| a.length < n || (a.length == n && !self.noun_behind(n)))
+            };
+            if let Some(noun) = noun.filter(|noun| longer(noun.length)) {
+                self.at += noun.length;
+                break (noun.entry, noun.inflection);
+            }
+            if let Some(adjective) = adjective {
+                self.at += adjective.length;
+                adjectives.push(adjective.entry);
+            } else if let Some(n) = ORDINALS.iter().position(|o| *o == self.word()) {
+                self.at += 1;
+                slots.push((Slot::Which, Term::Numbers(vec![n + 1])));
+            } else {
+                let unknown = self.kind() == Some(Kind::Word)
+                    && !self.lexicon.begins(self.word())
+                    && !self.is_glue();
+                match adjectives.pop().filter(|_| !unknown) {
+                    Some(last) => break (last, Inflection::Base),
+                    None => return Err(self.unexpected("noun", WANTED, &NOUNS)),
+                }
+            }
+        };
+        let mut phrase = NounPhrase {
+            head: entry.name,
+            adjectives: adjectives.iter().map(|entry| entry.name).collect(),
+            slots,
+        };
+        if entry.class != Class::Adjective {
+            let many = entry.plural || inflection == Inflection::Ending;
+            self.apposition(&mut phrase, many)?;
+        }
+        Ok((phrase, entry))
+    }
+
+    /// Whether a noun or an adjective follows behind some words.
+    fn noun_behind(&self, ahead: usize) -> bool {
+        let rest = self.following(ahead);
+        let described = [Class::Noun, Class::Place, Class::Thing, Class::Adjective];
+        self.lexicon.find(rest, &described).is_some()
+    }
+
+    /// Which one is meant: "component `$j$`", "the axes x and y", "entry (2, 3)".
+    fn apposition(&mut self, phrase: &mut NounPhrase, many: bool) -> Read<()> {
+        let mut which = vec![];
+        if self.take_sign(Kind::Open) {
+            which = self.terms()?;
+            if !self.take_sign(Kind::Close) {
+                return Err(self.unexpected("closing bracket", "close the bracket", &[]));
+            }
+            let number = |term: &Term| match term {
+                Term::Numbers(numbers) => numbers.first().copied(),
+                _ => None,
+            };
+            let numbers: Vec<usize> = which.iter().filter_map(number).collect();
+            if numbers.len() == which.len() {
+                which = vec![Term::Numbers(numbers)];
+            }
+        } else if self.at_index() {
+            self.term(&mut which)?;
+            loop {
+                let start = self.at;
+                if !many || !self.take_separator() || !self.at_index() || self.at_gap() {
+                    self.at = start;
+                    break;
+                }
+                self.term(&mut which)?;
+            }
+        } else if self.kind() == Some(Kind::Quoted) {
+            which.extend(self.peek().map(|token| Term::Name(token.text.clone())));
+            self.at += 1;
+        }
+        phrase
+            .slots
+            .extend(which.into_iter().map(|term| (Slot::Which, term)));
+        Ok(())
+    }
+
+    /// Whether a formula, a number or a name comes next.
+    fn at_index(&self) -> bool {
+        matches!(
+            self.kind(),
+            Some(Kind::Formula | Kind::Plain | Kind::Number)
+        ) || self.at_name()
+    }
+}

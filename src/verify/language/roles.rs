@@ -1,0 +1,117 @@
+//! What sentences say of lines: their roles, and where they hold.
+
+use super::lexicon::Class;
+use super::reader::{Read, Reader};
+use super::statement::{DeclaredRole, Extent, NounPhrase, Slot, Statement, Term};
+use super::words::Kind;
+
+impl Reader<'_> {
+    /// "Line 5 is given", "lines 15 and 16 hold at `$t = 0$`".
+    pub(crate) fn of_lines(&mut self) -> Read<Option<Vec<Statement>>> {
+        let Some(lines) = self.spoken_of()? else {
+            return Ok(None);
+        };
+        if self.take_any(&["hold", "holds"]) {
+            let slots = self.holding()?;
+            let one = |lines| Statement::LineHolds {
+                lines,
+                slots: slots.clone(),
+            };
+            return Ok(Some(lines.into_iter().map(one).collect()));
+        }
+        let role = self.role()?;
+        let one = |lines| Statement::Role {
+            lines,
+            role: role.clone(),
+        };
+        Ok(Some(lines.into_iter().map(one).collect()))
+    }
+
+    /// The part of the document that a sentence speaks of: "lines 3 to 5", "cell 2", "the section "Tops"", "everything".
+    fn spoken_of(&mut self) -> Read<Option<Vec<Extent>>> {
+        let next = self.tokens.get(self.at + 1).map(|t| t.kind);
+        match self.word() {
+            "line" | "lines" | "row" | "rows" if next == Some(Kind::Number) => {
+                self.lines().map(Some)
+            }
+            "cell" | "cells" if next == Some(Kind::Number) => {
+                self.at += 1;
+                Ok(Some(vec![Extent::Cells(self.numbers()?)]))
+            }
+            "the" if self.word_at(1) == "section" && self.word_at(2).is_empty() => {
+                self.at += 2;
+                match self.kind() {
+                    Some(Kind::Quoted) => Ok(Some(vec![Extent::Section(self.quoted()?)])),
+                    _ => {
+                        self.at -= 2;
+                        Ok(None)
+                    }
+                }
+            }
+            "everything" => {
+                self.at += 1;
+                Ok(Some(vec![Extent::Document]))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn role(&mut self) -> Read<DeclaredRole> {
+        if self.take_any(&["define", "defines"]) {
+            return match self.formulas().into_iter().next() {
+                Some(formula) => Ok(DeclaredRole::Define(Some(formula))),
+                None => {
+                    Err(self.unexpected("formula", "what the line defines could stand here", &[]))
+                }
+            };
+        }
+        if self.take_any(&["is", "are"]) {
+            self.take_any(&["a", "an"]);
+            let start = self.at;
+            self.at += 1;
+            match self.tokens.get(start).map_or("", |t| t.lower.as_str()) {
+                "given" => return Ok(DeclaredRole::Given),
+                "assumed" | "assumption" | "assumptions" | "premise" | "premises" => {
+                    return Ok(DeclaredRole::Assume);
+                }
+                "claim" | "claims" | "claimed" => return Ok(DeclaredRole::Claim),
+                "definition" | "definitions" => return Ok(DeclaredRole::Define(None)),
+                "left" if self.take("out") => return Ok(DeclaredRole::LeftOut),
+                _ => self.at = start,
+            }
+        }
+        Err(self.unexpected(
+            "role of a line",
+            "`is given`, `is assumed`, `is a claim`, `is a definition`, `is left out` or `defines …` could stand here",
+            &[],
+        ))
+    }
+
+    /// Where a line holds, behind "holds".
+    fn holding(&mut self) -> Read<Vec<(Slot, Term)>> {
+        let order = self
+            .find(&[Class::Preposition])
+            .filter(|f| f.entry.name == "to first order in");
+        let slot = if let Some(order) = order {
+            self.at += order.length;
+            Slot::In
+        } else if self.take_any(&["at", "for", "when", "if"]) {
+            Slot::At
+        } else if self.take("in the section") {
+            let name = Term::Name(self.quoted()?);
+            let section = NounPhrase {
+                head: "section",
+                adjectives: vec![],
+                slots: vec![(Slot::Which, name)],
+            };
+            return Ok(vec![(Slot::In, Term::Phrase(Box::new(section)))]);
+        } else if self.done() {
+            return Ok(vec![]);
+        } else {
+            let help = "`at …`, `to first order in …` or `in the section \"…\"` could stand here";
+            return Err(self.unexpected("word that fits", help, &[]));
+        };
+        let terms = self.terms()?;
+        Ok(terms.into_iter().map(|term| (slot, term)).collect())
+    }
+}

@@ -1,0 +1,192 @@
+//! Rules for marks, labels and customs of notation.
+
+use super::lexicon::{Class, Entry};
+use super::phrase::NOUNS;
+use super::reader::{Read, Reader};
+use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
+use super::words::Kind;
+use crate::notation::ast::Kind as Tree;
+use crate::notation::document::Row;
+
+/// The verbs of a rule.
+const MEANS: [&str; 13] = [
+    "means", "mean", "is", "are", "has", "have", "hold", "holds", "denotes", "denote", "takes",
+    "take", "gives",
+];
+
+/// How a label is called.
+const LABELS: [&str; 6] = [
+    "label",
+    "labels",
+    "subscript",
+    "subscripts",
+    "superscript",
+    "superscripts",
+];
+
+impl<'a> Reader<'a> {
+    /// "A tilde means …", "the label `$b$` means …"; none if the sentence does not begin so.
+    pub(crate) fn rule(&mut self) -> Read<Option<Statement>> {
+        let start = self.at;
+        self.take_any(&["a", "an", "the"]);
+        let sign = if self.take_any(&LABELS) {
+            self.labels()?
+        } else {
+            let noun = self.find(&NOUNS).map_or(0, |noun| noun.length);
+            match self
+                .find(&[Class::Mark, Class::Custom])
+                .filter(|sign| sign.length >= noun && !self.speaks_of_body(sign.length))
+            {
+                Some(found) => {
+                    self.at += found.length;
+                    let mark = found.entry.class == Class::Mark;
+                    let (name, on) = (found.entry.name, self.take("on a rate"));
+                    match (mark, on) {
+                        (true, false) => Sign::Mark(name),
+                        (false, false) => Sign::Custom(name),
+                        _ => return Err(self.error("only a label may be one of a rate", "")),
+                    }
+                }
+                None => {
+                    self.at = start;
+                    return Ok(None);
+                }
+            }
+        };
+        if !self.take_any(&MEANS) {
+            return Err(self.unexpected("verb", "`means` could stand here", &[Class::Verb]));
+        }
+        let mut meaning = self.meaning()?;
+        let start = self.at;
+        if self.take_sign(Kind::Comma) {
+            match self.take_fixed() {
+                Some(fixed) => meaning = NotationMeaning::Fixed(fixed),
+                None => self.at = start,
+            }
+        }
+        Ok(Some(Statement::Notation { sign, meaning }))
+    }
+
+    /// Whether the word for a mark is one for a body here: "the bar is a uniform rod".
+    fn speaks_of_body(&self, length: usize) -> bool {
+        let thing = self.find(&[Class::Thing]);
+        let means = ["means", "mean", "denotes", "denote"].contains(&self.word_at(length));
+        thing.is_some_and(|thing| thing.length == length) && !means
+    }
+
+    fn labels(&mut self) -> Read<Sign> {
+        let mut labels = vec![];
+        loop {
+            match self
+                .peek()
+                .filter(|t| !matches!(t.kind, Kind::Comma | Kind::Semicolon))
+            {
+                Some(token) => labels.push(token.text.clone()),
+                None => return Err(self.unexpected("label", "the label could stand here", &[])),
+            }
+            self.at += 1;
+            if !self.take_separator() {
+                break;
+            }
+        }
+        let on_rate = self.take("on a rate") || self.take("on rates");
+        Ok(Sign::Label { labels, on_rate })
+    }
+
+    /// What a mark or a label means.
+    pub(crate) fn meaning(&mut self) -> Read<NotationMeaning> {
+        let start = self.at;
+        if let Some(found) = self.take_fixed() {
+            return Ok(NotationMeaning::Fixed(found));
+        }
+        self.at = start;
+        let seen = self
+            .find(&[Class::Preposition])
+            .filter(|f| f.entry.name == "seen from");
+        if seen.is_some()
+            && let Some(rate) = self.lexicon.entry("rate", &[Class::Noun])
+        {
+            let mut slots = vec![];
+            self.slots(rate, &mut slots)?;
+            return Ok(NotationMeaning::Noun(bare("rate", slots)));
+        }
+        if self.word() == "at" {
+            self.at += 1;
+        }
+        Ok(NotationMeaning::Noun(self.phrase()?))
+    }
+
+    /// Takes a fixed meaning, if that is all that is said.
+    pub(crate) fn take_fixed(&mut self) -> Option<&'static str> {
+        let start = self.at;
+        let found = self.take_entry(&[Class::Meaning]).or_else(|| {
+            self.take_any(&["the"]);
+            self.take_entry(&[Class::Meaning])
+        });
+        match found {
+            Some(found) if self.done() || self.kind() == Some(Kind::Semicolon) => {
+                Some(found.entry.name)
+            }
+            _ => {
+                self.at = start;
+                None
+            }
+        }
+    }
+
+    /// "takes functions of `$\psi$` and `$\theta$`", "… of the coordinates and their rates".
+    pub(crate) fn functions_of(&mut self, operators: Vec<Formula>) -> Read<Vec<Statement>> {
+        let outer = self.owner.clone();
+        let mut terms = vec![];
+        loop {
+            self.term(&mut terms)?;
+            self.owner.clone_from(&terms);
+            let start = self.at;
+            if !self.take_separator() || !self.starts_term() {
+                self.at = start;
+                break;
+            }
+        }
+        self.owner = outer;
+        let formula = |term: &Term| match term {
+            Term::Formula(formula) => Some(formula.clone()),
+            _ => None,
+        };
+        let formulas: Option<Vec<Formula>> = terms.iter().map(formula).collect();
+        let meaning = formulas.map_or_else(
+            || {
+                let slots = terms.into_iter().map(|term| (Slot::Of, term));
+                NotationMeaning::Noun(bare("function", slots.collect()))
+            },
+            NotationMeaning::FunctionsOf,
+        );
+        Ok(operating(operators, &meaning))
+    }
+}
+
+/// One rule for each of some operators.
+pub(crate) fn operating(operators: Vec<Formula>, meaning: &NotationMeaning) -> Vec<Statement> {
+    let rule = |operator| Statement::Notation {
+        sign: Sign::Operator(operator),
+        meaning: meaning.clone(),
+    };
+    operators.into_iter().map(rule).collect()
+}
+
+/// Whether a noun said of a formula says what an operator means: it is said of nothing, or the formula is a product or
+/// cannot stand alone.
+pub(crate) fn is_operator(formula: &Formula, phrase: &NounPhrase, entry: &Entry) -> bool {
+    let operates = match &formula.row {
+        Row::Expression(node) => matches!(node.kind, Tree::Product(_) | Tree::Error(_)),
+        Row::Line(_) | Row::Unreadable { .. } => true,
+    };
+    entry.operator && (operates || phrase.slot(Slot::Of).is_none())
+}
+
+fn bare(head: &'static str, slots: Vec<(Slot, Term)>) -> NounPhrase {
+    NounPhrase {
+        head,
+        adjectives: vec![],
+        slots,
+    }
+}

@@ -1,0 +1,166 @@
+//! A sentence as words, formulas and signs.
+
+use super::statement::Misread;
+use std::borrow::Cow;
+
+/// A sentence with more words than this is not read: nobody writes one.
+const MOST_TOKENS: usize = 400;
+
+/// A piece of a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Token {
+    /// What it is.
+    pub(crate) kind: Kind,
+    /// As written, without the marks of a formula or a heading.
+    pub(crate) text: String,
+    /// In lower case, for a word.
+    pub(crate) lower: String,
+    /// The column of its first character, from 1.
+    pub(crate) column: usize,
+}
+
+/// What a piece of a sentence is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A word or a name.
+    Word,
+    /// `$…$`.
+    Formula,
+    /// `` `…` ``: a formula in plain text.
+    Plain,
+    /// Digits.
+    Number,
+    /// `"…"`.
+    Quoted,
+    /// `,`
+    Comma,
+    /// `;`
+    Semicolon,
+    /// `(`
+    Open,
+    /// `)`
+    Close,
+}
+
+/// Parts a sentence. The stop at its end is left out.
+pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
+    let mut tokens = vec![];
+    let mut rest = sentence;
+    let mut column = 1;
+    loop {
+        let trimmed = rest.trim_start();
+        column += rest[..rest.len() - trimmed.len()].chars().count();
+        let Some(first) = trimmed.chars().next() else {
+            return Ok(tokens);
+        };
+        if matches!(first, '.') && trimmed[1..].trim().is_empty() {
+            return Ok(tokens);
+        }
+        if tokens.len() == MOST_TOKENS {
+            return Err(wrong(
+                line,
+                column,
+                "the sentence is too long",
+                "say it in several",
+            ));
+        }
+        let (kind, text, length) =
+            token(trimmed, first).map_err(|(message, help)| wrong(line, column, message, help))?;
+        let text = match kind {
+            Kind::Word => unmarked(text),
+            _ => Cow::Borrowed(text),
+        };
+        tokens.push(Token {
+            kind,
+            lower: if kind == Kind::Word {
+                text.to_lowercase()
+            } else {
+                String::new()
+            },
+            text: text.into_owned(),
+            column,
+        });
+        column += trimmed[..length].chars().count();
+        rest = &trimmed[length..];
+    }
+}
+
+/// The first piece of a text: what it is, its text and how many bytes it takes.
+fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {
+    let single = |kind| Ok((kind, &text[..1], 1));
+    match first {
+        ',' => single(Kind::Comma),
+        ';' => single(Kind::Semicolon),
+        '(' => single(Kind::Open),
+        ')' => single(Kind::Close),
+        '$' => enclosed(text, '$', Kind::Formula),
+        '`' => enclosed(text, '`', Kind::Plain),
+        '"' => enclosed(text, '"', Kind::Quoted),
+        '“' => enclosed(text, '”', Kind::Quoted),
+        c if c.is_alphanumeric() || "*_'′".contains(c) => Ok(word(text)),
+        '.' => Err(("a second sentence begins here", "write one sentence a line")),
+        _ => Err((
+            "this sign has no meaning in a sentence",
+            "put a formula between dollar signs",
+        )),
+    }
+}
+
+/// Text up to a closing sign; one behind a backslash does not close.
+fn enclosed(
+    text: &str,
+    close: char,
+    kind: Kind,
+) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {
+    let mut escaped = false;
+    for (at, c) in text.char_indices().skip(1) {
+        if c == close && !escaped {
+            let start = text.chars().next().map_or(1, char::len_utf8);
+            return Ok((kind, text[start..at].trim(), at + c.len_utf8()));
+        }
+        escaped = c == '\\' && !escaped;
+    }
+    Err(match kind {
+        Kind::Quoted => (
+            "the quotation is not closed",
+            "close it with a quotation mark",
+        ),
+        _ => (
+            "the formula is not closed",
+            "close it with the sign that opened it",
+        ),
+    })
+}
+
+fn word(text: &str) -> (Kind, &str, usize) {
+    let inside = |c: char| c.is_alphanumeric() || "*_'′’-{}^".contains(c);
+    let goes_on = |rest: &str| rest.chars().nth(1).is_some_and(char::is_alphanumeric);
+    let ends =
+        |&(at, c): &(usize, char)| !(inside(c) || (matches!(c, ':' | '.') && goes_on(&text[at..])));
+    let length = text
+        .char_indices()
+        .find(ends)
+        .map_or(text.len(), |(at, _)| at);
+    let word = &text[..length];
+    let number = word.bytes().all(|b| b.is_ascii_digit());
+    (if number { Kind::Number } else { Kind::Word }, word, length)
+}
+
+/// A word without the stars and lines that make it bold or slanted.
+fn unmarked(word: &str) -> Cow<'_, str> {
+    let bare = word.trim_matches(['*', '_']);
+    match bare.contains('*') {
+        true => Cow::Owned(bare.replace('*', "")),
+        false => Cow::Borrowed(bare),
+    }
+}
+
+/// An error at a place.
+pub(crate) fn wrong(line: usize, column: usize, message: &str, help: &str) -> Misread {
+    Misread {
+        line,
+        column,
+        message: message.to_owned(),
+        help: (!help.is_empty()).then(|| help.to_owned()),
+    }
+}

@@ -1,0 +1,145 @@
+//! From statements to the model: which frames, points, bodies and loads there are, what letters denote, what holds.
+
+pub(crate) mod axes_read;
+pub(crate) mod bodies_read;
+pub(crate) mod builder;
+pub(crate) mod frames_read;
+pub(crate) mod letters_read;
+pub(crate) mod names;
+pub(crate) mod notation_read;
+pub(crate) mod points_read;
+pub(crate) mod premises_read;
+pub(crate) mod quantities_read;
+pub(crate) mod relations_read;
+pub(crate) mod turns_read;
+pub(crate) mod vectors_read;
+
+use crate::algebra::{Fraction, Variable};
+use crate::verify::Role;
+use crate::verify::facts::Source;
+use crate::verify::facts::small::Small;
+use crate::verify::model::system::System;
+use crate::verify::term::letters::{At, Letters, Reach};
+use crate::verify::term::value::Shape;
+use std::collections::HashMap;
+
+/// Something that is declared to hold.
+#[derive(Clone, Debug)]
+pub(crate) struct Premise {
+    /// This vanishes.
+    pub(crate) equation: Fraction,
+    pub(crate) source: Source,
+    pub(crate) reach: Reach,
+}
+
+/// What a document is taken to say.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Reading {
+    pub(crate) system: System,
+    pub(crate) letters: Letters,
+    pub(crate) premises: Vec<Premise>,
+    /// Roles of lines; `None` for lines that are left out.
+    pub(crate) roles: Vec<(Reach, Option<Role>)>,
+    /// The premises that are in force, by their places in the list.
+    pub(crate) taken: Vec<usize>,
+    /// What accepted lines have told.
+    pub(crate) settled: Vec<Premise>,
+    /// Shapes of letters that sentences speak of and lines define.
+    pub(crate) shapes: HashMap<String, Shape>,
+    /// Lines that hold for a part of the document: which, and where.
+    pub(crate) held: Vec<(Reach, Reach)>,
+    /// Lines that hold to first order in these variables.
+    pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
+    /// How many dimensions space has, where.
+    pub(crate) dimensions: Vec<(Reach, usize)>,
+    /// Lines that hold at one instant.
+    pub(crate) instants: Vec<Reach>,
+    /// Sentences that nothing was made of.
+    pub(crate) unused: Vec<(String, Reach)>,
+}
+
+impl Reading {
+    /// Whether a line is left out.
+    pub(crate) fn left_out(&self, at: &At) -> bool {
+        self.roles
+            .iter()
+            .any(|(reach, role)| role.is_none() && reach.covers(at, 0))
+    }
+
+    /// How many dimensions space has at a place.
+    pub(crate) fn dimensions_at(&self, at: &At) -> usize {
+        let told = self
+            .dimensions
+            .iter()
+            .filter(|(reach, _)| reach.covers(at, 0));
+        told.max_by_key(|(reach, _)| reach.narrowness())
+            .map_or(3, |(_, number)| *number)
+    }
+
+    /// What is small at a place.
+    pub(crate) fn small_at(&self, at: &At) -> Small {
+        let reaching = self
+            .first_order
+            .iter()
+            .filter(|(lines, _)| lines.covers(at, 0));
+        Small::new(
+            reaching
+                .flat_map(|(_, variables)| variables.clone())
+                .collect(),
+        )
+    }
+
+    /// A sentence about a place of which nothing was made.
+    pub(crate) fn unused_at(&self, at: &At) -> Option<&str> {
+        let found = self.unused.iter().find(|(_, reach)| reach.covers(at, 0));
+        found.map(|(sentence, _)| sentence.as_str())
+    }
+
+    /// The role that is declared of a line.
+    pub(crate) fn role(&self, at: &At) -> Option<Role> {
+        let found = self
+            .roles
+            .iter()
+            .rev()
+            .find(|(reach, _)| reach.covers(at, 0));
+        found.and_then(|(_, role)| *role)
+    }
+
+    /// For which part of the document a line holds that was accepted at a place.
+    pub(crate) fn reach_of_line(&self, at: &At) -> Reach {
+        if let Some((_, reach)) = self.held.iter().find(|(lines, _)| lines.covers(at, 0)) {
+            return reach.clone();
+        }
+        // What is assumed under a premise of a part of the document ends with that part.
+        let mut reach = Reach::All;
+        for premise in self.taken.iter().map(|&i| &self.premises[i].reach) {
+            if *premise != Reach::All && !reach.holds(premise) {
+                reach = match reach {
+                    Reach::All => premise.clone(),
+                    other => Reach::Both(Box::new(other), Box::new(premise.clone())),
+                };
+            }
+        }
+        reach
+    }
+
+    /// The premises that reach a place.
+    pub(crate) fn active_premises(&self, at: &At) -> Vec<usize> {
+        let reaching = self
+            .premises
+            .iter()
+            .enumerate()
+            .filter(|(_, p)| p.reach.covers(at, 0));
+        reaching.map(|(index, _)| index).collect()
+    }
+
+    /// The premises in force, those of the whole document first.
+    pub(crate) fn premises_in_force(&self) -> Vec<(Fraction, Source)> {
+        let mut premises: Vec<&Premise> = self.taken.iter().map(|&i| &self.premises[i]).collect();
+        premises.sort_by_key(|p| p.reach.narrowness());
+        premises
+            .into_iter()
+            .map(|p| (p.equation.clone(), p.source.clone()))
+            .collect()
+    }
+}

@@ -1,0 +1,188 @@
+//! The letters of axes, and the frame that components are worked with on.
+
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::{CUSTOMARY, slot};
+use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeMap;
+
+impl Builder<'_> {
+    /// The letters of axes.
+    pub(super) fn read_axes(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            match what.head {
+                "axes" => self.read_triad(subjects, what, declaration),
+                "axis" => self.read_one_axis(subjects, what, declaration),
+                "vertical" => self.read_vertical(subjects, what, declaration),
+                _ => {}
+            }
+        }
+    }
+
+    pub(super) fn read_triad(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let Some(frame) = what.slot(Slot::Of).and_then(|term| self.frame(term)) else {
+            return self.say_unused(declaration);
+        };
+        for (axis, subject) in subjects.iter().take(3).enumerate() {
+            self.name_axis(subject, frame, axis, declaration);
+        }
+    }
+
+    pub(super) fn read_one_axis(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let frame = what.slot(Slot::Of).and_then(|term| self.frame(term));
+        let axis = what
+            .slot(Slot::Which)
+            .and_then(|term| self.number_of_axis(term));
+        if let (Some(frame), Some(axis), [subject]) = (frame, axis, subjects) {
+            self.name_axis(subject, frame, axis, declaration);
+        }
+    }
+
+    pub(super) fn read_vertical(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let ground = self.reading.system.ground;
+        let [subject] = subjects else { return };
+        let axis = self.number_of_axis(subject).unwrap_or(2);
+        if what.is("downward") {
+            return self.say_unused(declaration);
+        }
+        self.upward = Some((ground, axis));
+        self.name_axis(subject, ground, axis, declaration);
+    }
+
+    pub(super) fn name_axis(
+        &mut self,
+        subject: &Term,
+        frame: FrameId,
+        axis: usize,
+        declaration: &Declaration,
+    ) {
+        if let Some(name) = name_of(subject) {
+            self.axes.insert(name, (frame, axis));
+        }
+        if let Term::Formula(formula) = subject
+            && node_of(formula).is_some()
+        {
+            let quantity = Quantity::Axis(frame, axis);
+            self.denote(&formula.clone(), Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// The frames that turn by an angle about an axis that they share with their parent.
+    pub(super) fn easy_links(&self) -> Vec<FrameId> {
+        let mut easy = vec![];
+        for declaration in self.declarations {
+            match &declaration.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "turn",
+                    slots,
+                } => {
+                    let about = slot(slots, Slot::About);
+                    for frame in subjects.iter().filter_map(|s| self.frame(s)) {
+                        let parent = self.reading.system.frames[frame].parent.unwrap_or(frame);
+                        if about
+                            .is_some_and(|about| self.shared_axis(about, frame, parent).is_some())
+                        {
+                            easy.push(frame);
+                        }
+                    }
+                }
+                Statement::Is { what, .. } if what.head == "Euler angles" => {
+                    easy.extend(what.slot(Slot::Of).and_then(|term| self.frame(term)));
+                }
+                _ => {}
+            }
+        }
+        easy
+    }
+
+    /// The frame from which all that have components are reached by the fewest free turns.
+    pub(super) fn choose_work_frame(&mut self) {
+        let mut score: BTreeMap<FrameId, usize> = BTreeMap::new();
+        let mut body = None;
+        for declaration in self.declarations {
+            let what = match &declaration.statement {
+                Statement::Is { what, .. } | Statement::Premise(what) => what,
+                _ => continue,
+            };
+            if what.head == "frame"
+                && what.slot(Slot::FixedIn).is_some()
+                && body.is_none()
+                && let Statement::Is { subjects, .. } = &declaration.statement
+            {
+                body = subjects.first().and_then(|s| self.frame(s));
+            }
+            let weight = match what.head {
+                "component" | "principal moments" | "axes" | "principal axes" => 3,
+                _ => 1,
+            };
+            let on = what.slot(Slot::On).or(match what.head {
+                "axes" | "axis" => what.slot(Slot::Of),
+                _ => None,
+            });
+            if let Some(frame) = on.and_then(|term| self.frame(term)) {
+                *score.entry(frame).or_default() += weight;
+            }
+        }
+        let easy = self.easy_links();
+        let cost = |candidate: FrameId| -> usize {
+            score
+                .iter()
+                .map(|(&f, s)| s * self.reading.system.distance(candidate, f, &easy))
+                .sum()
+        };
+        let best = score.iter().min_by_key(|(frame, score)| {
+            (
+                cost(**frame),
+                std::cmp::Reverse(**score),
+                body != Some(**frame),
+                **frame,
+            )
+        });
+        let work = best
+            .map(|(frame, _)| *frame)
+            .or(body)
+            .unwrap_or(self.reading.system.ground);
+        self.reading.system.work = work;
+        self.reading.letters.component_frame = match score.is_empty() {
+            true => body.unwrap_or(work),
+            false => work,
+        };
+    }
+
+    /// The number of an axis by its name or letter.
+    pub(super) fn number_of_axis(&self, term: &Term) -> Option<usize> {
+        if let Term::Numbers(numbers) = term {
+            return numbers
+                .first()
+                .map(|n| n.saturating_sub(1))
+                .filter(|n| *n < 3);
+        }
+        let name = name_of(term)?;
+        let custom = CUSTOMARY
+            .iter()
+            .find_map(|names| names.iter().position(|n| *n == name));
+        self.axes.get(&name).map(|(_, axis)| *axis).or(custom)
+    }
+}

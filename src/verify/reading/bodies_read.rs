@@ -1,0 +1,336 @@
+//! Bodies, their parts, and the families that their members make.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::{BodyId, Family, Rotors};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{index_letter, name_of};
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::{Quantity, Whole};
+
+/// Nouns of bodies that say no more than that there is one.
+pub(super) const WHOLES: [&str; 4] = ["body", "rigid body", "particle", "system"];
+
+impl Builder<'_> {
+    /// Gives each body its place, in the order in which they are named.
+    pub(super) fn name_bodies(&mut self) {
+        // A point of its own for each mass centre comes later; the first point is the origin.
+        self.system().origin();
+        for declaration in self.declarations {
+            match &declaration.statement {
+                Statement::Is { subjects, what } => self.bodies_of_noun(subjects, what),
+                Statement::Does {
+                    subjects,
+                    verb: "consist",
+                    slots,
+                } => {
+                    self.bodies_of_parts(subjects, slots);
+                }
+                Statement::Does {
+                    subjects,
+                    verb: "number",
+                    slots,
+                } => self.number(subjects, slots, declaration),
+                _ => {}
+            }
+        }
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if what.head == "frame"
+                && let Some(body) = what.slot(Slot::FixedIn).and_then(|t| self.body(t))
+                && let Some(frame) = subjects.first().and_then(|s| self.frame(s))
+            {
+                self.reading.system.bodies[body].frame = Some(frame);
+            }
+        }
+        for (whole, hub) in self.hubs.clone() {
+            self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
+        }
+    }
+
+    fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {
+        match what.head {
+            "frame" => {
+                if let Some(Term::Name(name)) = what.slot(Slot::FixedIn) {
+                    self.add_named_body(name);
+                }
+            }
+            "mass centre" => {
+                if let Some(Term::Name(name)) = what.slot(Slot::Of) {
+                    self.add_named_body(name);
+                }
+            }
+            head if WHOLES.contains(&head) || self.is_shape(head) => {
+                for subject in subjects {
+                    if let Some(name) = name_of(subject) {
+                        self.add_named_body(&name);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Whether a noun is that of a shape with sizes.
+    pub(super) fn is_shape(&self, head: &str) -> bool {
+        const SHAPES: [&str; 13] = [
+            "disc",
+            "rod",
+            "ring",
+            "cylinder",
+            "tube",
+            "sphere",
+            "shell",
+            "cone",
+            "box",
+            "cube",
+            "plate",
+            "ellipsoid",
+            "triangle",
+        ];
+        SHAPES.contains(&head)
+    }
+
+    pub(super) fn add_named_body(&mut self, name: &str) -> BodyId {
+        if let Some(&known) = self.bodies.get(name) {
+            return known;
+        }
+        let origin = self.system().origin();
+        let body = self.system().add_body(name, None, origin);
+        self.bodies.insert(name.to_owned(), body);
+        body
+    }
+
+    /// "The spacecraft consists of the hub and the wheels."
+    fn bodies_of_parts(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
+        let [subject] = subjects else { return };
+        let Some(name) = name_of(subject) else { return };
+        let whole = self.add_named_body(&name);
+        let (mut parts, mut families) = (vec![], 0);
+        for (slot, term) in slots {
+            if *slot != Slot::Of {
+                continue;
+            }
+            match term {
+                Term::Member { family, index } => {
+                    self.add_family(family, Some(whole));
+                    let id = self.families[family];
+                    self.reading.system.families[id]
+                        .indices
+                        .push(index_letter(index));
+                }
+                Term::Name(part) => match singular(part) {
+                    Some(family) => {
+                        self.add_family(family, Some(whole));
+                        families += 1;
+                    }
+                    None => parts.push(self.add_named_body(part)),
+                },
+                Term::Phrase(particle) if particle.head == "particle" => {
+                    if let Some(of) = particle.slot(Slot::Of).and_then(|term| self.body(term)) {
+                        let name = format!("particle of {}", self.reading.system.bodies[of].name);
+                        let own = self.add_named_body(&name);
+                        self.points_of.push((own, of));
+                        parts.push(own);
+                    }
+                }
+                _ => {}
+            }
+        }
+        // A hub with its wheels is one rigid body with rotors.
+        if let (1.., [hub]) = (families, parts.as_slice()) {
+            self.hubs.push((whole, *hub));
+            return;
+        }
+        self.reading.system.bodies[whole].parts = parts;
+    }
+
+    fn add_family(&mut self, name: &str, body: Option<BodyId>) {
+        if self.families.contains_key(name) {
+            return;
+        }
+        let family = Family {
+            name: name.to_owned(),
+            body,
+            indices: vec![],
+        };
+        self.reading.system.families.push(family);
+        self.families
+            .insert(name.to_owned(), self.reading.system.families.len() - 1);
+    }
+
+    /// "`i` numbers the particles."
+    fn number(&mut self, subjects: &[Term], slots: &[(Slot, Term)], declaration: &Declaration) {
+        let Some(Term::Name(plural)) = slot(slots, Slot::Of) else {
+            return;
+        };
+        let name = singular(plural).unwrap_or(plural).to_owned();
+        let body = (!self.reading.system.bodies.is_empty()).then_some(0);
+        self.add_family(&name, body);
+        let family = self.families[&name];
+        for subject in subjects {
+            let Term::Formula(formula) = subject else {
+                continue;
+            };
+            let letter = index_letter(formula);
+            let indices = &mut self.reading.system.families[family].indices;
+            if !indices.contains(&letter) {
+                indices.push(letter);
+            }
+        }
+        let _ = declaration;
+    }
+
+    /// Wheels of a family: "wheel `i` turns relative to B about `g_i` at the rate `\Omega_i`".
+    fn read_rotors(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Does {
+                subjects,
+                verb: "turn",
+                slots,
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            let [Term::Member { family, index }] = subjects.as_slice() else {
+                continue;
+            };
+            let Some(&family) = self.families.get(family) else {
+                continue;
+            };
+            let Some(body) = self.reading.system.families[family].body else {
+                continue;
+            };
+            let index = index_letter(index);
+            let frame = self.reading.system.bodies[body].frame;
+            let about = slot(slots, Slot::About).cloned();
+            let Some(Term::Formula(axis)) = about else {
+                continue;
+            };
+            let unit = Quantity::MemberVector {
+                text: axis.source.clone(),
+                carried: frame,
+                index: index.clone(),
+            };
+            self.denote(&axis, Meaning::Quantity(unit.clone()), declaration);
+            let rate = slot(slots, Slot::At).cloned();
+            let Some(rate) = rate.and_then(|term| self.scalar_term(&term, declaration)) else {
+                continue;
+            };
+            let inertia = Quantity::MemberScalar {
+                text: format!("J_{{{index}}}"),
+                index: index.clone(),
+            };
+            let values = (
+                self.system().value_of(&unit),
+                self.system().value_of(&inertia),
+            );
+            let (Ok(axis), Ok(inertia)) = values else {
+                continue;
+            };
+            let (Ok(axis), Ok(inertia)) = (axis.to_vector(), inertia.to_scalar()) else {
+                continue;
+            };
+            self.reading.system.bodies[body].rotors = Some(Rotors {
+                index,
+                axis,
+                rate,
+                inertia,
+            });
+        }
+    }
+
+    /// What sentences say of bodies once points stand: masses and shapes.
+    pub(super) fn finish_bodies(&mut self) {
+        for (own, of) in self.points_of.clone() {
+            self.reading.system.bodies[own].centre = self.reading.system.bodies[of].centre;
+            self.reading.system.bodies[own].mass = self.reading.system.bodies[of].mass.clone();
+        }
+        self.read_rotors();
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if !(WHOLES.contains(&what.head) || self.is_shape(what.head)) {
+                continue;
+            }
+            let [subject] = subjects.as_slice() else {
+                continue;
+            };
+            let Some(body) = self.body(subject) else {
+                continue;
+            };
+            if self.is_shape(what.head) && self.shape_body(body, what, declaration).is_none() {
+                self.say_unused(declaration);
+            }
+            for size in what.all(Slot::Of).cloned().collect::<Vec<_>>() {
+                if let Term::Phrase(phrase) = &size
+                    && phrase.head == "mass"
+                    && let Some(Term::Formula(formula)) = phrase.slot(Slot::Which)
+                {
+                    self.name_mass(body, &formula.clone(), declaration);
+                }
+            }
+        }
+    }
+
+    /// The inertia tensor of a uniform body, by exact integrals, on the axes of its frame.
+    fn shape_body(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let shape = mechanics::Shape::by_name(what.head)?;
+        let mut sizes: Vec<Fraction> = vec![];
+        for wanted in shape.sizes() {
+            let told = what.all(Slot::Of).find_map(|term| match term {
+                Term::Phrase(size) if size.head == wanted.name => match size.slot(Slot::Which) {
+                    Some(Term::Formula(formula)) => Some(formula.clone()),
+                    _ => None,
+                },
+                _ => None,
+            });
+            let formula = told.filter(|_| wanted.count == 1)?;
+            let quantity = Quantity::Scalar {
+                text: formula.source.clone(),
+                constant: true,
+            };
+            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+            sizes.push(self.system().value_of(&quantity).ok()?.to_scalar().ok()?);
+        }
+        let mass = self.reading.system.bodies[body].mass.clone();
+        let pi = Quantity::Scalar {
+            text: "\\pi".into(),
+            constant: true,
+        };
+        let pi = self.system().value_of(&pi).ok()?.to_scalar().ok()?;
+        let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
+        let frame = self.reading.system.bodies[body].frame?;
+        let work = self.reading.system.work;
+        let turn = self.system().rotation(work, frame);
+        self.reading.system.bodies[body].inertia = Some(mechanics::inertia_in_axes(&turn, &tensor));
+        Some(())
+    }
+
+    fn name_mass(
+        &mut self,
+        body: BodyId,
+        formula: &crate::verify::language::statement::Formula,
+        declaration: &Declaration,
+    ) {
+        let quantity = Quantity::Mass(Whole::Body(body));
+        self.denote(formula, Meaning::Quantity(quantity), declaration);
+    }
+}
+
+/// The family that a plural names: "the wheels", "the particles".
+pub(super) fn singular(plural: &str) -> Option<&str> {
+    plural
+        .strip_suffix('s')
+        .filter(|rest| !rest.ends_with('s') && rest.len() > 2)
+}

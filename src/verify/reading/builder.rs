@@ -1,0 +1,369 @@
+//! Goes through the statements and builds the reading: things first, then letters, then what holds.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
+use crate::source::Source as Text;
+use crate::verify::facts::Source;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
+use crate::verify::reading::names::{index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::{Premise, Reading};
+use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::{Quantity, Spot, Whole};
+use crate::verify::term::value::Value;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// A reading under way.
+pub(crate) struct Builder<'a> {
+    pub(super) declarations: &'a [Declaration],
+    pub(super) reading: Reading,
+    pub(super) frames: BTreeMap<String, FrameId>,
+    pub(super) points: BTreeMap<String, PointId>,
+    pub(super) bodies: BTreeMap<String, BodyId>,
+    pub(super) families: BTreeMap<String, FamilyId>,
+    /// Letters and names of axes: a frame and the number of the axis.
+    pub(super) axes: BTreeMap<String, (FrameId, usize)>,
+    pub(super) upward: Option<(FrameId, usize)>,
+    pub(super) gravity: Option<Quantity>,
+    /// Particles that stand for bodies.
+    pub(super) points_of: Vec<(BodyId, BodyId)>,
+    /// Bodies with rotors, and the hubs that carry these.
+    pub(super) hubs: Vec<(BodyId, BodyId)>,
+    /// Frames that turn about axes through points: of the frame, relative to another.
+    pub(super) through: Vec<(FrameId, FrameId, Term, Declaration)>,
+}
+
+/// Reads declarations about a document that writes these symbols.
+pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> Reading {
+    // What holds under a condition is never taken as always true.
+    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) =
+        declarations.iter().cloned().partition(has_condition);
+    let mut builder = Builder {
+        declarations: &always,
+        reading: Reading::default(),
+        frames: BTreeMap::new(),
+        points: BTreeMap::new(),
+        bodies: BTreeMap::new(),
+        families: BTreeMap::new(),
+        axes: BTreeMap::new(),
+        upward: None,
+        gravity: None,
+        through: vec![],
+        points_of: vec![],
+        hubs: vec![],
+    };
+    builder.reading.letters.integrals = true;
+    builder.reading.letters.written = written;
+    conditional.iter().for_each(|d| builder.say_unused(d));
+    builder.name_frames();
+    builder.name_bodies();
+    builder.read_notation();
+    builder.turn_frames();
+    builder.place_points();
+    builder.finish_bodies();
+    builder.read_letters();
+    builder.read_premises();
+    builder.read_roles();
+    builder.say_unheard();
+    builder.reading
+}
+
+impl Builder<'_> {
+    pub(super) fn system(&mut self) -> &mut System {
+        &mut self.reading.system
+    }
+
+    pub(super) fn source_of(declaration: &Declaration) -> Source {
+        Source::Declared(declaration.text.trim_end_matches('.').to_owned())
+    }
+
+    pub(super) fn hold(&mut self, equation: Fraction, declaration: &Declaration) {
+        let premise = Premise {
+            equation,
+            source: Self::source_of(declaration),
+            reach: reach_of(&declaration.extent),
+        };
+        self.reading.premises.push(premise);
+    }
+
+    /// Each component of two values is the same.
+    pub(super) fn hold_equal(&mut self, left: &Value, right: &Value, declaration: &Declaration) {
+        let custom = self.reading.letters.component_frame;
+        if let Ok((left, right)) = self.reading.system.compared(left, right, custom) {
+            for (l, r) in left.entries.iter().zip(&right.entries) {
+                self.hold(l.clone() - r.clone(), declaration);
+            }
+        }
+    }
+
+    /// Gives a writing a meaning.
+    pub(super) fn denote(
+        &mut self,
+        formula: &Formula,
+        meaning: Meaning,
+        declaration: &Declaration,
+    ) {
+        let Some(node) = node_of(formula) else {
+            return;
+        };
+        if let Kind::Matrix(rows) = &node.kind
+            && let [row] = rows.as_slice()
+            && let [inner] = row.as_slice()
+        {
+            let inner = Formula {
+                source: formula.source.clone(),
+                row: Row::Expression(inner.clone()),
+            };
+            self.denote(&inner, meaning.clone(), declaration);
+        }
+        self.reading.letters.letters.push(Letter {
+            spelled: spelled(node),
+            loose: loosely(node),
+            latex: formula.source.clone(),
+            meaning,
+            reach: reach_of(&declaration.extent),
+            sentence: declaration.text.clone(),
+        });
+    }
+
+    /// The value of a formula in a sentence; letters that no sentence tells of are scalars of their own.
+    pub(super) fn formula_value(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Value> {
+        let value = self.mentioned_value(formula, declaration)?;
+        self.reading.system.trust(&value);
+        Some(value)
+    }
+
+    /// The value of a formula that a sentence only mentions: it tells nothing of new letters.
+    pub(super) fn mentioned_value(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Value> {
+        let node = node_of(formula)?.clone();
+        let at = place_in(&reach_of(&declaration.extent));
+        let text = Text::new("", formula.source.clone());
+        let shapes = HashMap::new();
+        let letters = self.reading.letters.clone();
+        let mut lowering = Lowering::new(&mut self.reading.system, &letters, &text, &at, &shapes);
+        lowering.value(&node).ok()
+    }
+
+    pub(super) fn scalar(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        self.formula_value(formula, declaration)?.to_scalar().ok()
+    }
+
+    /// The number that a term says: a formula, or "the rate $\Omega$".
+    pub(super) fn scalar_term(
+        &mut self,
+        term: &Term,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        match term {
+            Term::Formula(formula) => self.scalar(formula, declaration),
+            Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
+                Some(Term::Formula(formula)) => self.scalar(&formula.clone(), declaration),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// The frame that a term names.
+    pub(super) fn frame(&self, term: &Term) -> Option<FrameId> {
+        let name = name_of(term)?;
+        if let Some(&frame) = self.frames.get(&name) {
+            return Some(frame);
+        }
+        let body = self.bodies.get(name.trim_start_matches("the "))?;
+        self.reading.system.bodies[*body].frame
+    }
+
+    /// The point that a term names.
+    pub(super) fn point(&self, term: &Term) -> Option<PointId> {
+        match term {
+            Term::Phrase(phrase) if phrase.head == "mass centre" => {
+                let body = self.body(phrase.slot(Slot::Of)?)?;
+                Some(self.reading.system.bodies[body].centre)
+            }
+            _ => {
+                let name = name_of(term)?;
+                let particle = || {
+                    self.bodies
+                        .get(&name)
+                        .map(|&b| self.reading.system.bodies[b].centre)
+                };
+                self.points.get(&name).copied().or_else(particle)
+            }
+        }
+    }
+
+    /// The place that a term names: a point, or a member of a family.
+    pub(super) fn spot(&self, term: &Term) -> Option<Spot> {
+        if let Term::Member { family, index } = term {
+            let family = *self.families.get(family)?;
+            return Some(Spot::Member(family, index_letter(index)));
+        }
+        self.point(term).map(Spot::Point)
+    }
+
+    pub(super) fn body(&self, term: &Term) -> Option<BodyId> {
+        let name = name_of(term)?;
+        self.bodies.get(&name).copied()
+    }
+
+    pub(super) fn whole(&self, term: &Term) -> Option<Whole> {
+        if let Term::Member { family, index } = term {
+            let family = *self.families.get(family)?;
+            return Some(Whole::Member(family, index_letter(index)));
+        }
+        self.body(term).map(Whole::Body)
+    }
+
+    /// The body that a phrase is of; the only one where it says none.
+    pub(super) fn whole_of(&self, phrase: &NounPhrase) -> Option<Whole> {
+        match phrase.slot(Slot::Of) {
+            Some(term) => self.whole(term),
+            None => (!self.reading.system.bodies.is_empty()).then_some(Whole::Body(0)),
+        }
+    }
+
+    /// What a letter stands for at the place of a declaration.
+    pub(super) fn quantity_of(
+        &self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let node = node_of(formula)?;
+        let at = place_in(&reach_of(&declaration.extent));
+        let letter = self
+            .reading
+            .letters
+            .find(&spelled(node), &loosely(node), &at, 1)?;
+        match &letter.meaning {
+            Meaning::Quantity(quantity) => Some(quantity.clone()),
+            _ => None,
+        }
+    }
+
+    /// Verbs and nouns for which the model has no law yet.
+    fn say_unheard(&mut self) {
+        for declaration in self.declarations {
+            let heard = match &declaration.statement {
+                Statement::Does { verb, .. } => HEARD.contains(verb),
+                Statement::Is { what, .. } => what.head != "contact point",
+                _ => true,
+            };
+            if !heard {
+                self.say_unused(declaration);
+            }
+        }
+    }
+
+    pub(super) fn say_unused(&mut self, declaration: &Declaration) {
+        let sentence = declaration.text.trim_end_matches('.').to_owned();
+        let reach = reach_of(&declaration.extent);
+        if !self.reading.unused.iter().any(|(s, _)| *s == sentence) {
+            self.reading.unused.push((sentence, reach));
+        }
+    }
+}
+
+/// A place that a reach covers.
+pub(crate) fn place_in(reach: &Reach) -> At {
+    match reach {
+        Reach::Lines { cell, first, .. } => At {
+            cell: *cell,
+            line: *first,
+            sections: vec![],
+        },
+        Reach::Occurrence { cell, line, .. } => At {
+            cell: *cell,
+            line: *line,
+            sections: vec![],
+        },
+        Reach::Section(title) => At {
+            sections: vec![title.clone()],
+            ..At::default()
+        },
+        Reach::Cells(cells) => At {
+            cell: cells.first().copied(),
+            ..At::default()
+        },
+        Reach::Both(a, b) => {
+            let (a, b) = (place_in(a), place_in(b));
+            At {
+                cell: a.cell.or(b.cell),
+                line: a.line.max(b.line),
+                sections: [a.sections, b.sections].concat(),
+            }
+        }
+        Reach::All => At::default(),
+    }
+}
+
+impl System {
+    /// Letters that stand in a declaration are told by it.
+    pub(super) fn trust(&mut self, value: &Value) {
+        use crate::verify::model::atoms::Nature;
+        for entry in &value.entries {
+            for variable in entry.variables() {
+                let mut at = Some(variable);
+                while let Some(variable) = at {
+                    let atom = self.atoms.atom_mut(variable);
+                    if atom.nature == Nature::Unknown {
+                        atom.nature = Nature::Quantity;
+                    }
+                    at = atom.rate_of;
+                }
+            }
+        }
+    }
+}
+
+/// Words of a condition in time.
+const WHILES: [&str; 3] = ["before", "after", "during"];
+
+/// Verbs that build the system or name letters.
+const HEARD: [&str; 7] = [
+    "turn",
+    "take",
+    "have components",
+    "number",
+    "consist",
+    "lie",
+    "place",
+];
+
+/// Whether a sentence holds under a condition alone: "at `\theta = 0`".
+fn has_condition(declaration: &Declaration) -> bool {
+    let slots = match &declaration.statement {
+        Statement::Is { what, .. } | Statement::Premise(what) => &what.slots,
+        Statement::Does { slots, .. } => slots,
+        _ => return false,
+    };
+    slots
+        .iter()
+        .any(|(slot, term)| is_condition(*slot, term, 0))
+}
+
+fn is_condition(slot: Slot, term: &Term, depth: usize) -> bool {
+    match term {
+        Term::Formula(formula) => slot == Slot::At && matches!(formula.row, Row::Line(_)),
+        Term::Phrase(phrase) if WHILES.contains(&phrase.head) => true,
+        Term::Phrase(phrase) if depth < 8 => {
+            let mut inner = phrase.slots.iter();
+            inner.any(|(slot, term)| is_condition(*slot, term, depth + 1))
+        }
+        _ => false,
+    }
+}

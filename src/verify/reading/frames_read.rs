@@ -1,0 +1,329 @@
+//! Frames, and how they turn against one another.
+
+use crate::algebra::Fraction;
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::term::letters::{Letter, Meaning, Reach, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeMap;
+
+/// The names of the axes of a frame that has none of its own.
+pub(super) const CUSTOMARY: [[&str; 3]; 3] = [["x", "y", "z"], ["X", "Y", "Z"], ["1", "2", "3"]];
+
+/// How a frame is said to turn.
+pub(super) struct Said<'d> {
+    pub(super) relative: Option<String>,
+    pub(super) slots: &'d [(Slot, Term)],
+    pub(super) declaration: &'d Declaration,
+}
+
+impl Builder<'_> {
+    /// Gives each frame its place: the inertial one first, then each behind the one that it turns against.
+    pub(super) fn name_frames(&mut self) {
+        let declarations = self.declarations;
+        let mut names: Vec<String> = vec![];
+        let mut inertial: Vec<String> = vec![];
+        for declaration in declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if what.head != "frame" {
+                continue;
+            }
+            for name in subjects.iter().filter_map(name_of) {
+                match what.is("inertial") {
+                    true => inertial.push(name),
+                    false => names.push(name),
+                }
+            }
+        }
+        let ground = inertial.first().cloned().unwrap_or_else(|| "N".into());
+        let root = self.system().add_frame(&ground, None, Turn::Fixed);
+        self.frames.insert(ground, root);
+        for other in inertial.into_iter().skip(1) {
+            self.frames.insert(other, root);
+        }
+        let parents = turned_against(declarations);
+        for name in &names {
+            self.add_named_frame(name, &parents, &names, 0);
+        }
+        for (name, frame) in self.frames.clone() {
+            self.reading
+                .letters
+                .frame_names
+                .push((name.replace("~cal", ""), frame));
+            self.reading.letters.frame_names.push((name, frame));
+        }
+        self.same_frames();
+    }
+
+    fn add_named_frame(
+        &mut self,
+        name: &str,
+        parents: &BTreeMap<String, String>,
+        names: &[String],
+        depth: usize,
+    ) {
+        if self.frames.contains_key(name) || depth > names.len() {
+            return;
+        }
+        let parent = parents.get(name).filter(|parent| *parent != name).cloned();
+        if let Some(parent) = &parent
+            && names.contains(parent)
+        {
+            self.add_named_frame(parent, parents, names, depth + 1);
+        }
+        let parent = parent
+            .and_then(|p| self.frames.get(&p).copied())
+            .unwrap_or(self.reading.system.ground);
+        let frame = self.system().add_frame(name, Some(parent), Turn::Free);
+        self.frames.insert(name.to_owned(), frame);
+    }
+
+    /// Frames that are also written otherwise.
+    fn same_frames(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Same { subjects, others } = &declaration.statement else {
+                continue;
+            };
+            for (subject, other) in subjects.iter().zip(others) {
+                let (Some(one), Some(two)) = (name_of(subject), name_of(other)) else {
+                    continue;
+                };
+                let known = self
+                    .frames
+                    .get(&two)
+                    .or_else(|| self.frames.get(&one))
+                    .copied();
+                let Some(frame) = known else { continue };
+                for name in [one, two] {
+                    self.reading.letters.frame_names.push((name.clone(), frame));
+                    self.reading
+                        .letters
+                        .frame_names
+                        .push((name.replace("~cal", ""), frame));
+                    self.frames.insert(name, frame);
+                }
+            }
+        }
+    }
+
+    /// How each frame turns; what is said of a part of the document alone becomes a premise there.
+    pub(super) fn turn_frames(&mut self) {
+        let declarations = self.declarations;
+        self.read_axes();
+        self.choose_work_frame();
+        for declaration in declarations {
+            let Statement::Does {
+                subjects,
+                verb: "turn",
+                slots,
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            let relative = slot(slots, Slot::RelativeTo).and_then(name_of);
+            let said = Said {
+                relative,
+                slots,
+                declaration,
+            };
+            for subject in subjects {
+                if let Some(frame) = self.frame(subject) {
+                    self.turn_frame(frame, &said);
+                }
+            }
+        }
+        for declaration in declarations {
+            self.read_euler_angles(declaration);
+            self.read_turning_frame(declaration);
+        }
+    }
+
+    pub(super) fn turn_frame(&mut self, frame: FrameId, said: &Said<'_>) {
+        let system = &self.reading.system;
+        let relative = said
+            .relative
+            .as_ref()
+            .and_then(|name| self.frames.get(name))
+            .copied();
+        let relative = relative.unwrap_or(system.ground);
+        let Some(about) = slot(said.slots, Slot::About).cloned() else {
+            return;
+        };
+        let whole = crate::verify::reading::names::reach_of(&said.declaration.extent) == Reach::All;
+        let of_parent = system.frames[frame].parent == Some(relative);
+        let free = system.frames[frame].turn == Turn::Free;
+        let angle = slot(said.slots, Slot::By).cloned();
+        let rate = slot(said.slots, Slot::At).cloned();
+        let shared = self.shared_axis(&about, frame, relative);
+        let angle = angle.and_then(|term| self.scalar_term(&term, said.declaration));
+        let rate = rate.and_then(|term| self.scalar_term(&term, said.declaration));
+        if whole && of_parent && free {
+            self.reading.system.frames[frame].turn = match (angle, rate, shared) {
+                (Some(angle), _, Some(axis)) => Turn::Angle(axis, Box::new(angle)),
+                (None, Some(rate), Some(axis)) => Turn::Rate(Axis::Number(axis), Box::new(rate)),
+                (angle, rate, _) => {
+                    let Some(along) = self.direction(&about, said.declaration, Some(relative))
+                    else {
+                        return;
+                    };
+                    let rate = match (rate, angle) {
+                        (Some(rate), _) => rate,
+                        (None, Some(angle)) => self.system().atoms.derivative(&angle),
+                        (None, None) => self.own_rate(frame),
+                    };
+                    Turn::Rate(Axis::Along(Box::new(along)), Box::new(rate))
+                }
+            };
+            return;
+        }
+        if whole
+            && let (Some(angle), Some(axis)) = (&angle, shared)
+            && self.told_by_angle(frame, relative, axis, angle, said.declaration)
+        {
+            return;
+        }
+        self.hold_turn(frame, relative, &about, angle, rate, said.declaration);
+    }
+
+    /// A rate that has no letter.
+    fn own_rate(&mut self, frame: FrameId) -> Fraction {
+        let text = format!("\\omega_{{{}}}", self.reading.system.frames[frame].name);
+        let rate = Quantity::Scalar {
+            text,
+            constant: false,
+        };
+        let value = self
+            .system()
+            .value_of(&rate)
+            .ok()
+            .and_then(|v| v.to_scalar().ok());
+        value.unwrap_or_default_rate()
+    }
+
+    /// The number of an axis that is the same on both frames.
+    pub(super) fn shared_axis(
+        &self,
+        about: &Term,
+        frame: FrameId,
+        relative: FrameId,
+    ) -> Option<usize> {
+        let name = name_of(about)?;
+        match self.axes.get(&name) {
+            // On the other frame the axis may be any; only where it has no axes of its own it is the same one.
+            Some(&(of, axis)) if of == frame || of == relative => {
+                let other = if of == frame { relative } else { frame };
+                let mut named = self
+                    .axes
+                    .iter()
+                    .filter(|(_, (f, _))| *f == other)
+                    .peekable();
+                let label = |name: &str| name.rsplit('_').next().map(str::to_owned);
+                let same = |(n, &(_, k)): (&String, &(FrameId, usize))| {
+                    k == axis && label(n) == label(&name)
+                };
+                (named.peek().is_none() || named.any(same)).then_some(axis)
+            }
+            Some(_) => None,
+            None => CUSTOMARY
+                .iter()
+                .find_map(|names| names.iter().position(|n| *n == name)),
+        }
+    }
+
+    /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
+    pub(super) fn direction(
+        &mut self,
+        term: &Term,
+        declaration: &Declaration,
+        carried: Option<FrameId>,
+    ) -> Option<Vector> {
+        if let Some(name) = name_of(term)
+            && let Some(&(frame, axis)) = self.axes.get(&name)
+        {
+            return Some(self.system().axis(frame, axis));
+        }
+        match term {
+            Term::Phrase(phrase) if matches!(phrase.head, "axis" | "line") => {
+                let along = phrase.slot(Slot::Along)?.clone();
+                self.direction(&along, declaration, carried)
+            }
+            Term::Formula(formula) => {
+                if self.quantity_of(formula, declaration).is_some() {
+                    return self.formula_value(formula, declaration)?.to_vector().ok();
+                }
+                // An axis about which a frame turns is fixed in both.
+                let unit = Quantity::UnitVector {
+                    text: formula.source.clone(),
+                    carried,
+                };
+                self.reading.letters.letters.push(Letter {
+                    spelled: spelled(node_of(formula)?),
+                    loose: loosely(node_of(formula)?),
+                    latex: formula.source.clone(),
+                    meaning: Meaning::Quantity(unit.clone()),
+                    reach: Reach::All,
+                    sentence: declaration.text.clone(),
+                });
+                self.system().value_of(&unit).ok()?.to_vector().ok()
+            }
+            Term::Name(name) => {
+                let axis = CUSTOMARY
+                    .iter()
+                    .find_map(|names| names.iter().position(|n| n == name))?;
+                let frame = self.reading.letters.component_frame;
+                Some(self.system().axis(frame, axis))
+            }
+            _ => None,
+        }
+    }
+}
+
+trait OrZero {
+    fn unwrap_or_default_rate(self) -> Fraction;
+}
+
+impl OrZero for Option<Fraction> {
+    fn unwrap_or_default_rate(self) -> Fraction {
+        self.unwrap_or_else(num_traits::Zero::zero)
+    }
+}
+
+/// What is said to turn against what.
+fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
+    let mut parents = BTreeMap::new();
+    for declaration in declarations {
+        let (subjects, relative) = match &declaration.statement {
+            Statement::Does {
+                subjects,
+                verb: "turn",
+                slots,
+            } => (subjects, slot(slots, Slot::RelativeTo)),
+            Statement::Is { subjects, what } if matches!(what.head, "frame" | "Euler angles") => {
+                match what.head {
+                    "frame" => (subjects, what.slot(Slot::RelativeTo)),
+                    _ => continue,
+                }
+            }
+            _ => continue,
+        };
+        let Some(relative) = relative.and_then(name_of) else {
+            continue;
+        };
+        for name in subjects.iter().filter_map(name_of) {
+            parents.entry(name).or_insert_with(|| relative.clone());
+        }
+    }
+    parents
+}
+
+/// The first term in a slot.
+pub(super) fn slot(slots: &[(Slot, Term)], wanted: Slot) -> Option<&Term> {
+    slots
+        .iter()
+        .find(|(slot, _)| *slot == wanted)
+        .map(|(_, term)| term)
+}

@@ -1,0 +1,385 @@
+//! What letters denote.
+
+use crate::notation::ast::Kind;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::bodies_read::WHOLES;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
+
+/// Nouns that name no quantity: others hear of these things.
+const THINGS: [&str; 20] = [
+    "products of inertia",
+    "frame",
+    "point",
+    "mass centre",
+    "axes",
+    "axis",
+    "vertical",
+    "fixed",
+    "plane",
+    "orthogonal",
+    "horizontal",
+    "nonzero",
+    "zero",
+    "Euler angles",
+    "contact point",
+    "symmetric",
+    "generalised coordinates",
+    "integral",
+    "cross product",
+    "dot product",
+];
+
+impl Builder<'_> {
+    /// Goes through the sentences about letters, those without others in them first.
+    pub(super) fn read_letters(&mut self) {
+        let declarations = self.declarations;
+        for pass in 0..4 {
+            for declaration in declarations {
+                let order = order_of(&declaration.statement);
+                if order == pass {
+                    self.read_letter(declaration);
+                }
+            }
+        }
+        for declaration in declarations {
+            self.read_same(declaration);
+            self.read_means(declaration);
+        }
+    }
+
+    fn read_letter(&mut self, declaration: &Declaration) {
+        match &declaration.statement {
+            Statement::Is { subjects, what } => self.read_noun(subjects, what, declaration),
+            Statement::Does {
+                subjects,
+                verb: "take",
+                slots,
+            } => {
+                let from = slot(slots, Slot::From).and_then(|term| self.frame(term));
+                let to = slot(slots, Slot::To).and_then(|term| self.frame(term));
+                let (Some(from), Some(to), [Term::Formula(formula)]) =
+                    (from, to, subjects.as_slice())
+                else {
+                    return self.say_unused(declaration);
+                };
+                self.denote_matrix(formula, Quantity::Rotation { from, to }, declaration);
+            }
+            Statement::Does {
+                subjects,
+                verb: "have components",
+                slots,
+            } => {
+                let Some(frame) = slot(slots, Slot::On).and_then(|term| self.frame(term)) else {
+                    return self.say_unused(declaration);
+                };
+                for subject in subjects {
+                    let Term::Formula(formula) = subject else {
+                        continue;
+                    };
+                    if let Some(quantity) = self.quantity_of(formula, declaration) {
+                        let on = Quantity::On(quantity.boxed(), frame);
+                        self.denote(formula, Meaning::Quantity(on), declaration);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// A matrix by its letter, or by the letter of its transpose.
+    fn denote_matrix(&mut self, formula: &Formula, quantity: Quantity, declaration: &Declaration) {
+        let (Some(node), Quantity::Rotation { from, to }) = (node_of(formula), &quantity) else {
+            return;
+        };
+        if let Kind::Transpose(inner) = &node.kind {
+            let inner = Formula {
+                source: crate::notation::print::latex(inner),
+                row: crate::notation::document::Row::Expression((**inner).clone()),
+            };
+            let other = Quantity::Rotation {
+                from: *to,
+                to: *from,
+            };
+            return self.denote(&inner, Meaning::Quantity(other), declaration);
+        }
+        self.denote(formula, Meaning::Quantity(quantity), declaration);
+    }
+
+    fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        // What the products of inertia are is a rule of notation.
+        if matches!(subjects, [Term::Phrase(phrase)] if phrase.head == "products of inertia") {
+            return;
+        }
+        if WHOLES.contains(&what.head) || THINGS.contains(&what.head) || self.is_shape(what.head) {
+            return;
+        }
+        match what.head {
+            "component" => self.read_components(subjects, what, declaration),
+            "principal moments" => self.read_principal_moments(subjects, what, declaration),
+            "acceleration of gravity" => self.read_gravity(subjects, declaration),
+            "vector" | "unit vector" => self.read_vectors(subjects, what, declaration),
+            "constant" => self.read_constants(subjects, declaration),
+            "time" => {
+                for formula in formulas(subjects) {
+                    self.denote(formula, Meaning::Time, declaration);
+                }
+            }
+            "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
+            | "damping" => {
+                self.read_size(subjects, declaration);
+            }
+            "angle" if what.slot(Slot::Between).is_some() => {
+                if self.read_angle(subjects, what, declaration).is_none() {
+                    self.say_unused(declaration);
+                }
+            }
+            "entry" => {
+                if self.read_entries(subjects, what, declaration).is_none() {
+                    self.say_unused(declaration);
+                }
+            }
+            "cosine" | "sine" => self.read_kernels(subjects, what, declaration),
+            "cross-product matrix" | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
+                self.read_operator(subjects, what, declaration);
+            }
+            "angular velocity" if what.slot(Slot::ForAny).is_some() => {
+                self.read_any_angular_velocity(subjects);
+            }
+            _ => self.read_quantity(subjects, what, declaration),
+        }
+    }
+
+    /// ω_{X/Y} for any frames X and Y.
+    fn read_any_angular_velocity(&mut self, subjects: &[Term]) {
+        for formula in formulas(subjects) {
+            let Some(Kind::Symbol(symbol)) = node_of(formula).map(|n| &n.kind) else {
+                continue;
+            };
+            let letters = &mut self.reading.letters.angular_velocities;
+            letters.push(symbol.name.clone());
+        }
+    }
+
+    fn read_quantity(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        let named =
+            |term: &Term| matches!(term, Term::Formula(_)) || matches!(term, Term::Phrase(_));
+        if !subjects.iter().any(named) {
+            return;
+        }
+        let Some(quantity) = self.quantity(what, declaration) else {
+            return self.say_unused(declaration);
+        };
+        for subject in subjects {
+            if let (Term::Formula(formula), Some(square)) =
+                (subject, self.square_of_length(&quantity))
+            {
+                self.read_length(formula, square, declaration);
+                continue;
+            }
+            match subject {
+                Term::Formula(formula) => {
+                    self.denote(formula, Meaning::Quantity(quantity.clone()), declaration);
+                }
+                Term::Phrase(phrase) => self.read_phrase_is(phrase, &quantity, declaration),
+                _ => {}
+            }
+        }
+    }
+
+    /// The square of a length that is no root of its own.
+    fn square_of_length(&mut self, quantity: &Quantity) -> Option<crate::algebra::Fraction> {
+        let across = match quantity {
+            Quantity::Magnitude(of) => self.system().value_of(of).ok()?.to_vector().ok()?,
+            Quantity::Distance { of, from, axis }
+                if !matches!(of, crate::verify::term::quantity::Spot::Member(..)) =>
+            {
+                let way = self.system().place(of, *from);
+                let axis = self.system().value_of(axis).ok()?.to_vector().ok()?;
+                crate::mechanics::cross(&axis, &way)
+            }
+            _ => return None,
+        };
+        Some(across.dot(&across))
+    }
+
+    /// A length is a letter of its own, whose square is told.
+    fn read_length(
+        &mut self,
+        formula: &Formula,
+        square: crate::algebra::Fraction,
+        declaration: &Declaration,
+    ) {
+        let quantity = Quantity::Scalar {
+            text: formula.source.clone(),
+            constant: false,
+        };
+        let Ok(value) = self.system().value_of(&quantity) else {
+            return;
+        };
+        self.denote(formula, Meaning::Quantity(quantity), declaration);
+        let letter = value.entries[0].clone();
+        self.hold(letter.clone() * letter - square, declaration);
+    }
+
+    /// "The rate of `\phi` is the angular velocity of B": what is said of a phrase holds.
+    fn read_phrase_is(
+        &mut self,
+        phrase: &NounPhrase,
+        quantity: &Quantity,
+        declaration: &Declaration,
+    ) {
+        if phrase.head == "rate"
+            && let Some(Term::Formula(formula)) = phrase.slot(Slot::Of)
+            && self.quantity_of(formula, declaration).is_none()
+        {
+            let text = formula.source.clone();
+            let vector = Quantity::Vector {
+                text,
+                carried: None,
+            };
+            self.denote(&formula.clone(), Meaning::Quantity(vector), declaration);
+        }
+        let Some(left) = self.quantity(phrase, declaration) else {
+            return self.say_unused(declaration);
+        };
+        let (left, right) = (
+            self.system().value_of(&left),
+            self.system().value_of(quantity),
+        );
+        if let (Ok(left), Ok(right)) = (left, right) {
+            self.hold_equal(&left, &right, declaration);
+        }
+    }
+
+    /// "P, Q, R are the components of ω on B."
+    fn read_components(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
+        let Some(of) = what
+            .slot(Slot::Of)
+            .cloned()
+            .and_then(|term| self.operand(&term, declaration))
+        else {
+            return self.say_unused(declaration);
+        };
+        let frame = frame
+            .or(of.frame())
+            .unwrap_or(self.reading.letters.component_frame);
+        let which = what.slot(Slot::Which);
+        if let Some(Term::Formula(_)) = which {
+            // An index letter: the label itself says which component it is.
+            return;
+        }
+        let single = which.and_then(|term| self.number_of_axis(term));
+        if let (Some(along), [Term::Formula(formula)]) = (what.slot(Slot::Along).cloned(), subjects)
+        {
+            let Some(axis) = self.axis_quantity(&along, declaration) else {
+                return self.say_unused(declaration);
+            };
+            let of = of.boxed();
+            let quantity = Quantity::Along {
+                of,
+                axis: axis.boxed(),
+            };
+            return self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+        for (place, subject) in subjects.iter().take(3).enumerate() {
+            let axis = single.unwrap_or(place);
+            if let Term::Formula(formula) = subject {
+                let quantity = Quantity::Component {
+                    of: of.clone().boxed(),
+                    axis,
+                    on: frame,
+                };
+                self.denote(formula, Meaning::Quantity(quantity), declaration);
+            }
+        }
+    }
+
+    pub(super) fn hold_quantities(
+        &mut self,
+        left: &Quantity,
+        right: &Quantity,
+        declaration: &Declaration,
+    ) {
+        let (left, right) = (self.system().value_of(left), self.system().value_of(right));
+        if let (Ok(left), Ok(right)) = (left, right) {
+            self.hold_equal(&left, &right, declaration);
+        }
+    }
+
+    fn read_same(&mut self, declaration: &Declaration) {
+        let Statement::Same { subjects, others } = &declaration.statement else {
+            return;
+        };
+        for (subject, other) in subjects.iter().zip(others) {
+            let (Term::Formula(subject), Term::Formula(other)) = (subject, other) else {
+                continue;
+            };
+            // A letter that is told already is equal to the other there.
+            if self.quantity_of(subject, declaration).is_some() {
+                let left = self.formula_value(subject, declaration);
+                let right = self.formula_value(other, declaration);
+                if let (Some(left), Some(right)) = (left, right) {
+                    self.hold_equal(&left, &right, declaration);
+                }
+                continue;
+            }
+            if let Some(node) = node_of(other) {
+                self.denote(subject, Meaning::Same(Box::new(node.clone())), declaration);
+            }
+        }
+    }
+
+    fn read_means(&mut self, declaration: &Declaration) {
+        let Statement::Means { written, meaning } = &declaration.statement else {
+            return;
+        };
+        if let (Some(written), Some(meaning)) = (node_of(written), node_of(meaning)) {
+            let reach = crate::verify::reading::names::reach_of(&declaration.extent);
+            self.reading
+                .letters
+                .means
+                .push((loosely_or_spelled(written), meaning.clone(), reach));
+        }
+    }
+}
+
+fn loosely_or_spelled(node: &crate::notation::ast::Node) -> String {
+    let exact = spelled(node);
+    if exact.is_empty() {
+        loosely(node)
+    } else {
+        exact
+    }
+}
+
+/// The formulas among terms.
+pub(super) fn formulas(terms: &[Term]) -> impl Iterator<Item = &Formula> {
+    terms.iter().filter_map(|term| match term {
+        Term::Formula(formula) => Some(formula),
+        _ => None,
+    })
+}
+
+/// Sentences that other letters stand in come behind those of these letters.
+fn order_of(statement: &Statement) -> usize {
+    match statement {
+        Statement::Does {
+            verb: "have components",
+            ..
+        } => 2,
+        Statement::Is { what, .. } => match what.head {
+            "acceleration of gravity" | "vector" | "unit vector" | "mass" | "position" => 0,
+            "constant" => 3,
+            "component" | "principal moments" | "Lagrangian" | "moment" | "magnitude" | "rate"
+            | "entry" => 2,
+            "angle" | "total energy" => 2,
+            _ => 1,
+        },
+        _ => 1,
+    }
+}

@@ -1,0 +1,92 @@
+//! The names of things, however they are written.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::verify::language::statement::{Extent, Formula, Term};
+use crate::verify::term::letters::Reach;
+
+/// A name as it is looked up: a letter in dollars and the same letter in plain text are one name.
+pub(crate) fn name_of(term: &Term) -> Option<String> {
+    match term {
+        Term::Name(name) => Some(name.trim().to_owned()),
+        Term::Formula(formula) => Some(name_of_formula(formula)),
+        // A noun alone is a name as well: "the ring".
+        Term::Phrase(phrase) if phrase.slots.is_empty() && phrase.adjectives.is_empty() => {
+            Some(phrase.head.to_owned())
+        }
+        _ => None,
+    }
+}
+
+/// A letter as a name: calligraphic ones differ from plain ones, bold ones do not.
+pub(crate) fn name_of_formula(formula: &Formula) -> String {
+    match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::Symbol(symbol)) => {
+            let mut name = symbol.name.clone();
+            if symbol.style.calligraphic {
+                name.push_str("~cal");
+            }
+            for label in &symbol.subscripts {
+                name.push('_');
+                name.push_str(label);
+            }
+            name.push_str(&"'".repeat(usize::from(symbol.primes)));
+            name
+        }
+        _ => formula.source.trim().to_owned(),
+    }
+}
+
+/// The expression that a formula is, if it is one.
+pub(crate) fn node_of(formula: &Formula) -> Option<&Node> {
+    match &formula.row {
+        Row::Expression(node) => Some(node),
+        _ => None,
+    }
+}
+
+/// The letter of an index: the i of "wheel $i$".
+pub(crate) fn index_letter(formula: &Formula) -> String {
+    match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::Symbol(symbol)) => symbol.name.clone(),
+        _ => without_commands(&formula.source)
+            .chars()
+            .filter(|c| c.is_alphanumeric())
+            .collect(),
+    }
+}
+
+/// A piece of LaTeX without its commands: `\\text{d}m` is `{d}m`.
+pub(crate) fn without_commands(source: &str) -> String {
+    let mut text = String::new();
+    let mut rest = source;
+    while let Some(at) = rest.find('\\') {
+        text.push_str(&rest[..at]);
+        rest = rest[at + 1..].trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    }
+    text.push_str(rest);
+    text
+}
+
+/// The part of a document that an extent names.
+pub(crate) fn reach_of(extent: &Extent) -> Reach {
+    match extent {
+        Extent::Document => Reach::All,
+        Extent::Lines { cell, first, last } => Reach::Lines {
+            cell: *cell,
+            first: *first,
+            last: last.unwrap_or(usize::MAX),
+        },
+        Extent::Cells(cells) => Reach::Cells(cells.clone()),
+        Extent::Section(title) => Reach::Section(title.clone()),
+        Extent::Between(..) => Reach::All,
+        Extent::Occurrence {
+            number, cell, line, ..
+        } => Reach::Occurrence {
+            number: *number,
+            cell: *cell,
+            line: *line,
+        },
+        Extent::Both(a, b) => Reach::Both(Box::new(reach_of(a)), Box::new(reach_of(b))),
+    }
+}

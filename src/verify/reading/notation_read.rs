@@ -1,0 +1,162 @@
+//! Rules for marks, labels and operators.
+
+use crate::verify::language::statement::{
+    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{index_letter, node_of, reach_of, without_commands};
+use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, plain, spelled};
+
+impl Builder<'_> {
+    /// Takes in the rules of notation.
+    pub(super) fn read_notation(&mut self) {
+        for declaration in self.declarations {
+            match &declaration.statement {
+                Statement::Notation { sign, meaning } => self.read_rule(sign, meaning, declaration),
+                Statement::Does {
+                    subjects,
+                    verb: "number",
+                    slots,
+                } => {
+                    if let Some(Term::Phrase(axes)) = slot(slots, Slot::Of)
+                        && axes.head == "axes"
+                    {
+                        let frame = axes.slot(Slot::Of).and_then(|term| self.frame(term));
+                        self.number_axes(subjects, frame.unwrap_or(0), declaration);
+                    }
+                }
+                Statement::Is { subjects, what } => self.read_convention(subjects, what),
+                _ => {}
+            }
+        }
+    }
+
+    fn number_axes(&mut self, subjects: &[Term], frame: usize, declaration: &Declaration) {
+        for subject in subjects {
+            let Term::Formula(formula) = subject else {
+                continue;
+            };
+            self.reading.letters.indices.push(IndexRule {
+                letter: index_letter(formula),
+                axes_of: Some(frame),
+                reach: reach_of(&declaration.extent),
+            });
+        }
+    }
+
+    /// "Products of inertia are integrals."
+    fn read_convention(&mut self, subjects: &[Term], what: &NounPhrase) {
+        let products =
+            |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
+        if subjects.iter().any(products) {
+            self.reading.letters.integrals = what.head == "integral";
+        }
+    }
+
+    fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
+        let reach = reach_of(&declaration.extent);
+        if matches!(sign, Sign::Custom("repeated axis index" | "repeated index")) {
+            self.reading.letters.summed = *meaning == NotationMeaning::Fixed("summed");
+            return;
+        }
+        // Of which letters a function is, its own law says; and a × b is the cross product anyhow.
+        let functions = match meaning {
+            NotationMeaning::FunctionsOf(_) => true,
+            NotationMeaning::Noun(phrase) => {
+                matches!(phrase.head, "function" | "cross product" | "dot product")
+            }
+            NotationMeaning::Fixed(_) => false,
+        };
+        if functions && matches!(sign, Sign::Operator(_)) {
+            return;
+        }
+        let Some(effect) = self.effect(meaning) else {
+            return self.say_unused(declaration);
+        };
+        match sign {
+            Sign::Mark(mark) => {
+                let mark = match *mark {
+                    "tilde" => Mark::Tilde,
+                    "hat" | "wide hat" => Mark::Hat,
+                    "bar" | "underline" => Mark::Bar,
+                    "prime" => Mark::Prime,
+                    "dot" => Mark::Dot,
+                    _ => Mark::NoLabel,
+                };
+                self.reading.letters.marks.push(MarkRule {
+                    mark,
+                    effect,
+                    reach,
+                });
+            }
+            Sign::Label { labels, on_rate } => {
+                for (place, label) in labels.iter().enumerate() {
+                    let component = (labels.len() == 3).then_some(place);
+                    self.reading.letters.labels.push(LabelRule {
+                        label: plain_label(label),
+                        effect: effect.clone(),
+                        on_rate: *on_rate,
+                        component,
+                        reach: reach.clone(),
+                    });
+                }
+            }
+            Sign::Operator(formula) => {
+                self.read_operator_rule(formula, meaning, effect, declaration)
+            }
+            Sign::Custom(_) => {}
+        }
+    }
+
+    /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
+    fn read_operator_rule(
+        &mut self,
+        formula: &Formula,
+        meaning: &NotationMeaning,
+        effect: Effect,
+        declaration: &Declaration,
+    ) {
+        let written = formula.source.as_str();
+        let reach = reach_of(&declaration.extent);
+        let rate = matches!(effect, Effect::RateSeenFrom(_));
+        if effect == Effect::CrossProductMatrix
+            && let NotationMeaning::Noun(phrase) = meaning
+            && let Some(Term::Formula(of)) = phrase.slot(Slot::Of)
+            && written.trim_end().ends_with("\\times")
+        {
+            let letters = &mut self.reading.letters.crossing;
+            letters.extend(node_of(of).map(spelled));
+        } else if rate && (written.contains("dt") || written.contains("{t}")) {
+            let mark = Mark::Leibniz;
+            self.reading.letters.marks.push(MarkRule {
+                mark,
+                effect,
+                reach,
+            });
+        } else if node_of(formula).is_none() {
+            self.say_unused(declaration);
+        }
+    }
+
+    fn effect(&self, meaning: &NotationMeaning) -> Option<Effect> {
+        match meaning {
+            NotationMeaning::Noun(phrase) => match phrase.head {
+                "rate" => Some(Effect::RateSeenFrom(
+                    self.frame(phrase.slot(Slot::SeenFrom)?)?,
+                )),
+                "component" => Some(Effect::ComponentsOn(self.frame(phrase.slot(Slot::On)?)?)),
+                "cross-product matrix" => Some(Effect::CrossProductMatrix),
+                _ => None,
+            },
+            NotationMeaning::Fixed("itself") => Some(Effect::Itself),
+            NotationMeaning::Fixed(_) => Some(Effect::Itself),
+            NotationMeaning::FunctionsOf(_) => None,
+        }
+    }
+}
+
+/// A label without commands and braces.
+fn plain_label(label: &str) -> String {
+    plain(&without_commands(label).replace(['{', '}', '$'], ""))
+}

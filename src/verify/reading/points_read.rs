@@ -1,0 +1,272 @@
+//! Points: where each is placed, and in which frames it is fixed.
+
+use crate::algebra::Place;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::{FrameId, PointId, Vector};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{name_of, reach_of};
+use crate::verify::term::letters::Reach;
+
+/// What is said of a point, gathered from all sentences.
+#[derive(Clone, Debug, Default)]
+struct Spoken {
+    name: String,
+    fixed_in: Vec<FrameId>,
+    centre_of: Option<usize>,
+    /// Where it lies, by the sentence that says so.
+    lies: Option<usize>,
+}
+
+impl Builder<'_> {
+    /// Places every point: pivots first, then mass centres, then what is fixed in bodies, then what moves freely.
+    pub(super) fn place_points(&mut self) {
+        let mut spoken = self.spoken_points();
+        self.add_centres(&mut spoken);
+        let ground = self.reading.system.ground;
+        let rank = |s: &Spoken| match s {
+            s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
+            s if s.fixed_in.contains(&ground) => 1,
+            s if s
+                .centre_of
+                .is_some_and(|b| !self.reading.system.bodies[b].parts.is_empty()) =>
+            {
+                6
+            }
+            s if s.centre_of.is_some() && s.lies.is_none() => 2,
+            s if s.lies.is_some() => 3,
+            s if !s.fixed_in.is_empty() => 4,
+            _ => 5,
+        };
+        spoken.sort_by_key(rank);
+        for point in spoken {
+            self.place_point(&point);
+        }
+        for (own, of) in self.points_of.clone() {
+            self.reading.system.bodies[own].centre = self.centre_of(of);
+        }
+        self.hold_other_places();
+    }
+
+    fn spoken_points(&self) -> Vec<Spoken> {
+        let mut all: Vec<Spoken> = vec![];
+        for (index, declaration) in self.declarations.iter().enumerate() {
+            let whole = reach_of(&declaration.extent) == Reach::All;
+            match &declaration.statement {
+                Statement::Is { subjects, what }
+                    if matches!(what.head, "point" | "mass centre" | "fixed" | "origin") =>
+                {
+                    for name in subjects.iter().filter_map(name_of) {
+                        self.speak_of_point(&mut all, &name, what, whole);
+                    }
+                }
+                // "P is a particle fixed in B": its mass centre is.
+                Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
+                    for body in subjects.iter().filter_map(|subject| self.body(subject)) {
+                        let name = self.reading.system.bodies[body].name.clone();
+                        self.speak_of_centre(&mut all, &name, body, what);
+                    }
+                }
+                // "The mass centres of the gimbal and of the wheel are fixed in B."
+                Statement::Premise(p) if p.head == "mass centre" && p.is("fixed") => {
+                    for body in p.all(Slot::Of).filter_map(|term| self.body(term)) {
+                        let name = format!("centre of {}", self.reading.system.bodies[body].name);
+                        self.speak_of_centre(&mut all, &name, body, p);
+                    }
+                }
+                Statement::Does {
+                    subjects,
+                    verb: "lie" | "place",
+                    ..
+                } => {
+                    for name in subjects.iter().filter_map(name_of) {
+                        entry(&mut all, &name).lies = Some(index);
+                    }
+                }
+                _ => {}
+            }
+        }
+        all
+    }
+
+    /// A point by its name; what is said of a part of the document alone comes later.
+    fn speak_of_point(&self, all: &mut Vec<Spoken>, name: &str, what: &NounPhrase, whole: bool) {
+        let known = all.iter().any(|s| s.name == name);
+        let attribute = what.head == "fixed";
+        if attribute && self.frames.contains_key(name) || known && !whole || !known && attribute {
+            return;
+        }
+        let spoken = entry(all, name);
+        spoken.fixed_in.extend(self.frames_fixed(what));
+        if what.head == "mass centre" {
+            spoken.centre_of = what.slot(Slot::Of).and_then(|term| self.body(term));
+        }
+    }
+
+    /// The mass centre of a body, by what the body or the centre is fixed in.
+    fn speak_of_centre(&self, all: &mut Vec<Spoken>, name: &str, body: usize, what: &NounPhrase) {
+        let spoken = entry(all, name);
+        spoken.centre_of = Some(body);
+        spoken.fixed_in.extend(self.frames_fixed(what));
+    }
+
+    fn frames_fixed(&self, what: &NounPhrase) -> Vec<FrameId> {
+        let fixed = what.all(Slot::FixedIn);
+        fixed.filter_map(|term| self.frame(term)).collect()
+    }
+
+    /// A mass centre without a name is a point as well.
+    fn add_centres(&self, spoken: &mut Vec<Spoken>) {
+        for (body, whole) in self.reading.system.bodies.iter().enumerate() {
+            let known = spoken.iter().any(|s| s.centre_of == Some(body));
+            let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
+            let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
+            if !known && whole.parts.is_empty() && !stands_for && !hub {
+                let particle = whole.frame.is_none();
+                let name = if particle {
+                    whole.name.clone()
+                } else {
+                    format!("centre of {}", whole.name)
+                };
+                spoken.push(Spoken {
+                    name,
+                    centre_of: Some(body),
+                    ..Spoken::default()
+                });
+            }
+        }
+    }
+
+    /// The mass centre of a body of parts, from those of the parts: Σ m r over Σ m.
+    fn centre_of_parts(&mut self, body: usize) -> Option<(PointId, Vector)> {
+        let parts = self.reading.system.wholes(body);
+        if parts == [body] {
+            return None;
+        }
+        let first = self.centre_of(*parts.first()?);
+        let mut sum = crate::verify::model::system::nothing();
+        for &part in &parts {
+            let mass = self.reading.system.bodies[part].mass.clone();
+            sum += self.reading.system.position(self.centre_of(part), first) * mass;
+        }
+        Some((first, sum / self.reading.system.mass(body)))
+    }
+
+    fn place_point(&mut self, spoken: &Spoken) {
+        let ground = self.reading.system.ground;
+        let in_ground = spoken.fixed_in.contains(&ground);
+        let first = self.points.is_empty() && in_ground;
+        let mut fixed_in = spoken.fixed_in.clone();
+        if let Some(body) = spoken.centre_of
+            && let Some(frame) = self.reading.system.bodies[body].frame
+            && !fixed_in.contains(&frame)
+        {
+            fixed_in.push(frame);
+        }
+        let point = if first {
+            let origin = self.system().origin();
+            self.reading.system.points[origin]
+                .name
+                .clone_from(&spoken.name);
+            self.reading.system.points[origin].fixed_in = fixed_in;
+            origin
+        } else {
+            let told = spoken.centre_of.and_then(|body| self.centre_of_parts(body));
+            let placed = told.unwrap_or_else(|| self.way_to(spoken, &fixed_in));
+            self.system()
+                .add_point(&spoken.name, Some(placed), fixed_in)
+        };
+        self.points.insert(spoken.name.clone(), point);
+        if let Some(body) = spoken.centre_of {
+            self.reading.system.bodies[body].centre = point;
+        }
+    }
+
+    /// The point that another is placed from, and the way there.
+    fn way_to(&mut self, spoken: &Spoken, fixed_in: &[FrameId]) -> (PointId, Vector) {
+        if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index)) {
+            return placed;
+        }
+        let text = format!("r_{{{}}}", spoken.name);
+        let points = &self.reading.system.points;
+        for &frame in fixed_in {
+            if let Some(near) = points.iter().position(|p| p.fixed_in.contains(&frame)) {
+                let way = self.system().carried_vector(&text, frame, None);
+                return (near, way);
+            }
+        }
+        (0, self.system().free_vector(&text, Place::Coordinate, None))
+    }
+
+    /// "G lies at the distance a from O along z", "P is placed from O by r".
+    fn told_way(&mut self, index: usize) -> Option<(PointId, Vector)> {
+        let declaration = &self.declarations[index];
+        let Statement::Does { slots, .. } = &declaration.statement else {
+            return None;
+        };
+        let from = slot(slots, Slot::From).or_else(|| slot(slots, Slot::RelativeTo))?;
+        let from = self.point(from)?;
+        if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
+            let value = self.formula_value(&by.clone(), declaration)?;
+            return Some((from, value.to_vector().ok()?));
+        }
+        let along = slot(slots, Slot::Along)?.clone();
+        let along = self.direction(&along, declaration, None)?;
+        let distance = slot(slots, Slot::At)?.clone();
+        let distance = self.scalar_term(&distance, declaration)?;
+        self.make_constant(&distance);
+        Some((from, along * distance))
+    }
+
+    /// A distance between points of one body is constant.
+    fn make_constant(&mut self, value: &crate::algebra::Fraction) {
+        use crate::verify::model::atoms::Motion;
+        for variable in value.variables() {
+            let atom = self.reading.system.atoms.atom_mut(variable);
+            atom.motion = Motion::Constant;
+            atom.place = Place::Parameter;
+        }
+    }
+
+    /// A second sentence about a point that stands already: both places are the same there.
+    fn hold_other_places(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if what.head != "mass centre" || reach_of(&declaration.extent) == Reach::All {
+                continue;
+            }
+            let Some(body) = what.slot(Slot::Of).and_then(|term| self.body(term)) else {
+                continue;
+            };
+            let centre = self.reading.system.bodies[body].centre;
+            for name in subjects.iter().filter_map(name_of) {
+                let Some(&point) = self.points.get(&name) else {
+                    continue;
+                };
+                let way = self.system().position(point, centre);
+                self.hold_zero(&way, declaration);
+            }
+        }
+    }
+
+    pub(super) fn hold_zero(&mut self, vector: &Vector, declaration: &Declaration) {
+        for k in 0..3 {
+            if !num_traits::Zero::is_zero(&vector[k]) {
+                self.hold(vector[k].clone(), declaration);
+            }
+        }
+    }
+}
+
+fn entry<'s>(all: &'s mut Vec<Spoken>, name: &str) -> &'s mut Spoken {
+    let at = all.iter().position(|s| s.name == name).unwrap_or_else(|| {
+        all.push(Spoken {
+            name: name.to_owned(),
+            ..Spoken::default()
+        });
+        all.len() - 1
+    });
+    &mut all[at]
+}

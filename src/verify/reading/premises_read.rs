@@ -1,0 +1,319 @@
+//! What is declared to hold, and roles of lines.
+
+use crate::notation::ast::{Line, Relation};
+use crate::notation::document::Row;
+use crate::verify::Role;
+use crate::verify::language::statement::{
+    Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
+use crate::verify::model::system::{FrameId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::reach_of;
+use crate::verify::term::letters::{Meaning, Reach};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
+use num_traits::Zero;
+
+impl Builder<'_> {
+    /// Takes in the premises.
+    pub(super) fn read_premises(&mut self) {
+        for (frame, relative, point, declaration) in std::mem::take(&mut self.through) {
+            if let Some(point) = self.point(&point) {
+                self.hold_axis_through(frame, relative, point, &declaration);
+            }
+        }
+        for declaration in self.declarations {
+            match &declaration.statement {
+                Statement::Premise(premise) => self.read_premise(premise, declaration),
+                Statement::Is { subjects, what } if what.head == "zero" && !what.is("not") => {
+                    for formula in crate::verify::reading::letters_read::formulas(subjects) {
+                        if let Some(value) = self.formula_value(&formula.clone(), declaration) {
+                            for entry in value.entries {
+                                self.hold(entry, declaration);
+                            }
+                        }
+                    }
+                }
+                Statement::Holds(formula) => self.read_formula(formula, declaration),
+                Statement::Is { subjects, what }
+                    if matches!(what.head, "orthogonal" | "horizontal") =>
+                {
+                    let read = self.read_perpendicular(subjects, what, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
+                }
+                Statement::Is { subjects, what } if what.head == "symmetric" => {
+                    self.read_symmetry(subjects, what, declaration);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The point of a turning frame that lies on its axis has no velocity.
+    fn hold_axis_through(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        point: PointId,
+        declaration: &Declaration,
+    ) {
+        let points = &self.reading.system.points;
+        if points[point].fixed_in.contains(&frame) {
+            return;
+        }
+        let Some(own) = points.iter().position(|p| p.fixed_in.contains(&frame)) else {
+            return;
+        };
+        let velocity = self.system().velocity(own, relative);
+        let omega = self.system().angular_velocity(frame, relative);
+        let way = self.system().position(point, own);
+        let velocity = velocity + crate::mechanics::cross(&omega, &way);
+        self.hold_zero(&velocity, declaration);
+    }
+
+    fn read_premise(&mut self, premise: &NounPhrase, declaration: &Declaration) {
+        let done = match premise.head {
+            "principal axes" => self.principal_axes(premise, declaration),
+            "moment" if premise.is("no") => self.no_moment(premise, declaration),
+            "force" if premise.is("no") => self.no_force(premise, declaration),
+            "load" if premise.is("only") => self.only_loads(premise, declaration),
+            "load" if premise.is("no") => self
+                .no_force(premise, declaration)
+                .and_then(|()| self.no_moment(premise, declaration)),
+            "potential energy" | "mass centre" => Some(()),
+            "dimension" => match premise.slot(Slot::Which) {
+                Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
+                    let reach = reach_of(&declaration.extent);
+                    self.reading.dimensions.push((reach, *number));
+                }),
+                _ => None,
+            },
+            _ => None,
+        };
+        if done.is_none() {
+            self.say_unused(declaration);
+        }
+    }
+
+    /// The products of inertia vanish on the axes of the frame.
+    fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let of = self.whole_of(premise)?;
+        let about = self.about(premise, &of);
+        let frame = match premise.slot(Slot::With) {
+            Some(Term::Phrase(axes)) => axes.slot(Slot::Of).and_then(|term| self.frame(term)),
+            _ => None,
+        };
+        let frame = frame.unwrap_or(self.reading.letters.component_frame);
+        let tensor = Quantity::Inertia { of, about };
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let of = tensor.clone().boxed();
+            let entry = Quantity::Entry {
+                of,
+                row,
+                column,
+                on: frame,
+                integral: false,
+            };
+            self.hold_quantities(&entry, &zero(), declaration);
+        }
+        Some(())
+    }
+
+    fn no_moment(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let of = self.whole_of(premise)?;
+        let about = self.about(premise, &of);
+        let body = self.body_of(premise)?;
+        let moment = self.system().total_moment(body, about);
+        self.hold_zero(&moment, declaration);
+        Some(())
+    }
+
+    fn no_force(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let body = self.body_of(premise)?;
+        let force = self.system().total_force(body);
+        self.hold_zero(&force, declaration);
+        Some(())
+    }
+
+    /// "The weight and the force at O are the only loads on the top": about O the weight alone has a moment.
+    fn only_loads(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let body = self.body_of(premise)?;
+        let centre = self.centre_of(body);
+        let (mut held_at, mut weight, mut letter) = (None, None, None);
+        for load in premise.all(Slot::With).cloned().collect::<Vec<_>>() {
+            let Term::Phrase(load) = &load else {
+                return None;
+            };
+            match load.head {
+                "weight" => weight = Some(self.weight(premise)?),
+                "force" => {
+                    held_at = Some(self.point(load.slot(Slot::At)?)?);
+                    letter = load.slot(Slot::Which).cloned().or(letter);
+                }
+                _ => return None,
+            }
+        }
+        let force = match weight {
+            Some(weight) => self.system().value_of(&weight).ok()?.to_vector().ok()?,
+            None => crate::verify::model::system::nothing(),
+        };
+        if let Some(Term::Formula(letter)) = &letter {
+            let rest = self.system().total_force(body) - force.clone();
+            let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
+            self.denote(letter, Meaning::Quantity(known), declaration);
+        }
+        let about = held_at.unwrap_or(centre);
+        let arm = self.system().position(centre, about);
+        let moment =
+            self.system().total_moment(body, about) - crate::mechanics::cross(&arm, &force);
+        self.hold_zero(&moment, declaration);
+        if held_at.is_none() {
+            let rest = self.system().total_force(body) - force;
+            self.hold_zero(&rest, declaration);
+        }
+        Some(())
+    }
+
+    /// A body that is symmetric about an axis has I = I_t 1 + (I_s − I_t) n nᵀ.
+    fn read_symmetry(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        let [subject] = subjects else { return };
+        let Some(body) = self.body(subject) else {
+            return self.say_unused(declaration);
+        };
+        let Some(frame) = self.reading.system.bodies[body].frame else {
+            return;
+        };
+        let Some(about) = what.slot(Slot::About).cloned() else {
+            return;
+        };
+        let axis =
+            crate::verify::reading::names::name_of(&about).and_then(|n| self.axes.get(&n).copied());
+        let Some((_, axis)) = axis else {
+            return self.say_unused(declaration);
+        };
+        let of = crate::verify::term::quantity::Whole::Body(body);
+        let about = self.centre_of(body);
+        let tensor = Quantity::Inertia { of, about };
+        let n = self.system().axis(frame, axis);
+        let Ok(tensor) = self.system().value_of(&tensor).and_then(|v| v.to_matrix()) else {
+            return;
+        };
+        // I n is along n, and I is the same for all directions across.
+        let along = crate::mechanics::apply(&tensor, &n);
+        self.hold_zero(&crate::mechanics::cross(&n, &along), declaration);
+        let spin = n.dot(&along);
+        let across = (tensor.trace() - spin.clone()) * crate::algebra::Fraction::from_ratio(1, 2);
+        for row in 0..3 {
+            for column in 0..=row {
+                let one = crate::verify::model::atoms::whole(i64::from(row == column));
+                let dyad = n[row].clone() * n[column].clone();
+                let told = across.clone() * one + (spin.clone() - across.clone()) * dyad;
+                self.hold(tensor[(row, column)].clone() - told, declaration);
+            }
+        }
+    }
+
+    /// "Line 135 holds in the section "The Spherical Top"": it is assumed there.
+    fn read_line_holds(
+        &mut self,
+        lines: &Extent,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
+        let section = slots.iter().find_map(|(_, term)| match term {
+            Term::Phrase(phrase) if phrase.head == "section" => match phrase.slot(Slot::Which) {
+                Some(Term::Name(title)) => Some(title.clone()),
+                _ => None,
+            },
+            _ => None,
+        });
+        let lines = reach_of(lines);
+        let small: Vec<&Term> = slots
+            .iter()
+            .filter(|(s, _)| *s == Slot::In)
+            .map(|(_, t)| t)
+            .collect();
+        if section.is_none() && !small.is_empty() {
+            let values = self.small_letters(&small, declaration);
+            let variables = values
+                .iter()
+                .flat_map(|v| v.entries.iter())
+                .filter_map(|e| e.as_variable());
+            self.reading.first_order.push((lines, variables.collect()));
+            return;
+        }
+        if slots
+            .iter()
+            .any(|(slot, term)| *slot == Slot::At && matches!(term, Term::Formula(_)))
+        {
+            self.reading.instants.push(lines.clone());
+            self.reading.roles.push((lines, Some(Role::Given)));
+            return;
+        }
+        match section {
+            Some(title) => self
+                .reading
+                .held
+                .push((lines.clone(), Reach::Section(title))),
+            None => self.say_unused(declaration),
+        }
+        self.reading.roles.push((lines, Some(Role::Assume)));
+    }
+
+    /// A bare formula: it holds.
+    fn read_formula(&mut self, formula: &Formula, declaration: &Declaration) {
+        let Row::Line(Line {
+            sides, relations, ..
+        }) = &formula.row
+        else {
+            return self.say_unused(declaration);
+        };
+        let equal = relations
+            .iter()
+            .all(|(r, _)| matches!(r, Relation::Equal | Relation::Defined));
+        if !equal {
+            return self.say_unused(declaration);
+        }
+        let value = |builder: &mut Self, node: &crate::notation::ast::Node| {
+            let formula = Formula {
+                source: crate::notation::print::latex(node),
+                row: Row::Expression(node.clone()),
+            };
+            builder.formula_value(&formula, declaration)
+        };
+        let values: Vec<Option<Value>> = sides.iter().map(|side| value(self, side)).collect();
+        for pair in values.windows(2) {
+            if let [Some(left), Some(right)] = pair {
+                self.hold_equal(&left.clone(), &right.clone(), declaration);
+            }
+        }
+    }
+
+    /// Declared roles of lines.
+    pub(super) fn read_roles(&mut self) {
+        for declaration in self.declarations {
+            if let Statement::LineHolds { lines, slots } = &declaration.statement {
+                self.read_line_holds(lines, slots, declaration);
+            }
+            let Statement::Role { lines, role } = &declaration.statement else {
+                continue;
+            };
+            let reach = match lines {
+                Extent::Document => Reach::All,
+                lines => reach_of(lines),
+            };
+            let role = match role {
+                DeclaredRole::Given => Some(Role::Given),
+                DeclaredRole::Assume => Some(Role::Assume),
+                DeclaredRole::Claim => Some(Role::Claim),
+                DeclaredRole::Define(_) => Some(Role::Define),
+                DeclaredRole::LeftOut => None,
+            };
+            self.reading.roles.push((reach, role));
+        }
+    }
+}
+
+fn zero() -> Quantity {
+    Quantity::Known(Value::scalar(Zero::zero()))
+}

@@ -1,0 +1,391 @@
+//! From a noun with its slots to a quantity of the model.
+
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::model::bodies::Velocities;
+use crate::verify::model::system::{FrameId, PointId, Rotors};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::name_of;
+use crate::verify::term::quantity::{Quantity, Spot, Whole};
+use crate::verify::term::value::{Basis, Value};
+
+impl Builder<'_> {
+    /// The quantity that a phrase names.
+    pub(super) fn quantity(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let mut quantity = self.bare_quantity(phrase, declaration)?;
+        if let Some(along) = phrase.slot(Slot::Along)
+            && !matches!(phrase.head, "unit vector" | "moment of inertia")
+            && phrase.slot(Slot::Upon).is_none()
+        {
+            let along = self.axis_quantity(&along.clone(), declaration)?;
+            quantity = Quantity::Along {
+                of: quantity.boxed(),
+                axis: along.boxed(),
+            };
+        }
+        if let Some(frame) = phrase.slot(Slot::On).and_then(|term| self.frame(term))
+            && !matches!(
+                phrase.head,
+                "component" | "principal moments" | "products of inertia" | "entry"
+            )
+        {
+            quantity = Quantity::On(quantity.boxed(), frame);
+        }
+        Some(quantity)
+    }
+
+    fn bare_quantity(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let ground = self.reading.system.ground;
+        let relative = self.relative(phrase).unwrap_or(ground);
+        Some(match phrase.head {
+            "position" | "displacement" => {
+                let of = self.spot(phrase.slot(Slot::Of)?)?;
+                let from = phrase
+                    .slot(Slot::RelativeTo)
+                    .or_else(|| phrase.slot(Slot::From));
+                let from = from.and_then(|term| self.point(term)).unwrap_or(0);
+                Quantity::Position { of, from }
+            }
+            "velocity" => {
+                let of = self.spot(phrase.slot(Slot::Of)?)?;
+                Quantity::Velocity { of, relative }
+            }
+            "acceleration" => {
+                let of = self.spot(phrase.slot(Slot::Of)?)?;
+                Quantity::Acceleration { of, relative }
+            }
+            "angular velocity" => {
+                let of = self.frame(phrase.slot(Slot::Of)?)?;
+                Quantity::AngularVelocity { of, relative }
+            }
+            "angular acceleration" => {
+                let of = self.frame(phrase.slot(Slot::Of)?)?;
+                let omega = Quantity::AngularVelocity { of, relative };
+                Quantity::Rate {
+                    of: omega.boxed(),
+                    seen: relative,
+                }
+            }
+            "rate" => {
+                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+                let seen = phrase
+                    .slot(Slot::SeenFrom)
+                    .and_then(|term| self.frame(term));
+                Quantity::Rate {
+                    of: of.boxed(),
+                    seen: seen.unwrap_or(ground),
+                }
+            }
+            "distance" => self.distance(phrase, declaration)?,
+            "magnitude" => {
+                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+                Quantity::Magnitude(of.boxed())
+            }
+            "cross-product matrix" => {
+                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+                Quantity::CrossProductMatrix(of.boxed())
+            }
+            "identity matrix" => Quantity::Identity,
+            "mass" => Quantity::Mass(self.whole_of(phrase)?),
+            _ => return self.dynamic_quantity(phrase, declaration, relative),
+        })
+    }
+
+    fn dynamic_quantity(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+        relative: FrameId,
+    ) -> Option<Quantity> {
+        Some(match phrase.head {
+            "inertia tensor" => {
+                let of = self.whole_of(phrase)?;
+                let about = self.about(phrase, &of);
+                Quantity::Inertia { of, about }
+            }
+            "moment of inertia" => self.moment_of_inertia(phrase, declaration)?,
+            "momentum" => Quantity::Momentum {
+                of: self.whole_of(phrase)?,
+                relative,
+            },
+            "angular momentum" => {
+                let of = self.whole_of(phrase)?;
+                let about = self.about(phrase, &of);
+                let velocities = match phrase.slot(Slot::VelocitiesRelativeTo) {
+                    Some(term) if self.point(term).is_some() => Velocities::RelativeToPoint,
+                    _ => Velocities::Absolute,
+                };
+                Quantity::AngularMomentum {
+                    of,
+                    about,
+                    relative,
+                    velocities,
+                }
+            }
+            "force" => self.force(phrase)?,
+            "weight" => self.weight(phrase)?,
+            "moment" => self.moment(phrase, declaration)?,
+            _ => return self.energy(phrase, relative),
+        })
+    }
+
+    fn energy(&mut self, phrase: &NounPhrase, relative: FrameId) -> Option<Quantity> {
+        if phrase.head == "height" {
+            return self.height(phrase);
+        }
+        let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
+        let rotation = phrase.head == "kinetic energy of rotation";
+        let kinetic = Quantity::KineticEnergy {
+            of,
+            relative,
+            rotation,
+        };
+        match phrase.head {
+            "kinetic energy" | "kinetic energy of rotation" => Some(kinetic),
+            "potential energy" => self.potential_energy(body?),
+            "total energy" => Some(self.total_energy(body?, kinetic)),
+            "Lagrangian" => {
+                let potential = body.and_then(|body| self.potential_energy(body));
+                let minus = |v: Quantity| Quantity::Scaled(v.boxed(), whole(-1));
+                let terms = std::iter::once(kinetic).chain(potential.map(minus));
+                Some(Quantity::Sum(terms.collect()))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a slot names: a letter, or a phrase.
+    pub(super) fn operand(&mut self, term: &Term, declaration: &Declaration) -> Option<Quantity> {
+        match term {
+            Term::Phrase(phrase) => self.quantity(phrase, declaration),
+            Term::Formula(formula) => match self.quantity_of(formula, declaration) {
+                Some(quantity) => Some(quantity),
+                None => self
+                    .mentioned_value(formula, declaration)
+                    .map(Quantity::Known),
+            },
+            _ => None,
+        }
+    }
+
+    fn relative(&self, phrase: &NounPhrase) -> Option<FrameId> {
+        phrase
+            .slot(Slot::RelativeTo)
+            .and_then(|term| self.frame(term))
+    }
+
+    /// The point that a quantity is about; the mass centre where none is said.
+    pub(super) fn about(&self, phrase: &NounPhrase, of: &Whole) -> PointId {
+        let centre = match of {
+            Whole::Body(body) => self.centre_of(*body),
+            Whole::Member(..) => 0,
+        };
+        let about = phrase.slot(Slot::About);
+        let through = about.and_then(|term| match term {
+            Term::Phrase(axis) => axis.slot(Slot::Through).and_then(|t| self.point(t)),
+            _ => None,
+        });
+        about
+            .and_then(|term| self.point(term))
+            .or(through)
+            .unwrap_or(centre)
+    }
+
+    pub(super) fn centre_of(&self, body: usize) -> PointId {
+        self.reading.system.bodies[body].centre
+    }
+
+    /// A direction as a quantity.
+    pub(super) fn axis_quantity(
+        &mut self,
+        term: &Term,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        if let Some(name) = name_of(term)
+            && let Some(&(frame, axis)) = self.axes.get(&name)
+        {
+            return Some(Quantity::Axis(frame, axis));
+        }
+        if let Term::Formula(formula) = term
+            && let Some(quantity) = self.quantity_of(formula, declaration)
+        {
+            return Some(quantity);
+        }
+        let vector = self.direction(term, declaration, None)?;
+        Some(Quantity::Known(Value::vector(&vector, Basis::Itself)))
+    }
+
+    fn moment_of_inertia(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let of = self.whole_of(phrase)?;
+        if let Some(rotors) = self.rotors_of(&of) {
+            return Some(Quantity::Known(Value::scalar(rotors.inertia)));
+        }
+        let about = self.about(phrase, &of);
+        let axis = phrase
+            .slot(Slot::About)
+            .or_else(|| phrase.slot(Slot::Along))?
+            .clone();
+        let axis = match &axis {
+            Term::Phrase(line) => line
+                .slot(Slot::Along)
+                .cloned()
+                .unwrap_or_else(|| axis.clone()),
+            _ => axis,
+        };
+        let axis = self.axis_quantity(&axis, declaration)?;
+        let tensor = Quantity::Inertia { of, about };
+        Some(Quantity::Along {
+            of: tensor.boxed(),
+            axis: axis.boxed(),
+        })
+    }
+
+    /// The rotors that a member is one of.
+    fn rotors_of(&self, of: &Whole) -> Option<Rotors> {
+        let Whole::Member(family, index) = of else {
+            return None;
+        };
+        let body = self.reading.system.families[*family].body?;
+        let rotors = self.reading.system.bodies[body].rotors.clone()?;
+        (rotors.index == *index).then_some(rotors)
+    }
+
+    /// The moment along its axis that drives a wheel: J (Ω̇ + g·ω̇).
+    fn drive(&mut self, rotors: &Rotors, body: usize) -> Quantity {
+        let frame = self.reading.system.bodies[body].frame.unwrap_or(0);
+        let ground = self.reading.system.ground;
+        let omega = self.system().angular_velocity(frame, ground);
+        let spin = rotors.rate.clone() + rotors.axis.dot(&omega);
+        let rate = self.system().atoms.derivative(&spin);
+        Quantity::Known(Value::scalar(rotors.inertia.clone() * rate))
+    }
+
+    fn distance(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        let of = self.spot(phrase.slot(Slot::Of)?)?;
+        let from = phrase
+            .slot(Slot::RelativeTo)
+            .or_else(|| phrase.slot(Slot::From))?
+            .clone();
+        match &from {
+            Term::Phrase(axis) => {
+                let through = axis
+                    .slot(Slot::Through)
+                    .and_then(|term| self.point(term))
+                    .unwrap_or(0);
+                let along = axis.slot(Slot::Along)?.clone();
+                let along = self.axis_quantity(&along, declaration)?;
+                Some(Quantity::Distance {
+                    of,
+                    from: through,
+                    axis: along.boxed(),
+                })
+            }
+            other => {
+                let from = self.point(other)?;
+                Some(Quantity::Magnitude(Quantity::Position { of, from }.boxed()))
+            }
+        }
+    }
+
+    fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let of = self.whole_of(phrase)?;
+        match of {
+            Whole::Member(family, index) if phrase.is("external") => {
+                Some(Quantity::ExternalForce(family, index))
+            }
+            of => Some(Quantity::Force(of)),
+        }
+    }
+
+    fn moment(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        if let Some(upon) = phrase.slot(Slot::Upon).and_then(|term| self.whole(term))
+            && let Some(rotors) = self.rotors_of(&upon)
+            && let Whole::Member(family, _) = &upon
+            && let Some(body) = self.reading.system.families[*family].body
+        {
+            return Some(self.drive(&rotors, body));
+        }
+        match phrase.slot(Slot::Of)? {
+            Term::Formula(formula) => {
+                let force = self.quantity_of(&formula.clone(), declaration)?;
+                let at = match &force {
+                    Quantity::ExternalForce(family, index) => Spot::Member(*family, index.clone()),
+                    _ => return None,
+                };
+                let about = phrase.slot(Slot::About).and_then(|term| self.point(term))?;
+                Some(Quantity::MomentOf {
+                    force: force.boxed(),
+                    at,
+                    about,
+                })
+            }
+            Term::Phrase(load) if load.head == "weight" => {
+                let body = self.body_of(load)?;
+                let force = self.weight(load)?;
+                let at = Spot::Point(self.centre_of(body));
+                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
+                let about = about.and_then(|term| self.point(term))?;
+                Some(Quantity::MomentOf {
+                    force: force.boxed(),
+                    at,
+                    about,
+                })
+            }
+            _ => {
+                let of = self.whole_of(phrase)?;
+                let about = self.about(phrase, &of);
+                match of {
+                    Whole::Body(of) => Some(Quantity::Moment { of, about }),
+                    Whole::Member(..) => None,
+                }
+            }
+        }
+    }
+
+    pub(super) fn body_of(&self, phrase: &NounPhrase) -> Option<usize> {
+        match self.whole_of(phrase)? {
+            Whole::Body(body) => Some(body),
+            Whole::Member(..) => None,
+        }
+    }
+
+    /// m g of a body.
+    pub(super) fn weight(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let body = self.body_of(phrase)?;
+        let mass = self.reading.system.mass(body);
+        let gravity = self.gravity.clone()?;
+        Some(Quantity::Scaled(gravity.boxed(), mass))
+    }
+
+    /// −m g · r, from the origin or from where it is said to be zero.
+    pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
+        use crate::verify::language::statement::Statement;
+        let gravity = self.gravity.clone()?;
+        let zero = self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Premise(p) if p.head == "potential energy" => {
+                p.slot(Slot::At).and_then(|term| self.point(term))
+            }
+            _ => None,
+        });
+        let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
+        let mass = self.reading.system.mass(body);
+        let way = self
+            .reading
+            .system
+            .position(self.centre_of(body), zero.unwrap_or(0));
+        let energy = -(value.dot(&way) * mass);
+        Some(Quantity::Known(Value::scalar(energy)))
+    }
+}

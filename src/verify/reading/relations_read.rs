@@ -1,0 +1,181 @@
+//! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
+
+use crate::notation::ast::Kind;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::system::Vector;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
+
+/// The order of the entries of a symmetric tensor, where their letters do not say it.
+const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
+
+impl Builder<'_> {
+    /// "The angle between n and z is `\theta`": n·z = |n| |z| cos θ.
+    pub(super) fn read_angle(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let ends: Vec<Term> = what.all(Slot::Between).cloned().collect();
+        let [one, other] = ends.as_slice() else {
+            return None;
+        };
+        let Some(Term::Formula(letter)) = subjects.first() else {
+            return None;
+        };
+        let angle = self.scalar(letter, declaration)?;
+        let (one, other) = (
+            self.vector(one, declaration)?,
+            self.vector(other, declaration)?,
+        );
+        let (cosine, _) = self.system().atoms.cosine_sine(&angle)?;
+        let lengths = one.dot(&one) * other.dot(&other);
+        let length = self.system().atoms.root(&lengths)?;
+        self.hold(one.dot(&other) - length * cosine, declaration);
+        Some(())
+    }
+
+    /// The vector that a term names: a letter, an axis, a position.
+    fn vector(&mut self, term: &Term, declaration: &Declaration) -> Option<Vector> {
+        if let Some(quantity) = self.operand(term, declaration)
+            && let Ok(value) = self.system().value_of(&quantity)
+            && let Ok(vector) = value.to_vector()
+        {
+            return Some(vector);
+        }
+        self.direction(term, declaration, None)
+    }
+
+    /// "n is perpendicular to j", "e is horizontal".
+    pub(super) fn read_perpendicular(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let others: Vec<Term> = what.all(Slot::With).cloned().collect();
+        let mut directions = vec![];
+        for other in &others {
+            directions.push(self.vector(other, declaration)?);
+        }
+        if what.head == "horizontal" {
+            let (frame, axis) = self.upward?;
+            directions.push(self.system().axis(frame, axis));
+        }
+        for subject in subjects {
+            let vector = self.vector(subject, declaration)?;
+            for direction in &directions {
+                self.hold(vector.dot(direction), declaration);
+            }
+        }
+        (!directions.is_empty()).then_some(())
+    }
+
+    /// "`I_{xx}`, …, `I_{yz}` are entries of `I`": by the labels of the letters, or in the customary order.
+    pub(super) fn read_entries(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let of = what.slot(Slot::Of).cloned()?;
+        let of = self.operand(&of, declaration)?;
+        let on = what
+            .slot(Slot::On)
+            .and_then(|term| self.frame(term))
+            .or(of.frame());
+        let on = on.unwrap_or(self.reading.letters.component_frame);
+        for (place, formula) in formulas(subjects).enumerate() {
+            let [row, column] = labelled_entry(formula).or(ENTRIES.get(place).copied())?;
+            let integral = self.reading.letters.integrals && is_tensor(&of);
+            let quantity = Quantity::Entry {
+                of: of.clone().boxed(),
+                row,
+                column,
+                on,
+                integral,
+            };
+            self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+        Some(())
+    }
+
+    /// A size of a body is a constant of its own.
+    pub(super) fn read_size(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            let quantity = Quantity::Scalar {
+                text: formula.source.clone(),
+                constant: true,
+            };
+            self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// The height of a point above another.
+    pub(super) fn height(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let of = self.spot(phrase.slot(Slot::Of)?)?;
+        let from = phrase
+            .slot(Slot::With)
+            .and_then(|term| self.point(term))
+            .unwrap_or(0);
+        let (frame, axis) = self.upward?;
+        let way = Quantity::Position { of, from };
+        Some(Quantity::Component {
+            of: way.boxed(),
+            axis,
+            on: frame,
+        })
+    }
+
+    /// T + V.
+    pub(super) fn total_energy(&mut self, body: usize, kinetic: Quantity) -> Quantity {
+        let mut terms = vec![kinetic];
+        terms.extend(self.potential_energy(body));
+        Quantity::Sum(terms)
+    }
+
+    /// The letters in which a line is taken to first order.
+    pub(super) fn small_letters(
+        &mut self,
+        terms: &[&Term],
+        declaration: &Declaration,
+    ) -> Vec<Value> {
+        let formulas = terms.iter().filter_map(|term| match term {
+            Term::Formula(formula) => Some(formula.clone()),
+            _ => None,
+        });
+        let formulas: Vec<Formula> = formulas.collect();
+        formulas
+            .iter()
+            .filter_map(|formula| self.formula_value(formula, declaration))
+            .collect()
+    }
+}
+
+/// Row and column by the label of a letter: the xy of `I_{xy}`.
+fn labelled_entry(formula: &Formula) -> Option<[usize; 2]> {
+    let Kind::Symbol(symbol) = &node_of(formula)?.kind else {
+        return None;
+    };
+    let label = symbol.subscripts.last()?;
+    let axis = |c: char| "xyz".find(c).or_else(|| "123".find(c));
+    let axes: Option<Vec<usize>> = label.chars().filter(|c| *c != ',').map(axis).collect();
+    match axes?.as_slice() {
+        &[row, column] => Some([row, column]),
+        _ => None,
+    }
+}
+
+/// Whether the products of a tensor have a convention.
+fn is_tensor(quantity: &Quantity) -> bool {
+    match quantity {
+        Quantity::Inertia { .. } => true,
+        Quantity::On(of, _) => is_tensor(of),
+        _ => false,
+    }
+}

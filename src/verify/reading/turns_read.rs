@@ -1,0 +1,166 @@
+//! Turns that are told by angles: Euler angles, angles from the other side, and turns of a part of the document.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::model::system::{Axis, FrameId, Turn};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::Said;
+use crate::verify::reading::names::name_of;
+
+impl Builder<'_> {
+    /// Three angles in an order: two frames between, each turned about one axis.
+    pub(super) fn read_euler_angles(&mut self, declaration: &Declaration) {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            return;
+        };
+        if what.head != "Euler angles" {
+            return;
+        }
+        let order: Option<Vec<usize>> = what
+            .all(Slot::InOrder)
+            .map(|term| self.number_of_axis(term))
+            .collect();
+        let frame = what.slot(Slot::Of).and_then(|term| self.frame(term));
+        let (Some(order), Some(frame)) = (order, frame) else {
+            return self.say_unused(declaration);
+        };
+        let relative = what
+            .slot(Slot::RelativeTo)
+            .and_then(|term| self.frame(term));
+        let relative = relative.unwrap_or(self.reading.system.ground);
+        let mut angles = vec![];
+        for subject in subjects {
+            let Term::Formula(formula) = subject else {
+                continue;
+            };
+            angles.extend(self.scalar(&formula.clone(), declaration));
+        }
+        if order.len() != 3
+            || angles.len() != 3
+            || self.reading.system.frames[frame].parent != Some(relative)
+        {
+            return self.say_unused(declaration);
+        }
+        self.chain_of_angles(frame, relative, &order, &angles);
+    }
+
+    pub(super) fn chain_of_angles(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        order: &[usize],
+        angles: &[Fraction],
+    ) {
+        let name = self.reading.system.frames[frame].name.clone();
+        let mut parent = relative;
+        for step in 0..2 {
+            let between = format!("{name}{}", "'".repeat(2 - step));
+            parent = self.system().add_frame(
+                &between,
+                Some(parent),
+                Turn::Angle(order[step], Box::new(angles[step].clone())),
+            );
+        }
+        let turned = &mut self.reading.system.frames[frame];
+        turned.parent = Some(parent);
+        turned.turn = Turn::Angle(order[2], Box::new(angles[2].clone()));
+    }
+
+    /// "A is a frame that turns relative to N about z": the axis is the same on both.
+    pub(super) fn read_turning_frame(&mut self, declaration: &Declaration) {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            return;
+        };
+        let (true, Some(about)) = (what.head == "frame", what.slot(Slot::About)) else {
+            return;
+        };
+        let relative = what.slot(Slot::RelativeTo).and_then(name_of);
+        let slots: Vec<(Slot, Term)> = what.slots.clone();
+        let about = about.clone();
+        for subject in subjects {
+            let Some(frame) = self.frame(subject) else {
+                continue;
+            };
+            let said = Said {
+                relative: relative.clone(),
+                slots: &slots,
+                declaration,
+            };
+            if self.reading.system.frames[frame].turn == Turn::Free {
+                let _ = &about;
+                self.turn_frame(frame, &said);
+            }
+        }
+    }
+
+    /// A frame that turns at a rate, of which an angle is told from the other side.
+    pub(super) fn told_by_angle(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        axis: usize,
+        angle: &Fraction,
+        declaration: &Declaration,
+    ) -> bool {
+        let (child, angle) = match self.reading.system.frames[relative].parent {
+            Some(parent) if parent == frame => (relative, -angle.clone()),
+            _ if self.reading.system.frames[frame].parent == Some(relative) => {
+                (frame, angle.clone())
+            }
+            _ => return false,
+        };
+        let Turn::Rate(Axis::Number(about), rate) = self.reading.system.frames[child].turn.clone()
+        else {
+            return false;
+        };
+        if about != axis {
+            return false;
+        }
+        self.reading.system.frames[child].turn = Turn::Angle(axis, Box::new(angle.clone()));
+        let change = self.system().atoms.derivative(&angle);
+        self.hold(change - *rate, declaration);
+        true
+    }
+
+    /// A turn that holds for a part of the document: ω is along the axis, with the rate that is told.
+    pub(super) fn hold_turn(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        about: &Term,
+        angle: Option<Fraction>,
+        rate: Option<Fraction>,
+        declaration: &Declaration,
+    ) {
+        let Some(along) = self.direction(about, declaration, Some(relative)) else {
+            return;
+        };
+        if let Term::Phrase(axis) = about
+            && let Some(point) = axis.slot(Slot::Through)
+        {
+            self.through
+                .push((frame, relative, point.clone(), declaration.clone()));
+        }
+        let omega = self.system().angular_velocity(frame, relative);
+        let rate = match (rate, angle) {
+            (Some(rate), _) => Some(rate),
+            (None, Some(angle)) => Some(self.system().atoms.derivative(&angle)),
+            (None, None) => None,
+        };
+        match rate {
+            Some(rate) => {
+                for k in 0..3 {
+                    let equation = omega[k].clone() - rate.clone() * along[k].clone();
+                    self.hold(equation, declaration);
+                }
+            }
+            None => {
+                let across = mechanics::cross(&omega, &along);
+                for k in 0..3 {
+                    self.hold(across[k].clone(), declaration);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! Letters that are told by more than one noun: vectors, constants, operators, principal moments, gravity.
+
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, Operator, spelled};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Shape, Value};
+use num_traits::Zero;
+
+impl Builder<'_> {
+    pub(super) fn read_vectors(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+        let along = what
+            .slot(Slot::Along)
+            .cloned()
+            .and_then(|term| self.operand(&term, declaration));
+        for formula in formulas(subjects) {
+            // Where a frame turns about it, that sentence has told more.
+            let known = self.quantity_of(formula, declaration);
+            let told = matches!(known, Some(Quantity::MemberVector { .. }))
+                || matches!(known, Some(Quantity::UnitVector { .. })) && carried.is_none();
+            if told {
+                continue;
+            }
+            let text = formula.source.clone();
+            let quantity = match (what.head, &along) {
+                ("vector", _) => Quantity::Vector { text, carried },
+                (_, Some(along)) => {
+                    let size = Quantity::Magnitude(along.clone().boxed());
+                    let size = self
+                        .system()
+                        .value_of(&size)
+                        .ok()
+                        .and_then(|v| v.to_scalar().ok());
+                    match size {
+                        Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
+                        None => Quantity::UnitVector { text, carried },
+                    }
+                }
+                _ => Quantity::UnitVector { text, carried },
+            };
+            self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// Letters of their own that do not change; of a quantity the rate vanishes.
+    pub(super) fn read_constants(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            match self.quantity_of(formula, declaration) {
+                Some(quantity) => {
+                    let value = self.system().value_of(&quantity);
+                    let ground = self.reading.system.ground;
+                    if let Ok(value) = value
+                        && let Ok(rate) = self.system().rate_of_value(&value, ground)
+                    {
+                        for entry in rate.entries {
+                            self.hold(entry, declaration);
+                        }
+                    }
+                }
+                None => {
+                    let text = formula.source.clone();
+                    let quantity = Quantity::Scalar {
+                        text,
+                        constant: true,
+                    };
+                    self.denote(formula, Meaning::Quantity(quantity), declaration);
+                }
+            }
+        }
+    }
+
+    /// "`c_\phi` and `s_\phi` are the cosine and the sine of `\phi`."
+    pub(super) fn read_kernels(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let angles: Vec<Term> = what.all(Slot::Of).cloned().collect();
+        for (formula, angle) in formulas(subjects).zip(angles) {
+            let Some(angle) = self.scalar_term(&angle, declaration) else {
+                continue;
+            };
+            let Some((cosine, sine)) = self.system().atoms.cosine_sine(&angle) else {
+                continue;
+            };
+            let value = if what.head == "cosine" { cosine } else { sine };
+            let known = Quantity::Known(Value::scalar(value));
+            self.denote(formula, Meaning::Quantity(known), declaration);
+        }
+    }
+
+    /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`."
+    pub(super) fn read_operator(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        use crate::notation::ast::Kind;
+        for formula in formulas(subjects) {
+            let Some(node) = node_of(formula) else {
+                continue;
+            };
+            let head = match &node.kind {
+                Kind::Call(head, _) => Some((**head).clone()),
+                Kind::Product(factors) => factors.first().map(|f| f.node.clone()),
+                _ => None,
+            };
+            let Some(head) = head else { continue };
+            let operator = match what.head {
+                "cross-product matrix" => Operator::CrossProductMatrix,
+                _ => Operator::RotationVector,
+            };
+            let head = Formula {
+                source: crate::notation::print::latex(&head),
+                row: crate::notation::document::Row::Expression(head),
+            };
+            self.denote(&head, Meaning::Operator(operator), declaration);
+        }
+    }
+
+    /// g: a vector that does not change in space, or its size along the vertical.
+    pub(super) fn read_gravity(&mut self, subjects: &[Term], declaration: &Declaration) {
+        let Some(formula) = formulas(subjects).next().cloned() else {
+            return;
+        };
+        let vector = node_of(&formula).is_some_and(|node| {
+            use crate::notation::ast::Kind;
+            matches!(&node.kind, Kind::Symbol(s) if s.style.vector)
+        });
+        let ground = self.reading.system.ground;
+        let text = formula.source.clone();
+        if vector {
+            let quantity = Quantity::Vector {
+                text,
+                carried: Some(ground),
+            };
+            self.gravity = Some(quantity.clone());
+            return self.denote(&formula, Meaning::Quantity(quantity), declaration);
+        }
+        let quantity = Quantity::Scalar {
+            text,
+            constant: true,
+        };
+        self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+        let size = self
+            .system()
+            .value_of(&quantity)
+            .ok()
+            .and_then(|v| v.to_scalar().ok());
+        let (frame, axis) = self.upward.unwrap_or((ground, 2));
+        self.gravity = size.map(|g| Quantity::Scaled(Quantity::Axis(frame, axis).boxed(), -g));
+    }
+
+    /// "A, A, C are the principal moments of the top about O on B": the products vanish, and A is two moments.
+    pub(super) fn read_principal_moments(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let tensor = match what.slot(Slot::Of) {
+            Some(Term::Formula(formula)) if self.quantity_of(formula, declaration).is_none() => {
+                return self.read_moments_of_letter(formula, subjects, what);
+            }
+            Some(Term::Formula(formula)) => {
+                self.operand(&Term::Formula(formula.clone()), declaration)
+            }
+            _ => self.whole_of(what).map(|of| {
+                let about = self.about(what, &of);
+                Quantity::Inertia { of, about }
+            }),
+        };
+        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
+        let frame = frame.unwrap_or(self.reading.letters.component_frame);
+        let Some(tensor) = tensor else {
+            return self.say_unused(declaration);
+        };
+        let entry = |row: usize, column: usize| Quantity::Entry {
+            of: tensor.clone().boxed(),
+            row,
+            column,
+            on: frame,
+            integral: false,
+        };
+        let mut seen: Vec<(String, usize)> = vec![];
+        for (axis, formula) in formulas(subjects).take(3).enumerate() {
+            let spelled = node_of(formula).map(spelled).unwrap_or_default();
+            match seen.iter().find(|(s, _)| *s == spelled).map(|(_, a)| *a) {
+                Some(first) => {
+                    self.hold_quantities(&entry(first, first), &entry(axis, axis), declaration)
+                }
+                None => self.denote(formula, Meaning::Quantity(entry(axis, axis)), declaration),
+            }
+            seen.push((spelled, axis));
+        }
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let zero = Quantity::Known(Value::scalar(Zero::zero()));
+            self.hold_quantities(&entry(row, column), &zero, declaration);
+        }
+    }
+
+    /// Principal moments of a tensor that a line defines: their labels number its axes.
+    pub(super) fn read_moments_of_letter(
+        &mut self,
+        formula: &Formula,
+        subjects: &[Term],
+        what: &NounPhrase,
+    ) {
+        let Some(node) = node_of(formula) else { return };
+        let shape = Shape {
+            rows: 3,
+            columns: 3,
+            basis: [Basis::Itself; 2],
+        };
+        self.reading
+            .shapes
+            .insert(crate::notation::print::latex(node), shape);
+        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
+        let _ = (subjects, frame);
+    }
+}
