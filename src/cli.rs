@@ -7,6 +7,7 @@ mod bench;
 mod certificates;
 mod chart;
 mod check;
+mod declare;
 mod derive;
 mod explain;
 mod help;

@@ -21,13 +21,19 @@ pub struct Checked {
     pub report: Report,
 }
 
-/// An input that could not be read at all.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// An input that could not be read, or a sentence in it that was not understood.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Failure {
     /// Its name as it was given.
     pub path: String,
     /// Why, in one clause.
     pub message: String,
+    /// The notebook cell, from 0.
+    pub cell: Option<usize>,
+    /// The line and the column, from 1, where it is known.
+    pub place: Option<(usize, usize)>,
+    /// What to do.
+    pub help: Option<String>,
 }
 
 /// Where a byte of a document stands, as its author would say it.

@@ -4,26 +4,45 @@
 //! premises of the document form a triangular set; a line is proved when its difference, with all of them put in, is
 //! the zero polynomial, and refuted by a small exact world where it is not.
 //!
-//! `letters` and `words` say what a document means, `values` what a formula is worth, `theory` what holds, `lines` what
-//! becomes of each line, and `repair` what a false one should have been; `check` goes through them from top to bottom,
-//! and `meanings` chooses between the readings that a document leaves open.
+//! There are two houses. A document whose meaning is declared is judged in the new one ([`check_declared()`]), where each
+//! room sees those left of it alone:
+//!
+//! ```text
+//! model ← term ← facts ← reading ← standing        language (sentences ⇄ statements) ─→ reading
+//! ```
+//!
+//! `model` holds frames, points, bodies and families with their laws, `term` makes values of formulas, `facts` says
+//! what holds and proves, `reading` builds the model from the sentences of `language`, and `standing` says what each line
+//! is worth. All other documents are judged in the old house ([`check()`]): there `letters` and `words` say what a document
+//! means, `values` what a formula is worth, `theory` what holds, `lines` what becomes of each line, and `repair` what a
+//! false one should have been.
 
 mod check;
+mod declarations;
+mod declared;
+pub(crate) mod facts;
+pub mod language;
 mod letters;
 mod lines;
 mod meanings;
+pub(crate) mod model;
 mod names;
+pub(crate) mod reading;
 mod reason;
 mod repair;
 mod spelling;
+pub(crate) mod standing;
+pub(crate) mod term;
 mod theory;
 mod values;
 mod verdict;
 mod words;
 
+pub use declarations::{Declared, Misunderstood, Sheet, declarations};
+pub use declared::check_declared;
 pub use meanings::check;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
-    Convention, Counterexample, Diagnosis, Finding, FromProse, Passed, Report, Role, Summary,
-    Verdict,
+    Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,
+    Report, Role, Summary, Verdict,
 };

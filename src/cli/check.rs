@@ -1,11 +1,11 @@
 //! `polhode check`.
 
 use crate::cli::output::Form;
-use crate::cli::{certificates, input, output};
+use crate::cli::{certificates, declare, input, output};
 use crate::diagnostic::Severity;
 use crate::notation::{self, document::Format};
 use crate::report::{Checked, Failure, json, terminal};
-use crate::verify;
+use crate::verify::{self, Sheet};
 use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
 use std::fs;
@@ -18,8 +18,14 @@ Example:
   polhode check notes.md
   pbpaste | polhode check --as tex --format json -
 
-Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input can't be read,
-3 nothing is refuted but a line is undecided or unreadable.
+  polhode check --declare meaning.txt notes.tex
+  polhode check --meaning notes.md
+
+Sentences in the front matter, under `polhode:`, say what a document means; then its lines are judged by
+them alone. polhode help language has the sentences.
+
+Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input can't be read or
+a sentence that declares something is not understood, 3 nothing is refuted but a line is undecided or unreadable.
 
 What can be written, and what it is read as: polhode help notation")]
 pub(super) struct Options {
@@ -38,6 +44,12 @@ pub(super) struct Options {
     /// Read every input as this kind of document [default: by the file's ending, Markdown for standard input]
     #[arg(long = "as", value_enum, value_name = "KIND")]
     kind: Option<Kind>,
+    /// Sentences that say what the documents mean, one a line; beside those in their front matter
+    #[arg(long, value_name = "FILE")]
+    declare: Vec<PathBuf>,
+    /// Print what the documents are taken to mean, as sentences for their front matter, and no verdicts
+    #[arg(long)]
+    meaning: bool,
     /// Also quote the lines that hold and list what was not taken as a line
     #[arg(long)]
     verbose: bool,
@@ -64,8 +76,9 @@ impl Kind {
 
 /// Checks the files and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
+    let inputs = || options.files.iter().chain(&options.declare);
     if let Some(out) = &options.out
-        && options.files.iter().any(|file| same(file, out))
+        && inputs().any(|file| same(file, out))
     {
         eprintln!(
             "error: {} is an input; --out would overwrite it",
@@ -73,17 +86,21 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         );
         return 2;
     }
-    let (mut checked, mut failures) = (vec![], vec![]);
-    for path in &options.files {
-        match input::read(path) {
-            Ok(text) => checked.push(check(path, &text, options.kind)),
-            Err(error) => failures.push(Failure {
-                path: input::name(path),
-                message: error.to_string(),
-            }),
+    let (sheets, mut failures) = declare::sheets(&options.declare);
+    let mut checked = vec![];
+    if failures.is_empty() {
+        for path in &options.files {
+            match input::read(path) {
+                Ok(text) => match check(path, &text, options.kind, &sheets, color) {
+                    Ok(one) => checked.push(one),
+                    Err(wrong) => failures.extend(wrong),
+                },
+                Err(error) => failures.push(declare::failure(path, &error.to_string())),
+            }
         }
     }
-    for failure in &failures {
+    // What has a place was drawn there.
+    for failure in failures.iter().filter(|failure| failure.place.is_none()) {
         eprintln!("error: {}: {}", failure.path, failure.message);
     }
     if let Some(folder) = &options.certificate {
@@ -92,40 +109,67 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
             failed => return failed,
         }
     }
-    let text = match options.format {
-        Form::Text => checked
-            .iter()
-            .map(|checked| terminal::check(checked, options.verbose))
-            .collect::<Vec<_>>()
-            .join("\n"),
-        Form::Json => match json::check(&checked, &failures) {
-            Ok(text) => text,
-            Err(error) => {
-                eprintln!("error: {error}");
-                return 2;
-            }
-        },
+    let text = match written(options, &checked, &failures) {
+        Ok(text) => text,
+        Err(error) => return output::failed(&error.to_string()),
     };
     match output::deliver(&text, options.out.as_deref(), color) {
-        0 if failures.is_empty() => code(&checked),
-        0 => 2,
+        0 if !failures.is_empty() => 2,
+        0 if options.meaning && options.format == Form::Text => 0,
+        0 => code(&checked),
         failed => failed,
     }
 }
 
-fn check(path: &Path, text: &str, kind: Option<Kind>) -> Checked {
+/// The report in the form that was asked for.
+fn written(
+    options: &Options,
+    checked: &[Checked],
+    failures: &[Failure],
+) -> serde_json::Result<String> {
+    let drawn = checked
+        .iter()
+        .map(|checked| terminal::check(checked, options.verbose));
+    match options.format {
+        Form::Text if options.meaning => Ok(declare::meaning(checked)),
+        Form::Text => Ok(drawn.collect::<Vec<_>>().join("\n")),
+        Form::Json => json::check(checked, failures),
+    }
+}
+
+/// Checks one document: by what is declared of it, or as its words have it where nothing is.
+fn check(
+    path: &Path,
+    text: &str,
+    kind: Option<Kind>,
+    sheets: &[Sheet],
+    color: ColorChoice,
+) -> Result<Checked, Vec<Failure>> {
     let format = match kind {
         Some(kind) => kind.format(),
         None if path.as_os_str() == "-" => Format::Markdown,
         None => Format::of_path(path),
     };
     let (document, diagnostics) = notation::read(&input::name(path), text, format);
-    let report = verify::check(&document);
-    Checked {
+    let declared = verify::declarations(&document, sheets);
+    if !declared.misunderstood.is_empty() {
+        return Err(declare::misunderstood(&document, sheets, &declared, color));
+    }
+    let report = match declared.is_empty() {
+        true => verify::check(&document),
+        false => {
+            let mut report = verify::check_declared(&document, &declared.declarations);
+            report.meaning = declared.meaning();
+            report
+        }
+    };
+    let mut checked = Checked {
         document,
         diagnostics,
         report,
-    }
+    };
+    declare::warn_of_unused(&mut checked, sheets, &declared, color);
+    Ok(checked)
 }
 
 /// Whether two paths name one existing file.

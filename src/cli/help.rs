@@ -3,19 +3,21 @@
 use crate::cli::output;
 use crate::notation::MANUAL;
 use crate::scene;
+use crate::verify::language;
 use anstream::ColorChoice;
 use clap::{Args, Command};
 use std::collections::BTreeSet;
 
-/// Prints the help of a command, or of what is read: `notation` of documents, `scene` files
+/// Prints the help of a command, or of what is read: `notation` of documents, the `language` of declarations, `scene` files
 #[derive(Args, Debug)]
 #[command(after_help = "\
 Examples:
   polhode help check
   polhode help notation
+  polhode help language
   polhode help scene")]
 pub(super) struct Options {
-    /// A command, `notation` or `scene`
+    /// A command, `notation`, `language` or `scene`
     topic: Option<String>,
 }
 
@@ -24,6 +26,7 @@ pub(super) fn run(options: &Options, mut command: Command, color: ColorChoice) -
     let topic = options.topic.as_deref();
     match topic {
         Some("notation") => return output::deliver(&manual(), None, color),
+        Some("language") => return output::deliver(&language_manual(), None, color),
         Some("scene") => return output::deliver(scene::MANUAL, None, color),
         _ => {}
     }
@@ -34,12 +37,21 @@ pub(super) fn run(options: &Options, mut command: Command, color: ColorChoice) -
     };
     let Some(asked) = asked else {
         eprintln!(
-            "error: there is no help on that; `polhode help` names the commands, and `notation` and `scene` are topics"
+            "error: there is no help on that; `polhode help` names the commands, and `notation`, `language` and `scene` are topics"
         );
         return 2;
     };
     let text = asked.render_long_help().ansi().to_string();
     output::deliver(&text, None, color)
+}
+
+/// The manual of the language; its backticks belong to the sentences.
+fn language_manual() -> String {
+    let manual = language::manual(&language::Lexicon::default());
+    let lines = manual
+        .lines()
+        .map(|line| line.trim_start_matches('#').trim_start());
+    lines.map(|line| format!("{line}\n")).collect()
 }
 
 /// The manual for a terminal: each row of a table as its spellings and, below them, what they are read as.

@@ -28,6 +28,13 @@ pub(super) fn failed(error: &str) -> u8 {
     2
 }
 
+/// Writes a text with terminal colours to standard error, where `color` rules.
+pub(super) fn say(text: &str, color: ColorChoice) {
+    let mut stream = AutoStream::new(io::stderr().lock(), color);
+    // Nothing is left to complain to.
+    let _ = stream.write_all(text.as_bytes());
+}
+
 /// Writes as [`write()`] does; says what went wrong and returns the exit code for it, or 0.
 pub(super) fn deliver(text: &str, out: Option<&Path>, color: ColorChoice) -> u8 {
     match write(text, out, color) {

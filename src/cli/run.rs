@@ -1,17 +1,17 @@
 //! `polhode run`.
 
 use crate::cli::input;
-use crate::cli::output::failed;
+use crate::cli::output::{self, failed};
 use crate::diagnostic::Diagnostic;
 use crate::report::terminal;
 use crate::scene::{self, Costs, RunError, Scene, Seam, simulate_from};
 use crate::source::Source;
-use anstream::{AutoStream, ColorChoice};
+use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
 use resume::{Disagrees, Earlier};
+use std::io;
 #[cfg(feature = "parquet")]
 use std::io::IsTerminal;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use target::Target;
 use writer::Writer;
@@ -102,10 +102,7 @@ fn parsed<T>(
 }
 
 fn complain(source: &Source, diagnostics: &[Diagnostic], color: ColorChoice) {
-    let text = terminal::diagnostics(source, diagnostics);
-    let mut stream = AutoStream::new(io::stderr().lock(), color);
-    // Nothing is left to complain to.
-    let _ = stream.write_all(text.as_bytes());
+    output::say(&terminal::diagnostics(source, diagnostics), color);
 }
 
 /// Runs the scene and returns the exit code.

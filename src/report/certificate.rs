@@ -166,6 +166,9 @@ fn text(checked: &Checked, line: &Line<'_>) -> String {
         format!("line {}", line.finding.source_line),
         format!("source {}", quoted(&line.finding.source)),
     ];
+    if let Some(cell) = line.finding.cell {
+        rows.insert(2, format!("cell {cell}"));
+    }
     for (variable, number) in &line.numbers {
         let name = checked.report.variable(*variable);
         rows.push(format!("symbol v{number} {}", quoted(name)));

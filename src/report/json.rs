@@ -2,7 +2,9 @@
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::report::{Checked, Failure, Place};
-use crate::verify::{Counterexample, Diagnosis, Finding, FromProse, Passed, Summary};
+use crate::verify::{
+    Answer, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question, Summary,
+};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -32,6 +34,14 @@ struct Form<'a> {
 struct FailureForm<'a> {
     path: &'a str,
     message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source_line: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source_column: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<&'a str>,
 }
 
 impl<'a> FailureForm<'a> {
@@ -39,6 +49,10 @@ impl<'a> FailureForm<'a> {
         Self {
             path: &failure.path,
             message: &failure.message,
+            cell: failure.cell,
+            source_line: failure.place.map(|(line, _)| line),
+            source_column: failure.place.map(|(_, column)| column),
+            help: failure.help.as_deref(),
         }
     }
 }
@@ -54,6 +68,8 @@ struct DocumentForm<'a> {
     from_prose: Vec<FromProseForm<'a>>,
     passed: Vec<PassedForm>,
     diagnostics: Vec<DiagnosticForm<'a>>,
+    meaning: Vec<MeantForm<'a>>,
+    questions: Vec<QuestionForm<'a>>,
 }
 
 impl<'a> DocumentForm<'a> {
@@ -73,6 +89,8 @@ impl<'a> DocumentForm<'a> {
             diagnostics: diagnostics
                 .map(|diagnostic| DiagnosticForm::of(checked, diagnostic))
                 .collect(),
+            meaning: report.meaning.iter().map(MeantForm::of).collect(),
+            questions: report.questions.iter().map(QuestionForm::of).collect(),
         }
     }
 }
@@ -245,6 +263,60 @@ impl<'a> DiagnosticForm<'a> {
             message: &diagnostic.message,
             notes: &diagnostic.notes,
             helps: &diagnostic.helps,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct MeantForm<'a> {
+    sentence: &'a str,
+    source: &'a str,
+}
+
+impl<'a> MeantForm<'a> {
+    fn of(meant: &'a Meant) -> Self {
+        Self {
+            sentence: &meant.sentence,
+            source: &meant.source,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct QuestionForm<'a> {
+    text: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell: Option<usize>,
+    source_line: usize,
+    answers: Vec<AnswerForm<'a>>,
+    lines: &'a [usize],
+}
+
+impl<'a> QuestionForm<'a> {
+    fn of(question: &'a Question) -> Self {
+        Self {
+            text: &question.text,
+            cell: question.cell,
+            source_line: question.source_line,
+            answers: question.answers.iter().map(AnswerForm::of).collect(),
+            lines: &question.lines,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct AnswerForm<'a> {
+    sentence: &'a str,
+    holds: &'a [usize],
+    fails: &'a [usize],
+}
+
+impl<'a> AnswerForm<'a> {
+    fn of(answer: &'a Answer) -> Self {
+        Self {
+            sentence: &answer.sentence,
+            holds: &answer.holds,
+            fails: &answer.fails,
         }
     }
 }

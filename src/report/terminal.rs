@@ -7,7 +7,7 @@ use crate::notation::Macros;
 use crate::notation::document::{Document, Format, FrontMatter};
 use crate::report::Checked;
 use crate::report::terminal::drawing::{Drawing, draw};
-use crate::report::terminal::rows::{background, good_lines, passed, summary};
+use crate::report::terminal::rows::{background, good_lines, passed, questions, summary};
 use crate::source::Source;
 use crate::verify::{Counterexample, Finding, Verdict};
 use annotate_snippets::{Level, normalize_untrusted_str};
@@ -41,6 +41,7 @@ pub fn check(checked: &Checked, verbose: bool) -> String {
             "{left} more are not drawn; `--format json` has them all\n"
         );
     }
+    text.push_str(&questions(checked));
     text.push_str(&good_lines(checked, verbose));
     text.push_str(&background(checked));
     if verbose {
@@ -61,9 +62,14 @@ pub fn diagnostics(source: &Source, diagnostics: &[Diagnostic]) -> String {
         macros: Macros::default(),
         items: vec![],
     };
-    diagnostics
-        .iter()
-        .map(|diagnostic| draw(&of_diagnostic(&document, diagnostic)))
+    of_document(&document, diagnostics)
+}
+
+/// Diagnostics of a document that is not checked, with terminal colours.
+pub fn of_document(document: &Document, diagnostics: &[Diagnostic]) -> String {
+    let drawn = diagnostics.iter().take(DRAWN);
+    drawn
+        .map(|diagnostic| draw(&of_diagnostic(document, diagnostic)))
         .collect()
 }
 

@@ -38,7 +38,7 @@ use crate::verify::words::premise::inertia_changes;
 use crate::verify::words::prose::speaks_of_any_vector;
 use crate::verify::words::text::Text;
 use std::cell::OnceCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Findings in the order of the document.
 fn in_order(mut findings: Vec<Finding>) -> Vec<Finding> {
@@ -64,6 +64,8 @@ pub(super) struct Checker<'a> {
     pub(super) loads: BTreeSet<Entity>,
     /// Whether the words fix what a dot without a frame means.
     pub(super) dots: Option<Frame>,
+    /// What the dots of vectors have to mean for earlier lines to hold.
+    pub(super) dots_of_lines: BTreeMap<Entity, Frame>,
     /// How the claim that was proved last was read, and where it ends.
     pub(super) proved_as: Option<(Span, Read)>,
     /// The last side of the line before, for lines that go on.
@@ -210,6 +212,7 @@ impl<'a> Checker<'a> {
             known: BTreeSet::new(),
             loads: BTreeSet::new(),
             dots: None,
+            dots_of_lines: BTreeMap::new(),
             proved_as: None,
             last_side: None,
             asserted: false,
@@ -298,15 +301,17 @@ impl<'a> Checker<'a> {
     }
 
     pub(super) fn report(self) -> Report {
-        let readings = self.readings_in_words();
         Report {
+            readings: self.readings_in_words(),
             path: self.document.source.name.clone(),
             products: self.convention,
             findings: merged(in_order(self.findings)),
             from_prose: self.from_prose,
-            readings,
             passed: self.passed,
             variables: names::all(&self.theory.atoms),
+            meaning: vec![],
+            questions: vec![],
+            unused: vec![],
         }
     }
 

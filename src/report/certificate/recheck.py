@@ -27,8 +27,8 @@ def same(a, b):
 
 
 class Certificate:
-    def __init__(self, name, source):
-        self.name, self.source = name, source
+    def __init__(self, place, source):
+        self.place, self.source = place, source
         self.symbols, self.rates, self.kernels = {}, {}, {}
         self.conditions, self.facts, self.premises, self.goals = [], [], [], 0
 
@@ -155,7 +155,7 @@ def main(document, lines):
             failed += 1
             print(f"{line.__name__}: does not hold: {error}")
             continue
-        print(f"{certificate.name}: holds: {shown(certificate.source)}")
+        print(shown(f"{certificate.place}: holds: {certificate.source}"))
         for condition in certificate.conditions:
             print(shown(f"  where {expand(condition)} is not zero"))
         for name, value in certificate.premises:

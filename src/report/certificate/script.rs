@@ -21,6 +21,15 @@ pub fn script(checked: &Checked) -> String {
     text
 }
 
+/// Where a line stands: `notes.md:41`, in a notebook `notes.ipynb, cell 2:4`.
+fn place(checked: &Checked, line: &Line<'_>) -> String {
+    let (path, number) = (&checked.report.path, line.finding.source_line);
+    match line.finding.cell {
+        Some(cell) => format!("{path}, cell {cell}:{number}"),
+        None => format!("{path}:{number}"),
+    }
+}
+
 fn function(checked: &Checked, line: &Line<'_>, name: &str) -> String {
     let p = |polynomial: &Polynomial| written(polynomial, line, Dialect::Python);
     let v = |variable: &Variable| format!("v{}", line.numbers[variable]);
@@ -34,7 +43,7 @@ fn function(checked: &Checked, line: &Line<'_>, name: &str) -> String {
         format!("\n\ndef {name}():"),
         format!(
             "    c = Certificate({}, {})",
-            quoted(name),
+            quoted(&place(checked, line)),
             quoted(&line.finding.source)
         ),
     ];

@@ -34,6 +34,52 @@ pub(super) fn good_lines(checked: &Checked, verbose: bool) -> String {
     text
 }
 
+/// Questions that are shown; one answer may settle many others.
+const ASKED: usize = 20;
+
+/// What is not known, each with the lines that wait and how to answer.
+pub(super) fn questions(checked: &Checked) -> String {
+    let questions = &checked.report.questions;
+    let mut text = String::new();
+    for question in questions.iter().take(ASKED) {
+        let wait = match question.lines.as_slice() {
+            [_] => "1 line waits for it".to_owned(),
+            lines => format!("{} lines wait for it", lines.len()),
+        };
+        let first = line_name(question.cell, question.source_line);
+        let asked = normalize_untrusted_str(&question.text);
+        let _ = writeln!(text, "question: {asked} {wait}, the first is {first}");
+        let could = question.answers.iter().map(|answer| {
+            format!(
+                "{} ({} of the lines then hold)",
+                answer.sentence,
+                answer.holds.len()
+            )
+        });
+        let could: Vec<String> = could.collect();
+        if !could.is_empty() {
+            let could = could.join(", ");
+            let _ = writeln!(text, "  = it could be: {}", normalize_untrusted_str(&could));
+        }
+        if let Some(answer) = question.answers.first() {
+            let sentence = normalize_untrusted_str(&answer.sentence);
+            let _ = writeln!(text, "  = answer with: polhode: [\"{sentence}\"]");
+        }
+    }
+    match questions.len().saturating_sub(ASKED) {
+        0 => {}
+        left => {
+            let _ = writeln!(text, "{left} more questions are in `--format json`");
+        }
+    }
+    if !questions.is_empty() {
+        let help = "answer with a sentence under `polhode:` in the front matter, such as \
+                    \"$m$ is the mass of the body.\"; polhode help language";
+        let _ = writeln!(text, "  = {help}\n");
+    }
+    text
+}
+
 /// `line 8`, or `cell 2, line 8` in a notebook.
 fn line_name(cell: Option<usize>, line: usize) -> String {
     match cell {

@@ -1,0 +1,245 @@
+//! Gathers the sentences by which an author says what a document means, and keeps where each stands.
+
+use crate::notation::document::{Document, Sentence};
+use crate::source::{Source, Span};
+use crate::verify::language::statement::{Declaration, Misread};
+use crate::verify::language::{Lexicon, read_declarations, sentence};
+use crate::verify::verdict::Meant;
+use std::fmt;
+
+/// A document has no more sentences than this.
+const MOST: usize = 4_000;
+
+/// What the setting `products: entries` says.
+const ENTRIES: &str = "Products of inertia are entries.";
+
+/// What may stand before a colon.
+const SETTINGS: &str =
+    "the settings are `products`, `axes` and `symbol NAME`; anything else is a sentence";
+
+/// Sentences of a file beside the document.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The file.
+    pub source: Source,
+    /// Its sentences.
+    pub sentences: Vec<Sentence>,
+}
+
+/// What was declared of a document.
+#[derive(Clone, Debug, Default)]
+pub struct Declared {
+    /// The declarations; a sentence may make several.
+    pub declarations: Vec<Declaration>,
+    /// Sentences that were not understood.
+    pub misunderstood: Vec<Misunderstood>,
+    /// Where each sentence stands.
+    origins: Vec<Origin>,
+    /// The sentence that each declaration is of.
+    of: Vec<usize>,
+}
+
+/// A sentence that was not understood, and its place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Misunderstood {
+    /// The sheet that it stands on, by its number; `None` for the document.
+    pub sheet: Option<usize>,
+    /// The notebook cell, from 0.
+    pub cell: Option<usize>,
+    /// The bytes from what was not understood to the end of the sentence.
+    pub span: Span,
+    /// What is wrong; line and column are those of the file, or of the cell.
+    pub misread: Misread,
+}
+
+impl fmt::Display for Misunderstood {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.cell {
+            Some(cell) => write!(f, "cell {cell}, {}", self.misread),
+            None => write!(f, "{}", self.misread),
+        }
+    }
+}
+
+/// Where a sentence stands.
+#[derive(Clone, Debug)]
+struct Origin {
+    /// The sheet; `None` for the document.
+    sheet: Option<usize>,
+    /// Its bytes; `None` for what a setting says.
+    span: Option<Span>,
+    /// For people: `line 12`, `words.txt, line 3`.
+    name: String,
+    /// As it was read.
+    text: String,
+}
+
+/// Reads what the front matter and comments of a document declare, and what the sheets beside it do.
+///
+/// ```
+/// use polhode::notation::{document::Format, read};
+/// use polhode::verify::declarations;
+///
+/// let text = "---\npolhode:\n- N is an inertial frame.\n---\nHere $L = I\\omega$.\n";
+/// let (document, _) = read("note.md", text, Format::Markdown);
+/// let declared = declarations(&document, &[]);
+/// assert_eq!(declared.meaning()[0].sentence, "N is an inertial frame.");
+/// assert_eq!(declared.meaning()[0].source, "line 3");
+/// ```
+pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
+    let mut origins: Vec<Origin> = vec![];
+    let own = document.front_matter.sentences.iter();
+    origins.extend(own.map(|said| origin(document, None, said)));
+    for (number, sheet) in sheets.iter().enumerate() {
+        let said = sheet.sentences.iter();
+        origins.extend(said.map(|said| origin(document, Some((number, &sheet.source)), said)));
+    }
+    let mut declared = Declared::default();
+    if let Some(beyond) = origins.get(MOST) {
+        let misread = Misread {
+            line: 1,
+            column: 1,
+            message: format!("more than {MOST} sentences are not read"),
+            help: Some("keep to those that the document needs".to_owned()),
+        };
+        let place = placed(document, sheets, beyond, misread);
+        declared.misunderstood.push(place);
+        origins.truncate(MOST);
+    }
+    if !origins.is_empty() && document.front_matter.products.as_deref() == Some("entries") {
+        origins.push(Origin {
+            sheet: None,
+            span: None,
+            name: "front matter".to_owned(),
+            text: ENTRIES.to_owned(),
+        });
+    }
+    let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();
+    let (found, misread) =
+        read_declarations(&texts.join("\n"), &document.macros, &Lexicon::default());
+    for mut declaration in found {
+        declared.of.push(declaration.line.saturating_sub(1));
+        let words: Vec<&str> = declaration.text.split_whitespace().collect();
+        declaration.text = words.join(" ");
+        declared.declarations.push(declaration);
+    }
+    for misread in misread {
+        if let Some(origin) = origins.get(misread.line.saturating_sub(1)) {
+            declared
+                .misunderstood
+                .push(placed(document, sheets, origin, misread));
+        }
+    }
+    declared.origins = origins;
+    declared
+}
+
+fn origin(document: &Document, sheet: Option<(usize, &Source)>, said: &Sentence) -> Origin {
+    let source = sheet.map_or(&document.source, |(_, source)| source);
+    let (cell, line, _) = match sheet {
+        None => place(document, said.span.start),
+        Some(_) => {
+            let (line, column) = source.line_column(said.span.start);
+            (None, line, column)
+        }
+    };
+    let line = match cell {
+        Some(cell) => format!("cell {cell}, line {line}"),
+        None => format!("line {line}"),
+    };
+    Origin {
+        sheet: sheet.map(|(number, _)| number),
+        span: Some(said.span),
+        name: match sheet {
+            Some((_, source)) => format!("{}, {line}", source.name),
+            None => line,
+        },
+        text: said.text.clone(),
+    }
+}
+
+/// What is wrong with a sentence, at its place in the file.
+fn placed(
+    document: &Document,
+    sheets: &[Sheet],
+    origin: &Origin,
+    mut misread: Misread,
+) -> Misunderstood {
+    let sheet = origin.sheet.and_then(|number| sheets.get(number));
+    let source = sheet.map_or(&document.source, |sheet| &sheet.source);
+    let whole = origin.span.unwrap_or_default();
+    let mut characters = source.slice(whole).char_indices();
+    let at = characters.nth(misread.column.saturating_sub(1));
+    let start = at.map_or(whole.end as usize, |(at, _)| whole.start as usize + at);
+    let span = Span::new(start, whole.end as usize);
+    let (cell, line, column) = match sheet {
+        None => place(document, span.start),
+        Some(_) => {
+            let (line, column) = source.line_column(span.start);
+            (None, line, column)
+        }
+    };
+    (misread.line, misread.column) = (line, column);
+    if is_setting(&origin.text) {
+        misread.help = Some(SETTINGS.to_owned());
+    }
+    Misunderstood {
+        sheet: origin.sheet,
+        cell,
+        span,
+        misread,
+    }
+}
+
+/// Whether a text looks like a setting: `products: entries`.
+fn is_setting(text: &str) -> bool {
+    let key = text.split_once(':').map(|(key, _)| key.trim_end());
+    key.is_some_and(|key| !key.is_empty() && key.chars().all(|c| c.is_alphabetic() || c == '_'))
+}
+
+/// The cell, the line in the file or the cell, and the column of a byte of a document.
+pub(super) fn place(document: &Document, offset: u32) -> (Option<usize>, usize, usize) {
+    let (line, column) = document.source.line_column(offset);
+    let cell = document
+        .cells
+        .iter()
+        .rev()
+        .find(|cell| cell.span.start <= offset);
+    match cell {
+        Some(cell) => {
+            let (first, _) = document.source.line_column(cell.span.start);
+            (Some(cell.index), line + 1 - first, column)
+        }
+        None => (None, line, column),
+    }
+}
+
+impl Declared {
+    /// Whether nothing was declared, and nothing tried.
+    pub fn is_empty(&self) -> bool {
+        self.declarations.is_empty() && self.misunderstood.is_empty()
+    }
+
+    /// The sentences in the words of the language, each with where it comes from.
+    pub fn meaning(&self) -> Vec<Meant> {
+        let lexicon = Lexicon::default();
+        let each = self.declarations.iter().zip(&self.of);
+        let meant = each.map(|(declaration, &of)| Meant {
+            sentence: sentence(declaration, &lexicon),
+            source: self
+                .origins
+                .get(of)
+                .map_or(String::new(), |origin| origin.name.clone()),
+        });
+        meant.collect()
+    }
+
+    /// The sheet and the bytes of a sentence, by the text of its declarations.
+    pub fn place(&self, text: &str) -> Option<(Option<usize>, Span)> {
+        let text = text.trim_end_matches('.');
+        let mut all = self.declarations.iter();
+        let at = all.position(|declaration| declaration.text.trim_end_matches('.') == text)?;
+        let origin = self.origins.get(*self.of.get(at)?)?;
+        Some((origin.sheet, origin.span?))
+    }
+}

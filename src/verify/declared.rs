@@ -1,0 +1,367 @@
+//! Checks a document whose meaning is declared: each line is judged by the facts, and what is not known is asked.
+
+use crate::algebra::{Fraction, Proof, Variable};
+use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::document::{Document, Item, Row};
+use crate::notation::print::latex;
+use crate::source::Span;
+use crate::verify::declarations::place;
+use crate::verify::declared::own::OwnLetters;
+use crate::verify::facts::proof::uses;
+use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::language::{Lexicon, sentence};
+use crate::verify::reading::Reading;
+use crate::verify::standing::judge::{Judge, Judged};
+use crate::verify::standing::shown::Shown;
+use crate::verify::standing::verdicts::Answer;
+use crate::verify::term::letters::At;
+use crate::verify::verdict::{
+    Convention, Counterexample, Finding, Meant, Passed, Question, Report, Role, Verdict,
+};
+use std::collections::{BTreeMap, HashMap};
+
+mod own;
+
+/// A residual of more terms than this is not shown.
+const LONGEST_RESIDUAL: usize = 40;
+
+/// No letter is longer than this.
+const LONGEST_LETTER: usize = 80;
+
+/// Why a refuted line is false, where nothing else is said.
+const DIFFER: &str = "the sides differ";
+
+/// Checks every line of a document by what is declared of it.
+pub fn check_declared(document: &Document, declarations: &[Declaration]) -> Report {
+    let mut judge = Judge::new(document, declarations);
+    judge.run();
+    let own = OwnLetters::of(document, &mut judge.reading);
+    let each = judge.judged.iter();
+    let mut rows = Rows {
+        document,
+        reading: &judge.reading,
+        own: &own,
+        judged: each.map(|judged| (judged.span, judged)).collect(),
+        written: HashMap::new(),
+        headings: vec![],
+        findings: vec![],
+        passed: vec![],
+    };
+    document.items.iter().for_each(|item| rows.item(item));
+    let questions = rows.questions();
+    let (findings, passed) = (rows.findings, rows.passed);
+    let atoms = &judge.reading.system.atoms;
+    let lexicon = Lexicon::default();
+    let meant = |declaration: &Declaration| Meant {
+        sentence: sentence(declaration, &lexicon),
+        source: format!("line {}", declaration.line),
+    };
+    let variables = 0..atoms.len() as Variable;
+    Report {
+        path: document.source.name.clone(),
+        products: convention(&judge.reading, declarations),
+        questions,
+        findings,
+        from_prose: vec![],
+        readings: vec![],
+        passed,
+        variables: variables.map(|v| own.anywhere(atoms, v)).collect(),
+        meaning: declarations.iter().map(meant).collect(),
+        unused: judge
+            .reading
+            .unused
+            .iter()
+            .map(|(sentence, _)| sentence.clone())
+            .collect(),
+    }
+}
+
+/// The convention for products of inertia, and whether a sentence says it.
+fn convention(reading: &Reading, declarations: &[Declaration]) -> Convention {
+    let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
+    let says = |declaration: &Declaration| match &declaration.statement {
+        Statement::Is { subjects, .. } => subjects.iter().any(products),
+        _ => false,
+    };
+    Convention {
+        name: match reading.letters.integrals {
+            true => "integrals",
+            false => "entries",
+        },
+        decided_by: match declarations.iter().any(says) {
+            true => "declared",
+            false => "default",
+        },
+    }
+}
+
+/// Goes through the rows of a document and says of each what became of it.
+struct Rows<'a> {
+    document: &'a Document,
+    reading: &'a Reading,
+    own: &'a OwnLetters,
+    judged: BTreeMap<Span, &'a Judged>,
+    /// Letters as they are printed, and as the author writes them first.
+    written: HashMap<String, String>,
+    headings: Vec<(u8, String)>,
+    findings: Vec<Finding>,
+    passed: Vec<Passed>,
+}
+
+impl Rows<'_> {
+    fn item(&mut self, item: &Item) {
+        match item {
+            Item::Heading { level, text, .. } => {
+                self.headings.retain(|(other, _)| other < level);
+                self.headings.push((*level, text.clone()));
+            }
+            Item::Formula(formula) => formula.rows.iter().for_each(|row| self.row(row)),
+            Item::Prose { .. } | Item::Break | Item::Comment { .. } => {}
+        }
+    }
+
+    fn row(&mut self, row: &Row) {
+        let span = match row {
+            Row::Line(line) => line.span,
+            Row::Expression(node) => return self.pass(node.span, "expression"),
+            Row::Unreadable { span, .. } => *span,
+        };
+        if self.reading.left_out(&self.at(span)) {
+            return self.pass(span, "left out");
+        }
+        let finding = match row {
+            Row::Line(line) => self.line(line),
+            Row::Unreadable { message, help, .. } => {
+                let mut finding = self.blank(span);
+                finding.verdict = Verdict::Unreadable;
+                finding.reason = Some(message.clone());
+                finding.remarks.extend(help.clone());
+                finding
+            }
+            Row::Expression(_) => return,
+        };
+        self.findings.push(finding);
+    }
+
+    fn line(&mut self, line: &Line) -> Finding {
+        line.sides.iter().for_each(|side| self.note(side));
+        let mut finding = self.blank(line.span);
+        finding.label = line.labels.first().cloned();
+        match self.judged.get(&line.span) {
+            Some(judged) => self.tell(&mut finding, judged),
+            None => finding.reason = Some("the line goes on from no other".to_owned()),
+        }
+        // A sentence may say what a writing means that is not read otherwise.
+        if finding.verdict == Verdict::Undecided
+            && let Some((message, place)) = line.sides.iter().find_map(error_in)
+        {
+            finding.verdict = Verdict::Unreadable;
+            finding.reason = Some(message);
+            finding.place = place;
+        }
+        finding
+    }
+
+    fn at(&self, span: Span) -> At {
+        let (cell, line, _) = place(self.document, span.start);
+        let sections = self.headings.iter().map(|(_, text)| text.clone()).collect();
+        At {
+            cell,
+            line,
+            sections,
+        }
+    }
+
+    fn pass(&mut self, span: Span, what: &'static str) {
+        let (cell, source_line, _) = place(self.document, span.start);
+        self.passed.push(Passed {
+            span,
+            source_line,
+            cell,
+            what,
+        });
+    }
+
+    /// A finding of which nothing is said yet.
+    fn blank(&self, span: Span) -> Finding {
+        let (cell, source_line, source_column) = place(self.document, span.start);
+        Finding {
+            span,
+            source_line,
+            source_column,
+            cell,
+            source: self.document.source.slice(span).trim().to_owned(),
+            label: None,
+            role: Role::Claim,
+            verdict: Verdict::Undecided,
+            reason: None,
+            place: span,
+            uses: vec![],
+            conditions: vec![],
+            remarks: vec![],
+            residual: None,
+            counterexample: None,
+            diagnosis: None,
+            follows_from: None,
+        }
+    }
+}
+
+/// What stands in a tree that could not be read.
+fn error_in(node: &Node) -> Option<(String, Span)> {
+    match &node.kind {
+        Kind::Error(message) => Some((message.clone(), node.span)),
+        _ => node.children().find_map(error_in),
+    }
+}
+
+impl Rows<'_> {
+    /// Says of a line what the judge said.
+    fn tell(&self, finding: &mut Finding, judged: &Judged) {
+        finding.role = judged.role;
+        finding.verdict = match (judged.answer, &judged.proof) {
+            (Answer::Proved, Some(proof)) => {
+                finding.uses = premises(proof);
+                finding.conditions = self.conditions(proof, judged, &finding.source);
+                Verdict::Proved(proof.clone())
+            }
+            (Answer::Proved, None) | (Answer::Undecided, _) => {
+                finding.reason = Some(self.open_because(judged));
+                Verdict::Undecided
+            }
+            (Answer::Accepted, _) => Verdict::Accepted,
+            (Answer::Refuted, _) => {
+                let reason = judged.reason.clone();
+                finding.reason = Some(reason.unwrap_or_else(|| DIFFER.to_owned()));
+                if let Some(shown) = &judged.shown {
+                    finding.residual = self.residual(judged, shown, &finding.source);
+                    finding.counterexample =
+                        Some(self.counterexample(judged, shown, &finding.source));
+                }
+                Verdict::Refuted
+            }
+        };
+    }
+
+    fn conditions(&self, proof: &Proof, judged: &Judged, source: &str) -> Vec<String> {
+        let mut found: Vec<String> = vec![];
+        let arguments = proof.arguments().iter();
+        for condition in arguments.flat_map(|argument| &argument.conditions) {
+            let condition = Fraction::from(condition.clone());
+            let text = format!("{} \\ne 0", self.printed(&condition, judged, source));
+            if !found.contains(&text) {
+                found.push(text);
+            }
+        }
+        found
+    }
+
+    fn printed(&self, of: &Fraction, judged: &Judged, source: &str) -> String {
+        let atoms = &self.reading.system.atoms;
+        self.own.printed(of, atoms, &judged.at, source)
+    }
+
+    /// Left less right as written, or with what is known put in where that is too long.
+    fn residual(&self, judged: &Judged, shown: &Shown, source: &str) -> Option<String> {
+        let (left, right) = judged.sides.get(shown.place)?;
+        let written = left.clone() - right.clone();
+        let short = |f: &&Fraction| f.numerator().len() + f.denominator().len() <= LONGEST_RESIDUAL;
+        let chosen = [&written, &shown.residual].into_iter().find(short);
+        chosen.map(|chosen| self.printed(chosen, judged, source))
+    }
+
+    fn counterexample(&self, judged: &Judged, shown: &Shown, source: &str) -> Counterexample {
+        let atoms = &self.reading.system.atoms;
+        let letters = shown.letters.iter().map(|(letter, value)| {
+            let name = self.own.on_line(atoms, *letter, &judged.at, source);
+            (name, value.to_string())
+        });
+        Counterexample {
+            symbols: letters.collect(),
+            component: component(judged.sides.len(), shown.place),
+            left: shown.left.to_string(),
+            right: shown.right.to_string(),
+        }
+    }
+}
+
+impl Rows<'_> {
+    /// Why a line stays open.
+    fn open_because(&self, judged: &Judged) -> String {
+        let unknown = judged.unknown.iter();
+        let letters: Vec<String> = unknown
+            .map(|l| format!("`{}`", self.as_written(l)))
+            .collect();
+        match (letters.split_last(), &judged.reason) {
+            (None, Some(reason)) => reason.clone(),
+            (None, None) => "no proof was found".to_owned(),
+            (Some((last, [])), _) => format!("no sentence says what {last} is"),
+            (Some((last, first)), _) => {
+                format!("no sentence says what {} and {last} are", first.join(", "))
+            }
+        }
+    }
+
+    /// A letter as the author writes it first.
+    fn as_written<'s>(&'s self, letter: &'s str) -> &'s str {
+        self.written.get(letter).map_or(letter, String::as_str)
+    }
+
+    /// Notes how the author writes the letters of a tree.
+    fn note(&mut self, node: &Node) {
+        if let Kind::Symbol(_) = &node.kind {
+            let written = self.document.source.slice(node.span).trim();
+            if !written.is_empty() && written.len() <= LONGEST_LETTER {
+                let printed = latex(node);
+                self.written
+                    .entry(printed)
+                    .or_insert_with(|| written.to_owned());
+            }
+        }
+        node.children().for_each(|child| self.note(child));
+    }
+
+    /// Each letter of which nothing is told and for which lines wait, that for which most wait first.
+    fn questions(&self) -> Vec<Question> {
+        let mut asked: Vec<Question> = vec![];
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        let open = self.judged.values();
+        for judged in open.filter(|judged| judged.answer == Answer::Undecided) {
+            for letter in &judged.unknown {
+                let at = *places.entry(letter).or_insert(asked.len());
+                if at == asked.len() {
+                    asked.push(Question {
+                        text: format!("what is `{}`?", self.as_written(letter)),
+                        cell: judged.at.cell,
+                        source_line: judged.at.line,
+                        answers: vec![],
+                        lines: vec![],
+                    });
+                }
+                asked[at].lines.push(judged.at.line);
+            }
+        }
+        asked.sort_by_key(|question| std::cmp::Reverse(question.lines.len()));
+        asked.iter_mut().for_each(|question| question.lines.dedup());
+        asked
+    }
+}
+
+/// Whom a proof believes; what was solved from a premise rests on that premise.
+fn premises(proof: &Proof) -> Vec<String> {
+    let names = uses(proof).into_iter();
+    let mut names: Vec<String> = names
+        .map(|name| name.strip_suffix(", solved").unwrap_or(&name).to_owned())
+        .collect();
+    names.dedup();
+    names
+}
+
+/// The name of a component: its number in a vector, row and column in a matrix.
+fn component(count: usize, place: usize) -> Option<String> {
+    match count {
+        0 | 1 => None,
+        9 => Some(format!("row {}, column {}", place / 3 + 1, place % 3 + 1)),
+        _ => Some((place + 1).to_string()),
+    }
+}

@@ -1,0 +1,11 @@
+//! What each line is worth by the facts, and the verdict that its role makes of that.
+
+pub(crate) mod chains;
+pub(crate) mod hold;
+pub(crate) mod indices;
+pub(crate) mod judge;
+pub(crate) mod roles;
+pub(crate) mod shown;
+pub(crate) mod sides;
+pub(crate) mod verdicts;
+pub(crate) mod written;

@@ -1,0 +1,52 @@
+//! Which sides a line sets equal: each against the head of its chain.
+
+use crate::notation::ast::{Line, Node, Relation};
+
+/// Two sides and what is said of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Link {
+    pub(crate) left: Node,
+    pub(crate) relation: Relation,
+    pub(crate) right: Node,
+}
+
+/// Where a chain of rows stands.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Chain {
+    /// Its first side.
+    head: Option<Node>,
+}
+
+impl Chain {
+    /// The links of a line; a row that begins with a relation goes on from the head of the chain before it.
+    ///
+    /// Equals are held against the head, so that one false member does not make the next one false or hide it.
+    pub(crate) fn links(&mut self, line: &Line) -> Vec<Link> {
+        if !line.continues {
+            self.head = line.sides.first().cloned();
+        }
+        let Some(head) = self.head.clone() else {
+            return vec![];
+        };
+        let rights = if line.continues {
+            &line.sides[..]
+        } else {
+            line.sides.get(1..).unwrap_or(&[])
+        };
+        let mut links = vec![];
+        let mut left = head;
+        for ((relation, _), right) in line.relations.iter().zip(rights) {
+            links.push(Link {
+                left: left.clone(),
+                relation: *relation,
+                right: right.clone(),
+            });
+            // Behind a bound or an approximation the chain goes on from there.
+            if !matches!(relation, Relation::Equal | Relation::Defined) {
+                left = right.clone();
+                self.head = Some(right.clone());
+            }
+        }
+        links
+    }
+}

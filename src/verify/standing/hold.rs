@@ -1,0 +1,250 @@
+//! What one link of a line is worth by the facts.
+
+use crate::algebra::{Fraction, Proof};
+use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
+use crate::verify::facts::Source;
+use crate::verify::facts::premises::OutOfBudget;
+use crate::verify::facts::proof::prove;
+use crate::verify::facts::world::World;
+use crate::verify::standing::chains::Link;
+use crate::verify::standing::indices::{assignments, free_letters};
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::shown::{Shown, shown};
+use crate::verify::standing::sides::{Both, both};
+use crate::verify::standing::verdicts::Standing;
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::{Trouble, Value};
+use num_traits::Zero;
+
+/// What one link of a line came to.
+pub(super) struct Held {
+    pub(super) standing: Standing,
+    pub(super) reason: Option<String>,
+    /// Why a denial is not to be trusted: something that is said is not in force.
+    pub(super) doubt: Option<String>,
+    pub(super) proof: Option<Proof>,
+    pub(super) unknown: Vec<String>,
+    pub(super) sides: Vec<(Fraction, Fraction)>,
+    pub(super) shown: Option<Shown>,
+    /// The letter that it settles, with its value.
+    pub(super) settles: Option<(String, Value, Value)>,
+}
+
+impl Held {
+    pub(super) fn open(reason: impl Into<String>) -> Self {
+        Self {
+            standing: Standing::Open,
+            reason: Some(reason.into()),
+            doubt: None,
+            proof: None,
+            unknown: vec![],
+            sides: vec![],
+            shown: None,
+            settles: None,
+        }
+    }
+}
+
+impl Judge<'_> {
+    /// What one link is worth.
+    pub(super) fn hold(&mut self, link: &Link) -> Held {
+        match link.relation {
+            Relation::Equal | Relation::Defined => self.hold_equal(link),
+            Relation::NotEqual => {
+                let mut held = self.hold_equal(link);
+                (held.standing, held.reason) = match held.standing {
+                    Standing::Entailed => (
+                        Standing::Denied,
+                        Some("both sides are always the same".into()),
+                    ),
+                    // There is a world in which they differ, and more is not said.
+                    Standing::Denied => (Standing::Differs, None),
+                    other => (other, held.reason),
+                };
+                held.proof = None;
+                held
+            }
+            Relation::Approximate => {
+                let held = self.hold_equal(link);
+                match held.standing {
+                    Standing::Entailed => held,
+                    _ => Held::open("an approximation is not decided"),
+                }
+            }
+            _ => Held::open("this relation is not decided"),
+        }
+    }
+
+    /// "= const": the rate of the other side vanishes.
+    fn hold_constant(&mut self, link: &Link) -> Held {
+        let zero = Node {
+            kind: Kind::Number(Number {
+                value: Zero::zero(),
+                decimals: None,
+                exponent: 0,
+            }),
+            span: link.right.span,
+        };
+        let rate = Kind::TimeDerivative {
+            operand: Box::new(link.left.clone()),
+            order: 1,
+            style: DerivativeStyle::Dots,
+            frame: None,
+        };
+        let left = Node {
+            kind: rate,
+            span: link.left.span,
+        };
+        self.hold_equal(&Link {
+            left,
+            relation: Relation::Equal,
+            right: zero,
+        })
+    }
+
+    fn hold_equal(&mut self, link: &Link) -> Held {
+        if is_constant_word(&link.right) {
+            let mut held = self.hold_constant(link);
+            // Often it says which motion is looked at, and not what follows of all.
+            if held.standing == Standing::Denied {
+                held.standing = Standing::Open;
+                held.reason = Some("it is constant in some motions alone".into());
+            }
+            return held;
+        }
+        let free = free_letters(&self.reading.letters, &self.at, &[&link.left, &link.right]);
+        let mut sides = vec![];
+        let mut unknown = vec![];
+        let mut settles = None;
+        for axes in assignments(&free) {
+            let mut lowering = Lowering::new(
+                &mut self.reading.system,
+                &self.reading.letters,
+                &self.document.source,
+                &self.at,
+                &self.shapes,
+            );
+            lowering.axes = axes;
+            let pair = both(&mut lowering, link);
+            unknown.extend(lowering.unknown.iter().cloned());
+            match pair {
+                Ok(Both {
+                    left,
+                    right,
+                    settles: letter,
+                }) => {
+                    sides.extend(
+                        left.entries
+                            .iter()
+                            .cloned()
+                            .zip(right.entries.iter().cloned()),
+                    );
+                    settles = letter.map(|letter| (letter, left, right));
+                }
+                Err(Trouble::IllTyped(message))
+                    if unknown.is_empty() && self.reading.unused_at(&self.at).is_none() =>
+                {
+                    let mut held = Held::open(message);
+                    held.standing = Standing::Denied;
+                    return held;
+                }
+                Err(trouble) => {
+                    let mut held = Held::open(String::from(trouble));
+                    held.unknown = unknown;
+                    return held;
+                }
+            }
+        }
+        unknown.sort();
+        unknown.dedup();
+        self.weigh(sides, unknown, settles)
+    }
+
+    /// What is left of each difference in free variables, to first order where that is asked for.
+    fn residuals(&mut self, sides: &[(Fraction, Fraction)]) -> Result<Vec<Fraction>, OutOfBudget> {
+        let small = self.reading.small_at(&self.at);
+        let mut residuals = vec![];
+        for (left, right) in sides {
+            let difference = left.clone() - right.clone();
+            let atoms = &mut self.reading.system.atoms;
+            let residual = self.facts.normal(atoms, &difference)?;
+            residuals.push(match small.is_empty() {
+                true => residual,
+                false => Fraction::from(small.truncated(atoms, residual.numerator())),
+            });
+        }
+        Ok(residuals)
+    }
+
+    /// What a link is worth whose sides are worked out.
+    fn weigh(
+        &mut self,
+        sides: Vec<(Fraction, Fraction)>,
+        unknown: Vec<String>,
+        settles: Option<(String, Value, Value)>,
+    ) -> Held {
+        // What holds in space need not hold in another number of dimensions.
+        let dimensions = self.reading.dimensions_at(&self.at);
+        if dimensions != 3 {
+            let message =
+                format!("space has {dimensions} dimensions here, and three are worked out");
+            return Held::open(message);
+        }
+        let Ok(residuals) = self.residuals(&sides) else {
+            return Held::open("this grew beyond what is worked out");
+        };
+        let small = self.reading.small_at(&self.at);
+        let atoms = &mut self.reading.system.atoms;
+        let mut held = Held {
+            unknown,
+            sides,
+            ..Held::open("")
+        };
+        held.reason = None;
+        if residuals.iter().all(Zero::is_zero) {
+            held.proof = prove(&mut self.facts, atoms, &held.sides, &small);
+            held.standing = Standing::Entailed;
+            if held.proof.is_none() {
+                held.standing = Standing::Open;
+                held.reason = Some("the proof was not found in the budget".into());
+            }
+            return held;
+        }
+        let free: Vec<_> = residuals.iter().flat_map(Fraction::variables).collect();
+        let open = free.iter().any(|&v| atoms.is_unknown(v));
+        held.standing = match (open, &settles) {
+            (true, Some(_)) => Standing::Settles,
+            (true, None) => Standing::Free,
+            (false, _) => Standing::Denied,
+        };
+        if held.standing == Standing::Denied {
+            self.deny(&mut held, &residuals);
+        } else {
+            held.reason = Some("letters of which nothing is told leave it open".into());
+        }
+        held.settles = settles;
+        held
+    }
+
+    /// A link that fails is shown by a motion, unless what was not taken in could make it true.
+    fn deny(&mut self, held: &mut Held, residuals: &[Fraction]) {
+        if let Some(sentence) = self.reading.unused_at(&self.at) {
+            held.doubt = Some(format!("nothing was made of the sentence \"{sentence}\""));
+            return;
+        }
+        if let Some(premise) = self.facts.missing().map(Source::text) {
+            held.doubt = Some(format!(
+                "this premise is beyond what is worked out: {premise}"
+            ));
+            return;
+        }
+        let atoms = &mut self.reading.system.atoms;
+        held.shown = World::refuting(&self.facts, atoms, residuals)
+            .and_then(|world| shown(&mut self.facts, atoms, &held.sides, residuals, &world));
+    }
+}
+
+/// `const`, `\text{const.}`
+fn is_constant_word(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Symbol(s) if matches!(s.name.trim_end_matches('.'), "const" | "constant"))
+}

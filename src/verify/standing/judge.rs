@@ -1,0 +1,343 @@
+//! Goes through a document from top to bottom and judges each line by the facts.
+
+use crate::algebra::{Fraction, Proof};
+use crate::notation::ast::{Line, Relation};
+use crate::notation::document::{Document, Format, Formula, Item, Row};
+use crate::source::Span;
+use crate::verify::Role;
+use crate::verify::facts::Source;
+use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
+use crate::verify::language::statement::Declaration;
+use crate::verify::reading::builder::build;
+use crate::verify::reading::{Premise, Reading};
+use crate::verify::standing::chains::{Chain, Link};
+use crate::verify::standing::hold::Held;
+use crate::verify::standing::roles::{Purpose, purpose};
+use crate::verify::standing::shown::Shown;
+use crate::verify::standing::verdicts::{Answer, Standing, answer};
+use crate::verify::standing::written::{has_open_brackets, without_number, written_symbols};
+use crate::verify::term::letters::{At, Reach};
+use crate::verify::term::value::{Shape, Value};
+use std::collections::HashMap;
+
+/// What is said of a line.
+#[derive(Clone, Debug)]
+pub(crate) struct Judged {
+    pub(crate) span: Span,
+    pub(crate) at: At,
+    pub(crate) role: Role,
+    pub(crate) answer: Answer,
+    pub(crate) proof: Option<Proof>,
+    pub(crate) reason: Option<String>,
+    /// Letters of which nothing is told.
+    pub(crate) unknown: Vec<String>,
+    /// The numbers in which it fails.
+    pub(crate) shown: Option<Shown>,
+    /// The sides in which it fails, component by component.
+    pub(crate) sides: Vec<(Fraction, Fraction)>,
+}
+
+/// A document under way.
+pub(crate) struct Judge<'a> {
+    pub(super) document: &'a Document,
+    pub(crate) reading: Reading,
+    pub(crate) facts: Facts,
+    /// Shapes of letters that lines have settled.
+    pub(super) shapes: HashMap<String, Shape>,
+    chain: Chain,
+    pub(super) at: At,
+    sentence: String,
+    pub(crate) judged: Vec<Judged>,
+    headings: Vec<(u8, String)>,
+    /// The accepted lines that are in force.
+    settled_taken: Vec<usize>,
+    /// Lines of the paragraph that wait for letters, with what they are for.
+    waiting: Vec<(usize, Line, Vec<Link>, Purpose)>,
+}
+
+impl<'a> Judge<'a> {
+    pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
+        let reading = build(declarations, written_symbols(document));
+        let shapes = reading.shapes.clone();
+        Self {
+            document,
+            reading,
+            facts: Facts::default(),
+            shapes,
+            chain: Chain::default(),
+            at: At::default(),
+            sentence: String::new(),
+            judged: vec![],
+            headings: vec![],
+            settled_taken: vec![],
+            waiting: vec![],
+        }
+    }
+
+    /// Judges every line.
+    pub(crate) fn run(&mut self) {
+        let document = self.document;
+        for item in &document.items {
+            match item {
+                Item::Heading { level, text, .. } => {
+                    self.headings.retain(|(l, _)| l < level);
+                    self.headings.push((*level, text.clone()));
+                    self.at.sections = self.headings.iter().map(|(_, t)| t.clone()).collect();
+                    self.sentence.clear();
+                }
+                Item::Prose { text, .. } => self.hear(text),
+                Item::Break => {
+                    self.look_again();
+                    self.sentence.push('\n');
+                }
+                Item::Formula(formula) => self.formula(formula),
+                Item::Comment { .. } => {}
+            }
+        }
+        self.look_again();
+    }
+
+    /// Words go on a sentence, or begin the next one.
+    fn hear(&mut self, text: &str) {
+        self.sentence.push_str(text);
+        let ends = ['.', '!', '?', ':'];
+        let end = self.sentence.rmatch_indices(&ends[..3]).find(|(at, _)| {
+            let rest = &self.sentence[at + 1..];
+            rest.starts_with([' ', '\n']) || rest.is_empty()
+        });
+        if let Some((at, _)) = end {
+            let rest = self.sentence.split_off(at + 1);
+            self.sentence = rest;
+        }
+        let excess = self.sentence.len().saturating_sub(1_000);
+        if let Some((at, _)) = self.sentence.char_indices().find(|(at, _)| *at >= excess) {
+            self.sentence.drain(..at);
+        }
+    }
+
+    /// Whether the formula stands behind a name and a colon: "(c) Symmetric body: …" says of nothing that it is so.
+    fn is_only_named(&self) -> bool {
+        let paragraph = self.sentence.rsplit('\n').next().unwrap_or("").trim_end();
+        paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
+    }
+
+    fn formula(&mut self, formula: &Formula) {
+        for row in &formula.rows {
+            match row {
+                Row::Line(_) if !formula.display && self.is_only_named() => {}
+                Row::Line(line) => self.line(line),
+                Row::Expression(_) => self.sentence.push_str(" ⟨⟩ "),
+                Row::Unreadable { .. } => {}
+            }
+        }
+        self.sentence.push_str(" ⟨=⟩ ");
+    }
+
+    /// The place of a line: in the cell of a notebook, or in the file.
+    fn place(&self, offset: u32) -> (Option<usize>, usize) {
+        let source = &self.document.source;
+        let line = source.line_column(offset).0;
+        let cell = self
+            .document
+            .cells
+            .iter()
+            .find(|c| c.span.range().contains(&(offset as usize)));
+        match cell {
+            Some(cell) => (
+                Some(cell.index),
+                line + 1 - source.line_column(cell.span.start).0,
+            ),
+            None => (None, line),
+        }
+    }
+
+    fn line(&mut self, line: &Line) {
+        let line = &without_number(line);
+        let (cell, number) = self.place(line.span.start);
+        (self.at.cell, self.at.line) = (cell, number);
+        let links = self.chain.links(line);
+        let cut = self.document.format == Format::Text
+            && has_open_brackets(self.document.source.slice(line.span));
+        if self.reading.left_out(&self.at) || links.is_empty() || cut {
+            return;
+        }
+        self.take_premises();
+        let mut purpose = purpose(&self.sentence);
+        if let Some(role) = self.reading.role(&self.at) {
+            purpose = Purpose {
+                role,
+                derived: role == Role::Claim,
+            };
+        }
+        if line.relations.iter().all(|(r, _)| *r == Relation::Defined) {
+            purpose.role = Role::Define;
+        }
+        let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
+        let waits = held
+            .iter()
+            .any(|h| !h.unknown.is_empty() && h.standing != Standing::Settles);
+        let before = self.judged.len();
+        self.conclude(line, purpose, held);
+        if waits && self.judged.len() > before && self.judged[before].answer != Answer::Proved {
+            self.waiting.push((before, line.clone(), links, purpose));
+        }
+    }
+
+    /// Looks once more at the lines of a paragraph that waited for what its later lines define.
+    fn look_again(&mut self) {
+        for (place, line, links, purpose) in std::mem::take(&mut self.waiting) {
+            let at = std::mem::replace(&mut self.at, self.judged[place].at.clone());
+            let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
+            if held.iter().all(|h| h.unknown.is_empty()) {
+                let end = self.judged.len();
+                self.conclude(&line, purpose, held);
+                if let Some(last) = self.judged.get(end).cloned() {
+                    self.judged.truncate(end);
+                    self.judged[place] = last;
+                }
+            }
+            self.at = at;
+        }
+    }
+
+    /// Puts in the declared premises that reach this place, and takes out those that do not.
+    fn take_premises(&mut self) {
+        let active = self.reading.active_premises(&self.at);
+        let reaching = |p: &Premise| p.reach.covers(&self.at, 0);
+        let settled: Vec<usize> = (0..self.reading.settled.len())
+            .filter(|&i| reaching(&self.reading.settled[i]))
+            .collect();
+        if active == self.reading.taken && settled == self.settled_taken {
+            return;
+        }
+        self.reading.taken = active;
+        self.facts = Facts::default();
+        let declared = self.reading.premises_in_force().into_iter();
+        let lines = settled.iter().map(|&i| &self.reading.settled[i]);
+        let lines = lines.map(|p| (p.equation.clone(), p.source.clone()));
+        let all = declared.chain(lines).collect();
+        self.facts.extend_all(&mut self.reading.system.atoms, all);
+        self.settled_taken = settled;
+    }
+
+    /// One verdict from what the links came to: the worst of them.
+    fn conclude(&mut self, line: &Line, purpose: Purpose, held: Vec<Held>) {
+        let derived = purpose.derived || self.reading.unused_at(&self.at).is_some();
+        let standing = |h: &Held| match (h.standing, purpose.role) {
+            (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
+            (standing, _) => standing,
+        };
+        let answers: Vec<Answer> = held
+            .iter()
+            .map(|h| answer(purpose.role, derived, standing(h)))
+            .collect();
+        let rank = |a: &Answer| match a {
+            Answer::Refuted => 3,
+            Answer::Undecided => 2,
+            Answer::Accepted => 1,
+            Answer::Proved => 0,
+        };
+        let Some(worst) = answers.iter().copied().max_by_key(rank) else {
+            return;
+        };
+        let mut verdict = worst;
+        if worst == Answer::Accepted {
+            for held in &held {
+                verdict = verdict.max_by(self.settle(held), rank);
+            }
+        }
+        let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
+        let proof = proofs.split_first().map(|(first, rest)| {
+            rest.iter()
+                .fold((*first).clone(), |all, next| all.and(next))
+        });
+        let place = answers.iter().position(|a| *a == worst).unwrap_or(0);
+        let chosen = held.into_iter().nth(place);
+        let Some(chosen) = chosen else { return };
+        self.judged.push(Judged {
+            span: line.span,
+            at: self.at.clone(),
+            role: purpose.role,
+            answer: verdict,
+            proof: proof.filter(|_| verdict == Answer::Proved),
+            reason: chosen.doubt.or(chosen.reason),
+            unknown: chosen.unknown,
+            shown: chosen.shown,
+            sides: chosen.sides,
+        });
+    }
+
+    /// Takes what an accepted line says into the facts.
+    fn settle(&mut self, held: &Held) -> Answer {
+        let source = Source::Line(self.at.line);
+        if let Some((letter, left, _)) = &held.settles {
+            let Value {
+                rows,
+                columns,
+                basis,
+                ..
+            } = *left;
+            self.shapes.insert(
+                letter.clone(),
+                Shape {
+                    rows,
+                    columns,
+                    basis,
+                },
+            );
+        }
+        // What holds at one instant tells nothing of the others.
+        let instant = self
+            .reading
+            .instants
+            .iter()
+            .any(|lines| lines.covers(&self.at, 0));
+        if instant
+            || matches!(
+                held.standing,
+                Standing::Entailed | Standing::Open | Standing::Differs
+            )
+        {
+            return Answer::Accepted;
+        }
+        for (left, right) in &held.sides {
+            let equation = left.clone() - right.clone();
+            let atoms = &mut self.reading.system.atoms;
+            match self.facts.extend(atoms, &equation, &source) {
+                Ok(Extended::Contradicts) => return Answer::Refuted,
+                Ok(Extended::Solved(_) | Extended::Square) => {
+                    let reach = match held.standing {
+                        Standing::Settles => Reach::All,
+                        _ => self.reading.reach_of_line(&self.at),
+                    };
+                    self.settled_taken.push(self.reading.settled.len());
+                    self.reading.settled.push(Premise {
+                        equation,
+                        source: source.clone(),
+                        reach,
+                    });
+                }
+                Ok(Extended::Follows) => {}
+                Ok(Extended::Unsolved) | Err(OutOfBudget) => {
+                    self.facts.miss(&source);
+                    return Answer::Accepted;
+                }
+            }
+        }
+        Answer::Accepted
+    }
+}
+
+trait MaxBy {
+    fn max_by(self, other: Self, rank: impl Fn(&Self) -> i32) -> Self;
+}
+
+impl MaxBy for Answer {
+    fn max_by(self, other: Self, rank: impl Fn(&Self) -> i32) -> Self {
+        if rank(&other) > rank(&self) {
+            other
+        } else {
+            self
+        }
+    }
+}

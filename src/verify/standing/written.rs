@@ -1,0 +1,72 @@
+//! What a line shows of itself before it is worked out.
+
+use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
+use crate::notation::document::{Document, Item, Row};
+use crate::verify::term::letters::spell;
+use std::collections::BTreeSet;
+
+/// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
+pub(super) fn without_number(line: &Line) -> Line {
+    let mut line = line.clone();
+    let Some(first) = line.sides.first_mut() else {
+        return line;
+    };
+    let Kind::Product(factors) = &mut first.kind else {
+        return line;
+    };
+    let numbered = match factors.first().map(|f| &f.node.kind) {
+        Some(Kind::Group(Bracket::Round, inner)) => is_number_of_line(inner),
+        _ => false,
+    };
+    if numbered && factors.len() > 1 && factors[1].operator == Operator::Juxtaposed {
+        factors.remove(0);
+        if factors.len() == 1 {
+            *first = factors.remove(0).node;
+        }
+    }
+    line
+}
+
+/// `2.4`, `2.4a`, `12`.
+fn is_number_of_line(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Number(_) => true,
+        Kind::Product(factors) => {
+            let letter = |f: &Factor| matches!(&f.node.kind, Kind::Symbol(s) if s.name.len() == 1);
+            factors.len() == 2
+                && matches!(factors[0].node.kind, Kind::Number(_))
+                && letter(&factors[1])
+        }
+        _ => false,
+    }
+}
+
+/// The symbols that a document writes, spelled.
+pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
+    fn collect(node: &Node, found: &mut BTreeSet<String>) {
+        if let Kind::Symbol(symbol) = &node.kind {
+            found.insert(spell(symbol, true));
+        }
+        node.children().for_each(|child| collect(child, found));
+    }
+    let mut found = BTreeSet::new();
+    for item in &document.items {
+        let Item::Formula(formula) = item else {
+            continue;
+        };
+        for row in &formula.rows {
+            match row {
+                Row::Line(line) => line.sides.iter().for_each(|side| collect(side, &mut found)),
+                Row::Expression(node) => collect(node, &mut found),
+                Row::Unreadable { .. } => {}
+            }
+        }
+    }
+    found
+}
+
+/// Whether a bracket opens in a text that does not close: the formula was cut short.
+pub(super) fn has_open_brackets(text: &str) -> bool {
+    let count = |c: char| text.matches(c).count();
+    count('{') != count('}') || count('(') != count(')') || count('[') != count(']')
+}
