@@ -1,8 +1,7 @@
 //! What is shown: a check as text and as JSON, and the derivation itself.
 
 use crate::diagnostic::Diagnostic;
-use crate::notation::document::{Cell, Document};
-use crate::source::Span;
+use crate::notation::document::Document;
 use crate::verify::Report;
 
 pub mod certificate;
@@ -34,37 +33,4 @@ pub struct Failure {
     pub place: Option<(usize, usize)>,
     /// What to do.
     pub help: Option<String>,
-}
-
-/// Where a byte of a document stands, as its author would say it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Place {
-    /// The notebook cell, from 0.
-    cell: Option<usize>,
-    /// The line in the file, or in the cell of a notebook, from 1.
-    line: usize,
-    /// The column in characters, from 1.
-    column: usize,
-}
-
-impl Place {
-    fn of(document: &Document, span: Span) -> Self {
-        let (line, column) = document.source.line_column(span.start);
-        let begins = |cell: &&Cell| cell.span.start <= span.start;
-        match document.cells.iter().rev().find(begins) {
-            Some(cell) => {
-                let (first, _) = document.source.line_column(cell.span.start);
-                Self {
-                    cell: Some(cell.index),
-                    line: line + 1 - first,
-                    column,
-                }
-            }
-            None => Self {
-                cell: None,
-                line,
-                column,
-            },
-        }
-    }
 }

@@ -36,6 +36,56 @@ pub struct Document {
     pub items: Vec<Item>,
 }
 
+impl Document {
+    /// Where a byte of the source stands, as its author would say it.
+    #[must_use]
+    pub fn place(&self, offset: u32) -> Place {
+        let (line, column) = self.source.line_column(offset);
+        let after = self.cells.partition_point(|cell| cell.span.start <= offset);
+        let Some(cell) = self.cells[..after].last() else {
+            return Place {
+                cell: None,
+                line,
+                column,
+            };
+        };
+        let (first, _) = self.source.line_column(cell.span.start);
+        Place {
+            cell: Some(cell.index),
+            line: line + 1 - first,
+            column,
+        }
+    }
+}
+
+/// Where a byte of a document stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The notebook cell, from 0.
+    pub cell: Option<usize>,
+    /// The line in the file, or in the cell of a notebook, from 1.
+    pub line: usize,
+    /// The column in characters, from 1.
+    pub column: usize,
+}
+
+/// The headings that a place of a document stands under.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Headings(Vec<(u8, String)>);
+
+impl Headings {
+    /// A heading ends those of its level and below.
+    pub(crate) fn enter(&mut self, level: u8, text: &str) {
+        self.0.retain(|(above, _)| *above < level);
+        self.0.push((level, text.to_owned()));
+    }
+
+    /// Their texts, the outermost first.
+    pub(crate) fn texts(&self) -> Vec<String> {
+        self.0.iter().map(|(_, text)| text.clone()).collect()
+    }
+}
+
 /// A markdown cell of a notebook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {

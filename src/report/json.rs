@@ -1,7 +1,7 @@
 //! The JSON form of a check: schema `polhode-check/1`.
 
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::report::{Checked, Failure, Place};
+use crate::report::{Checked, Failure};
 use crate::verify::{
     Answer, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question, Summary,
 };
@@ -209,7 +209,7 @@ struct FromProseForm<'a> {
 impl<'a> FromProseForm<'a> {
     fn of(checked: &Checked, from_prose: &'a FromProse) -> Self {
         Self {
-            cell: Place::of(&checked.document, from_prose.span).cell,
+            cell: checked.document.place(from_prose.span.start).cell,
             source_line: from_prose.source_line,
             premise: &from_prose.premise,
         }
@@ -249,7 +249,7 @@ struct DiagnosticForm<'a> {
 
 impl<'a> DiagnosticForm<'a> {
     fn of(checked: &Checked, diagnostic: &'a Diagnostic) -> Self {
-        let place = Place::of(&checked.document, diagnostic.primary.span);
+        let place = checked.document.place(diagnostic.primary.span.start);
         Self {
             cell: place.cell,
             source_line: place.line,

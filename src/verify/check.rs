@@ -409,11 +409,11 @@ impl<'a> Checker<'a> {
     /// An expression that stands alone names its symbols.
     fn expression(&mut self, node: &Node) {
         self.now_known([node]);
-        let (source_line, _, cell) = self.place(node.span.start);
+        let place = self.document.place(node.span.start);
         self.passed.push(Passed {
             span: node.span,
-            source_line,
-            cell,
+            source_line: place.line,
+            cell: place.cell,
             what: "expression",
         });
     }

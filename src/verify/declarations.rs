@@ -136,14 +136,9 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
 
 fn origin(document: &Document, sheet: Option<(usize, &Source)>, said: &Sentence) -> Origin {
     let source = sheet.map_or(&document.source, |(_, source)| source);
-    let (cell, line, _) = match sheet {
-        None => place(document, said.span.start),
-        Some(_) => {
-            let (line, column) = source.line_column(said.span.start);
-            (None, line, column)
-        }
-    };
-    let line = match cell {
+    let place = sheet.is_none().then(|| document.place(said.span.start));
+    let line = place.map_or_else(|| source.line_column(said.span.start).0, |p| p.line);
+    let line = match place.and_then(|p| p.cell) {
         Some(cell) => format!("cell {cell}, line {line}"),
         None => format!("line {line}"),
     };
@@ -172,20 +167,15 @@ fn placed(
     let at = characters.nth(misread.column.saturating_sub(1));
     let start = at.map_or(whole.end as usize, |(at, _)| whole.start as usize + at);
     let span = Span::new(start, whole.end as usize);
-    let (cell, line, column) = match sheet {
-        None => place(document, span.start),
-        Some(_) => {
-            let (line, column) = source.line_column(span.start);
-            (None, line, column)
-        }
-    };
-    (misread.line, misread.column) = (line, column);
+    let place = sheet.is_none().then(|| document.place(span.start));
+    (misread.line, misread.column) =
+        place.map_or_else(|| source.line_column(span.start), |p| (p.line, p.column));
     if is_setting(&origin.text) {
         misread.help = Some(SETTINGS.to_owned());
     }
     Misunderstood {
         sheet: origin.sheet,
-        cell,
+        cell: place.and_then(|p| p.cell),
         span,
         misread,
     }
@@ -195,23 +185,6 @@ fn placed(
 fn is_setting(text: &str) -> bool {
     let key = text.split_once(':').map(|(key, _)| key.trim_end());
     key.is_some_and(|key| !key.is_empty() && key.chars().all(|c| c.is_alphabetic() || c == '_'))
-}
-
-/// The cell, the line in the file or the cell, and the column of a byte of a document.
-pub(super) fn place(document: &Document, offset: u32) -> (Option<usize>, usize, usize) {
-    let (line, column) = document.source.line_column(offset);
-    let cell = document
-        .cells
-        .iter()
-        .rev()
-        .find(|cell| cell.span.start <= offset);
-    match cell {
-        Some(cell) => {
-            let (first, _) = document.source.line_column(cell.span.start);
-            (Some(cell.index), line + 1 - first, column)
-        }
-        None => (None, line, column),
-    }
 }
 
 impl Declared {

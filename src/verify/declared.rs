@@ -2,10 +2,9 @@
 
 use crate::algebra::{Fraction, Proof, Variable};
 use crate::notation::ast::{Kind, Line, Node};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
-use crate::verify::declarations::place;
 use crate::verify::declared::own::OwnLetters;
 use crate::verify::facts::proof::uses;
 use crate::verify::language::statement::{Declaration, Statement, Term};
@@ -43,7 +42,7 @@ pub fn check_declared(document: &Document, declarations: &[Declaration]) -> Repo
         own: &own,
         judged: each.map(|judged| (judged.span, judged)).collect(),
         written: HashMap::new(),
-        headings: vec![],
+        headings: Headings::default(),
         findings: vec![],
         passed: vec![],
     };
@@ -103,7 +102,7 @@ struct Rows<'a> {
     judged: BTreeMap<Span, &'a Judged>,
     /// Letters as they are printed, and as the author writes them first.
     written: HashMap<String, String>,
-    headings: Vec<(u8, String)>,
+    headings: Headings,
     findings: Vec<Finding>,
     passed: Vec<Passed>,
 }
@@ -112,8 +111,7 @@ impl Rows<'_> {
     fn item(&mut self, item: &Item) {
         match item {
             Item::Heading { level, text, .. } => {
-                self.headings.retain(|(other, _)| other < level);
-                self.headings.push((*level, text.clone()));
+                self.headings.enter(*level, text);
             }
             Item::Formula(formula) => formula.rows.iter().for_each(|row| self.row(row)),
             Item::Prose { .. } | Item::Break | Item::Comment { .. } => {}
@@ -132,7 +130,7 @@ impl Rows<'_> {
         let finding = match row {
             Row::Line(line) => self.line(line),
             Row::Unreadable { message, help, .. } => {
-                let mut finding = self.blank(span);
+                let mut finding = Finding::undecided(self.document, Role::Claim, span);
                 finding.verdict = Verdict::Unreadable;
                 finding.reason = Some(message.clone());
                 finding.remarks.extend(help.clone());
@@ -145,7 +143,7 @@ impl Rows<'_> {
 
     fn line(&mut self, line: &Line) -> Finding {
         line.sides.iter().for_each(|side| self.note(side));
-        let mut finding = self.blank(line.span);
+        let mut finding = Finding::undecided(self.document, Role::Claim, line.span);
         finding.label = line.labels.first().cloned();
         match self.judged.get(&line.span) {
             Some(judged) => self.tell(&mut finding, judged),
@@ -163,47 +161,22 @@ impl Rows<'_> {
     }
 
     fn at(&self, span: Span) -> At {
-        let (cell, line, _) = place(self.document, span.start);
-        let sections = self.headings.iter().map(|(_, text)| text.clone()).collect();
+        let place = self.document.place(span.start);
         At {
-            cell,
-            line,
-            sections,
+            cell: place.cell,
+            line: place.line,
+            sections: self.headings.texts(),
         }
     }
 
     fn pass(&mut self, span: Span, what: &'static str) {
-        let (cell, source_line, _) = place(self.document, span.start);
+        let place = self.document.place(span.start);
         self.passed.push(Passed {
             span,
-            source_line,
-            cell,
+            source_line: place.line,
+            cell: place.cell,
             what,
         });
-    }
-
-    /// A finding of which nothing is said yet.
-    fn blank(&self, span: Span) -> Finding {
-        let (cell, source_line, source_column) = place(self.document, span.start);
-        Finding {
-            span,
-            source_line,
-            source_column,
-            cell,
-            source: self.document.source.slice(span).trim().to_owned(),
-            label: None,
-            role: Role::Claim,
-            verdict: Verdict::Undecided,
-            reason: None,
-            place: span,
-            uses: vec![],
-            conditions: vec![],
-            remarks: vec![],
-            residual: None,
-            counterexample: None,
-            diagnosis: None,
-            follows_from: None,
-        }
     }
 }
 

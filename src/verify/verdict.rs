@@ -1,6 +1,7 @@
 //! What is said of each line.
 
 use crate::algebra::{Proof, Variable};
+use crate::notation::document::Document;
 use crate::source::Span;
 
 /// What a line is for.
@@ -119,6 +120,32 @@ pub struct Finding {
     pub diagnosis: Option<Diagnosis>,
     /// The source line of the earlier line whose error this one only carries forward.
     pub follows_from: Option<usize>,
+}
+
+impl Finding {
+    /// A finding of which nothing is said yet.
+    pub(crate) fn undecided(document: &Document, role: Role, span: Span) -> Self {
+        let place = document.place(span.start);
+        Self {
+            span,
+            source_line: place.line,
+            source_column: place.column,
+            cell: place.cell,
+            source: document.source.slice(span).trim().to_owned(),
+            label: None,
+            role,
+            verdict: Verdict::Undecided,
+            reason: None,
+            place: span,
+            uses: vec![],
+            conditions: vec![],
+            remarks: vec![],
+            residual: None,
+            counterexample: None,
+            diagnosis: None,
+            follows_from: None,
+        }
+    }
 }
 
 /// Something that stands in the document and was not taken as a line.

@@ -1,7 +1,7 @@
 //! One finding as a compiler draws it: a title, the place in the text, notes and remedies.
 
 use crate::notation::document::Document;
-use crate::report::Place;
+use crate::notation::document::Place;
 use crate::source::Span;
 use annotate_snippets::{
     Annotation, AnnotationKind, Level, Message, Origin, Renderer, Snippet, normalize_untrusted_str,
@@ -28,7 +28,7 @@ pub(super) struct Drawing<'a> {
 /// Draws it, with terminal colours and an empty line at its end.
 pub(super) fn draw(drawing: &Drawing<'_>) -> String {
     let (span, beside) = &drawing.primary;
-    let place = Place::of(drawing.document, *span);
+    let place = drawing.document.place(span.start);
     let excerpt = Excerpt::around(&drawing.document.source.text, *span);
     let (mut annotations, mut notes) = (vec![], vec![]);
     let primary = AnnotationKind::Primary;
@@ -38,7 +38,7 @@ pub(super) fn draw(drawing: &Drawing<'_>) -> String {
             Some(range) => annotations.push(annotation(AnnotationKind::Context, range, text)),
             None => notes.push(format!(
                 "line {}: {text}",
-                Place::of(drawing.document, *span).line
+                drawing.document.place(span.start).line
             )),
         }
     }

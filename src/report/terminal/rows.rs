@@ -1,6 +1,6 @@
 //! The lines that need no drawing, and what the verdicts rest on, one row each.
 
-use crate::report::{Checked, Place};
+use crate::report::Checked;
 use crate::verify::{Finding, Role, Summary, Verdict};
 use annotate_snippets::normalize_untrusted_str;
 use std::fmt::Write;
@@ -111,7 +111,7 @@ pub(super) fn background(checked: &Checked) -> String {
     let report = &checked.report;
     let mut text = String::new();
     for premise in &report.from_prose {
-        let cell = Place::of(&checked.document, premise.span).cell;
+        let cell = checked.document.place(premise.span.start).cell;
         let place = line_name(cell, premise.source_line);
         let _ = writeln!(
             text,

@@ -41,7 +41,7 @@ impl Checker<'_> {
             Meaning::Component(entity, c) if entity == moment => c..c + 1,
             _ => return false,
         };
-        let (line, _, _) = self.place(side.span.start);
+        let line = self.document.place(side.span.start).line;
         let listed = |f: &Finding| f.role == Role::Assume && f.source_line == line;
         let last = self.findings.last();
         let data = last.is_some_and(|f| f.role == Role::Given || zero && listed(f));
@@ -190,7 +190,7 @@ impl Checker<'_> {
         if given {
             return self.sets_motion(side);
         }
-        let (line, _, _) = self.place(side.span.start);
+        let line = self.document.place(side.span.start).line;
         let handed = self.findings.last().is_some_and(|before| {
             before.role == Role::Given
                 && before.verdict == Verdict::Accepted

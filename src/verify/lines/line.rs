@@ -80,25 +80,9 @@ impl Checker<'_> {
     }
 
     pub(crate) fn blank(&self, line: &Line, role: Role) -> Finding {
-        let (source_line, source_column, cell) = self.place(line.span.start);
         Finding {
-            span: line.span,
-            source_line,
-            source_column,
-            cell,
-            source: self.document.source.slice(line.span).trim().to_owned(),
             label: line.labels.first().cloned(),
-            role,
-            verdict: Verdict::Undecided,
-            reason: None,
-            place: line.span,
-            uses: vec![],
-            conditions: vec![],
-            remarks: vec![],
-            residual: None,
-            counterexample: None,
-            diagnosis: None,
-            follows_from: None,
+            ..Finding::undecided(&self.document, role, line.span)
         }
     }
 
@@ -329,23 +313,6 @@ impl Checker<'_> {
         let place = (finding.source_line, finding.cell);
         *self.on_line.entry(place).or_default() += 1;
         self.findings.push(finding);
-    }
-
-    /// Line, column and cell of an offset.
-    pub(crate) fn place(&self, offset: u32) -> (usize, usize, Option<usize>) {
-        let source = &self.document.source;
-        let (line, column) = source.line_column(offset);
-        let cells = &self.document.cells;
-        let cell = cells.get(cells.partition_point(|c| c.span.end <= offset));
-        let cell = cell.filter(|c| c.span.start <= offset);
-        match cell {
-            Some(cell) => (
-                line + 1 - source.line_column(cell.span.start).0,
-                column,
-                Some(cell.index),
-            ),
-            None => (line, column, None),
-        }
     }
 
     pub(crate) fn line_name(&self, finding: &Finding) -> String {

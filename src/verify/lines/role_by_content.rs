@@ -365,7 +365,7 @@ impl Checker<'_> {
         // In a list of data it is one of them: "⟨m = 2⟩, the final length ⟨s = 3⟩".
         let data = self.findings.last().is_some_and(|before| {
             let handed = matches!(before.role, Role::Given | Role::Define);
-            let near = || before.source_line + 1 >= self.place(left.span.start).0;
+            let near = || before.source_line + 1 >= self.document.place(left.span.start).line;
             handed && !rest.iter().all(is_zero) && near()
         });
         if data || self.displayed || self.asserted || !rest.iter().all(number) {

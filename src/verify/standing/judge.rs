@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Line, Relation};
-use crate::notation::document::{Document, Format, Formula, Item, Row};
+use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
 use crate::source::Span;
 use crate::verify::Role;
 use crate::verify::facts::Source;
@@ -17,7 +17,7 @@ use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{has_open_brackets, without_number, written_symbols};
 use crate::verify::term::letters::{At, Reach};
-use crate::verify::term::value::{Shape, Value};
+use crate::verify::term::value::Shape;
 use std::collections::HashMap;
 
 /// What is said of a line.
@@ -48,7 +48,7 @@ pub(crate) struct Judge<'a> {
     pub(super) at: At,
     sentence: String,
     pub(crate) judged: Vec<Judged>,
-    headings: Vec<(u8, String)>,
+    headings: Headings,
     /// The accepted lines that are in force.
     settled_taken: Vec<usize>,
     /// Lines of the paragraph that wait for letters, with what they are for.
@@ -68,7 +68,7 @@ impl<'a> Judge<'a> {
             at: At::default(),
             sentence: String::new(),
             judged: vec![],
-            headings: vec![],
+            headings: Headings::default(),
             settled_taken: vec![],
             waiting: vec![],
         }
@@ -80,9 +80,8 @@ impl<'a> Judge<'a> {
         for item in &document.items {
             match item {
                 Item::Heading { level, text, .. } => {
-                    self.headings.retain(|(l, _)| l < level);
-                    self.headings.push((*level, text.clone()));
-                    self.at.sections = self.headings.iter().map(|(_, t)| t.clone()).collect();
+                    self.headings.enter(*level, text);
+                    self.at.sections = self.headings.texts();
                     self.sentence.clear();
                 }
                 Item::Prose { text, .. } => self.hear(text),
@@ -133,28 +132,10 @@ impl<'a> Judge<'a> {
         self.sentence.push_str(" ⟨=⟩ ");
     }
 
-    /// The place of a line: in the cell of a notebook, or in the file.
-    fn place(&self, offset: u32) -> (Option<usize>, usize) {
-        let source = &self.document.source;
-        let line = source.line_column(offset).0;
-        let cell = self
-            .document
-            .cells
-            .iter()
-            .find(|c| c.span.range().contains(&(offset as usize)));
-        match cell {
-            Some(cell) => (
-                Some(cell.index),
-                line + 1 - source.line_column(cell.span.start).0,
-            ),
-            None => (None, line),
-        }
-    }
-
     fn line(&mut self, line: &Line) {
         let line = &without_number(line);
-        let (cell, number) = self.place(line.span.start);
-        (self.at.cell, self.at.line) = (cell, number);
+        let place = self.document.place(line.span.start);
+        (self.at.cell, self.at.line) = (place.cell, place.line);
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
@@ -231,19 +212,13 @@ impl<'a> Judge<'a> {
             .iter()
             .map(|h| answer(purpose.role, derived, standing(h)))
             .collect();
-        let rank = |a: &Answer| match a {
-            Answer::Refuted => 3,
-            Answer::Undecided => 2,
-            Answer::Accepted => 1,
-            Answer::Proved => 0,
-        };
-        let Some(worst) = answers.iter().copied().max_by_key(rank) else {
+        let Some(worst) = answers.iter().copied().max() else {
             return;
         };
         let mut verdict = worst;
         if worst == Answer::Accepted {
             for held in &held {
-                verdict = verdict.max_by(self.settle(held), rank);
+                verdict = verdict.max(self.settle(held));
             }
         }
         let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
@@ -271,20 +246,7 @@ impl<'a> Judge<'a> {
     fn settle(&mut self, held: &Held) -> Answer {
         let source = Source::Line(self.at.line);
         if let Some((letter, left, _)) = &held.settles {
-            let Value {
-                rows,
-                columns,
-                basis,
-                ..
-            } = *left;
-            self.shapes.insert(
-                letter.clone(),
-                Shape {
-                    rows,
-                    columns,
-                    basis,
-                },
-            );
+            self.shapes.insert(letter.clone(), left.shape());
         }
         // What holds at one instant tells nothing of the others.
         let instant = self
@@ -305,39 +267,21 @@ impl<'a> Judge<'a> {
             let atoms = &mut self.reading.system.atoms;
             match self.facts.extend(atoms, &equation, &source) {
                 Ok(Extended::Contradicts) => return Answer::Refuted,
-                Ok(Extended::Solved(_) | Extended::Square) => {
-                    let reach = match held.standing {
-                        Standing::Settles => Reach::All,
-                        _ => self.reading.reach_of_line(&self.at),
-                    };
-                    self.settled_taken.push(self.reading.settled.len());
-                    self.reading.settled.push(Premise {
-                        equation,
-                        source: source.clone(),
-                        reach,
-                    });
-                }
-                Ok(Extended::Follows) => {}
-                Ok(Extended::Unsolved) | Err(OutOfBudget) => {
-                    self.facts.miss(&source);
-                    return Answer::Accepted;
-                }
+                Ok(Extended::Follows) => continue,
+                Ok(Extended::Solved(_) | Extended::Square) => {}
+                Ok(Extended::Unsolved) | Err(OutOfBudget) => self.facts.miss(&source),
             }
+            let reach = match held.standing {
+                Standing::Settles => Reach::All,
+                _ => self.reading.reach_of_line(&self.at),
+            };
+            self.settled_taken.push(self.reading.settled.len());
+            self.reading.settled.push(Premise {
+                equation,
+                source: source.clone(),
+                reach,
+            });
         }
         Answer::Accepted
-    }
-}
-
-trait MaxBy {
-    fn max_by(self, other: Self, rank: impl Fn(&Self) -> i32) -> Self;
-}
-
-impl MaxBy for Answer {
-    fn max_by(self, other: Self, rank: impl Fn(&Self) -> i32) -> Self {
-        if rank(&other) > rank(&self) {
-            other
-        } else {
-            self
-        }
     }
 }

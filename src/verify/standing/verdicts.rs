@@ -19,13 +19,13 @@ pub(crate) enum Standing {
     Open,
 }
 
-/// What is said of a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is said of a line, the better before the worse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Answer {
     Proved,
     Accepted,
-    Refuted,
     Undecided,
+    Refuted,
 }
 
 /// The table. A claim that words derive is never taken for a definition.

@@ -366,7 +366,7 @@ impl Checker<'_> {
 
     /// Reports a premise that words set.
     pub(crate) fn tell(&mut self, span: Span, premise: String) {
-        let (source_line, _, _) = self.place(span.start);
+        let source_line = self.document.place(span.start).line;
         self.from_prose.push(FromProse {
             span,
             source_line,
