@@ -3,9 +3,7 @@
 use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Key, Motion, fraction};
-use crate::verify::model::system::{
-    Body, BodyId, FrameId, Matrix, PointId, System, Vector, nothing,
-};
+use crate::verify::model::system::{Body, BodyId, FrameId, Matrix, PointId, System, Vector};
 use num_traits::Zero;
 
 /// Which velocities an angular momentum is made of.
@@ -69,7 +67,7 @@ impl System {
             return known.clone();
         }
         let tensor = match self.bodies[body].frame {
-            None => Matrix::from_fn(|_, _| Fraction::zero()),
+            None => Matrix::zeros(),
             Some(frame) => {
                 let text = match body {
                     0 => "I".to_owned(),
@@ -107,7 +105,7 @@ impl System {
 
     /// The inertia tensor of a body about a point: that of its parts, each shifted by the parallel-axis law.
     pub(crate) fn inertia(&mut self, body: BodyId, about: PointId) -> Matrix {
-        let mut sum = Matrix::from_fn(|_, _| Fraction::zero());
+        let mut sum = Matrix::zeros();
         for part in self.wholes(body) {
             let central = self.central_inertia(part);
             let way = self.position(self.bodies[part].centre, about);
@@ -118,7 +116,7 @@ impl System {
 
     /// The momentum of a body relative to a frame.
     pub(crate) fn momentum(&mut self, body: BodyId, frame: FrameId) -> Vector {
-        let mut sum = nothing();
+        let mut sum = Vector::zeros();
         for part in self.wholes(body) {
             let velocity = self.velocity(self.bodies[part].centre, frame);
             sum += velocity * self.bodies[part].mass.clone();
@@ -135,10 +133,10 @@ impl System {
         velocities: Velocities,
     ) -> Vector {
         let base = match velocities {
-            Velocities::Absolute => nothing(),
+            Velocities::Absolute => Vector::zeros(),
             Velocities::RelativeToPoint => self.velocity(about, frame),
         };
-        let mut sum = nothing();
+        let mut sum = Vector::zeros();
         for part in self.wholes(body) {
             let Body {
                 frame: own,
@@ -161,10 +159,11 @@ impl System {
     /// What wheels add to the angular momentum of the body that they are part of: Σ J Ω g.
     fn momentum_of_rotors(&mut self, body: BodyId) -> Vector {
         let Some(rotors) = self.bodies[body].rotors.clone() else {
-            return nothing();
+            return Vector::zeros();
         };
         let own = rotors.axis * (rotors.inertia * rotors.rate);
-        self.sum_vector(&own, &rotors.index).unwrap_or_else(nothing)
+        self.sum_vector(&own, &rotors.index)
+            .unwrap_or_else(Vector::zeros)
     }
 
     /// The kinetic energy of a body relative to a frame, by König's law; or of rotation alone.

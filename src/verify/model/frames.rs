@@ -8,9 +8,7 @@
 use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Key, Motion, fraction, whole};
-use crate::verify::model::system::{
-    Axis, Frame, FrameId, Matrix, System, Turn, Vector, nothing, unit,
-};
+use crate::verify::model::system::{Axis, Frame, FrameId, Matrix, System, Turn, Vector, unit};
 use num_traits::{One, Zero};
 
 impl System {
@@ -60,7 +58,7 @@ impl System {
     /// The angular velocity of one frame relative to another: the sum along the chain.
     pub(crate) fn angular_velocity(&mut self, of: FrameId, relative: FrameId) -> Vector {
         let (up, down) = (self.links(of, relative), self.links(relative, of));
-        let mut sum = nothing();
+        let mut sum = Vector::zeros();
         for link in up {
             sum += self.link_velocity(link);
         }
@@ -73,7 +71,7 @@ impl System {
     /// The angular velocity of a frame relative to its parent.
     fn link_velocity(&mut self, frame: FrameId) -> Vector {
         match self.frames[frame].turn.clone() {
-            Turn::Fixed => nothing(),
+            Turn::Fixed => Vector::zeros(),
             Turn::Free => {
                 let text = format!("\\omega^{{{}}}", self.frames[frame].name);
                 self.free_vector(&text, Place::Rate, None)
@@ -119,7 +117,7 @@ impl System {
     /// The matrix that takes components on one frame to components on another.
     pub(crate) fn rotation(&mut self, to: FrameId, from: FrameId) -> Matrix {
         let (up, down) = (self.links(from, to), self.links(to, from));
-        let mut matrix = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
+        let mut matrix = Matrix::identity();
         for link in down {
             matrix = mechanics::product(&matrix, &self.link_rotation(link).transpose());
         }
@@ -133,7 +131,7 @@ impl System {
     /// The matrix that takes components on a frame to components on its parent.
     fn link_rotation(&mut self, frame: FrameId) -> Matrix {
         match self.frames[frame].turn.clone() {
-            Turn::Fixed => Matrix::from_fn(|r, c| whole(i64::from(r == c))),
+            Turn::Fixed => Matrix::identity(),
             Turn::Angle(axis, angle) => match self.atoms.cosine_sine(&angle) {
                 Some((cosine, sine)) => about_axis(axis, &cosine, &sine),
                 None => self.free_rotation(frame),

@@ -1,6 +1,6 @@
 //! Where points are, and how they move.
 
-use crate::verify::model::system::{FrameId, Point, PointId, System, Vector, nothing};
+use crate::verify::model::system::{FrameId, Point, PointId, System, Vector};
 
 impl System {
     /// A new point.
@@ -28,7 +28,7 @@ impl System {
 
     /// The position of a point from the origin.
     fn way_from_origin(&self, point: PointId) -> Vector {
-        let (mut sum, mut at) = (nothing(), point);
+        let (mut sum, mut at) = (Vector::zeros(), point);
         while let Some((from, way)) = &self.points[at].placed {
             // Points are placed from earlier ones alone, so this ends.
             sum += way.clone();
@@ -45,7 +45,7 @@ impl System {
     /// The velocity of a point relative to a frame: the rate of its position from a point that is fixed there.
     pub(crate) fn velocity(&mut self, of: PointId, frame: FrameId) -> Vector {
         if self.points[of].fixed_in.contains(&frame) {
-            return nothing();
+            return Vector::zeros();
         }
         let fixed = self.points.iter().position(|p| p.fixed_in.contains(&frame));
         let from = fixed.unwrap_or(0);

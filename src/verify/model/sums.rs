@@ -6,7 +6,7 @@
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Rational, Variable};
 use crate::verify::model::atoms::{Key, Law, Motion, Nature, fraction};
-use crate::verify::model::system::{BodyId, FamilyId, PointId, System, Vector, nothing};
+use crate::verify::model::system::{BodyId, FamilyId, PointId, System, Vector};
 use num_traits::{One, Zero};
 
 impl System {
@@ -284,7 +284,7 @@ impl System {
 
     /// The sum of a vector over all members.
     pub(crate) fn sum_vector(&mut self, of: &Vector, index: &str) -> Option<Vector> {
-        let mut sum = nothing();
+        let mut sum = Vector::zeros();
         for k in 0..3 {
             sum[k] = self.sum(&of[k], index)?;
         }

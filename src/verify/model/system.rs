@@ -129,11 +129,6 @@ pub(crate) struct System {
 /// The names of components on numbered axes.
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A vector without length.
-pub(crate) fn nothing() -> Vector {
-    Vector::from_fn(|_, _| Fraction::zero())
-}
-
 /// The unit vector along an axis of the work frame.
 pub(crate) fn unit(axis: usize) -> Vector {
     Vector::from_fn(|row, _| crate::verify::model::atoms::whole(i64::from(row == axis)))

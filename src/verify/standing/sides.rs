@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::standing::chains::Link;
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Shape, Trouble, Value};
+use crate::verify::term::value::{Trouble, Value};
 
 /// Both sides of a link, and the letter that it settles if it could.
 pub(super) struct Both {
@@ -29,56 +29,25 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Tro
     let letter = lone(&link.left).filter(|l| unknown_left.contains(l) && new(l));
     let other =
         lone(&link.right).filter(|l| lowering.unknown.contains(l) && letter.is_none() && new(l));
-    match (&letter, &other) {
-        (Some(name), _) if (left.rows, left.columns) != (right.rows, right.columns) => {
-            let shaped = shaped(lowering, name, &right);
-            Ok(Both {
-                left: shaped,
-                right,
-                settles: letter,
-            })
-        }
-        (_, Some(name)) if (left.rows, left.columns) != (right.rows, right.columns) => {
-            let shaped = shaped(lowering, name, &left);
-            Ok(Both {
-                left: shaped,
-                right: left,
-                settles: other,
-            })
-        }
-        (Some(name), _) => {
-            let left = shaped(lowering, name, &right);
-            Ok(Both {
-                left,
-                right,
-                settles: letter,
-            })
-        }
-        _ => {
+    let alike = (left.rows, left.columns) == (right.rows, right.columns);
+    match (letter, other) {
+        (Some(name), _) => Ok(Both {
+            left: lowering.unknown_of_shape(&name, right.shape()),
+            right,
+            settles: Some(name),
+        }),
+        (None, Some(name)) if !alike => Ok(Both {
+            left: lowering.unknown_of_shape(&name, left.shape()),
+            right: left,
+            settles: Some(name),
+        }),
+        (None, settles) => {
             let (left, right) = lowering.system.compared(&left, &right, custom)?;
             Ok(Both {
                 left,
                 right,
-                settles: letter.or(other),
+                settles,
             })
         }
     }
-}
-
-/// A letter of which nothing is told, in the shape of what it is set equal to.
-fn shaped(lowering: &mut Lowering<'_>, name: &str, like: &Value) -> Value {
-    let Value {
-        rows,
-        columns,
-        basis,
-        ..
-    } = *like;
-    lowering.unknown_of_shape(
-        name,
-        Shape {
-            rows,
-            columns,
-            basis,
-        },
-    )
 }

@@ -30,11 +30,7 @@ impl System {
                 let along = self.axis(*on, *axis);
                 Value::scalar(along.dot(&vector))
             }
-            Quantity::CrossProductMatrix(of) => {
-                let value = self.value_of(of)?;
-                let basis = value.vector_basis();
-                Value::matrix(&mechanics::skew(&value.to_vector()?), [basis; 2])
-            }
+            Quantity::CrossProductMatrix(of) => self.value_of(of)?.cross_product_matrix()?,
             Quantity::On(of, frame) => {
                 let mut value = self.value_of(of)?;
                 value.basis = [Basis::On(*frame); 2];
@@ -42,15 +38,12 @@ impl System {
             }
             Quantity::Scaled(of, factor) => self.value_of(of)?.scaled(factor),
             Quantity::Sum(terms) => {
-                let mut sum: Option<Value> = None;
+                let mut sum = Value::scalar(Fraction::zero());
                 for term in terms {
                     let value = self.value_of(term)?;
-                    sum = Some(match sum {
-                        Some(sum) => self.plus(&sum, &value, self.work)?,
-                        None => value,
-                    });
+                    sum = self.plus(&sum, &value, self.work)?;
                 }
-                sum.unwrap_or_else(|| Value::scalar(Fraction::zero()))
+                sum
             }
             measured => return self.measured(measured),
         })
@@ -155,7 +148,7 @@ impl System {
             Whole::Member(family, index) => {
                 let way = self.member_position(*family, index, about);
                 let mass = self.member_mass(*family, index);
-                let none = Matrix::from_fn(|_, _| Fraction::zero());
+                let none = Matrix::zeros();
                 mechanics::parallel_axis(&none, &mass, &way)
             }
         }

@@ -148,21 +148,18 @@ impl Lowering<'_> {
 
     pub(super) fn sum_over_axes(&mut self, letter: &str, body: &Node) -> Valued {
         let before = self.axes.get(letter).copied();
-        let mut sum: Option<Value> = None;
+        let mut sum = Value::scalar(Fraction::zero());
         for axis in 0..3 {
             self.axes.insert(letter.to_owned(), axis);
             let term = self.value(body)?;
             let custom = self.custom();
-            sum = Some(match sum {
-                Some(sum) => self.system.plus(&sum, &term, custom)?,
-                None => term,
-            });
+            sum = self.system.plus(&sum, &term, custom)?;
         }
         match before {
             Some(axis) => self.axes.insert(letter.to_owned(), axis),
             None => self.axes.remove(letter),
         };
-        sum.map_or_else(|| beyond("an empty sum"), Ok)
+        Ok(sum)
     }
 
     pub(super) fn summed(&mut self, term: &Value, index: &str) -> Valued {

@@ -35,19 +35,6 @@ fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, u
             }
             return;
         }
-        // What is taken twice has its letters twice.
-        Kind::Power(base, exponent) => {
-            count(letters, at, base, found);
-            count(letters, at, exponent, found);
-            return;
-        }
-        Kind::Derivative {
-            operand, variables, ..
-        } => {
-            count(letters, at, operand, found);
-            variables.iter().for_each(|v| count(letters, at, v, found));
-            return;
-        }
         _ => {}
     }
     node.children()

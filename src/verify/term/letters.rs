@@ -95,7 +95,7 @@ pub(crate) enum Meaning {
     Same(Box<Node>),
     /// A function of what stands behind it.
     Operator(Operator),
-    /// A number that is equal to a formula of which one letter is any.
+    /// The time.
     Time,
 }
 
@@ -213,10 +213,9 @@ impl Letters {
                 };
                 same && l.reach.covers(at, number)
             };
-            let mut fitting: Vec<&Letter> = self.letters.iter().filter(fits).collect();
             // The later of two equally narrow ones replaces the earlier.
-            fitting.sort_by_key(|l| l.reach.narrowness());
-            fitting.pop()
+            let fitting = self.letters.iter().filter(fits);
+            fitting.max_by_key(|l| l.reach.narrowness())
         };
         best(true).or_else(|| best(false))
     }
@@ -234,29 +233,30 @@ impl Letters {
         (!apart).then_some(found)
     }
 
+    /// What the author says that a formula means.
+    pub(crate) fn told_meaning(&self, spelled: &str, at: &At) -> Option<&Node> {
+        let fits =
+            |(whole, _, reach): &&(String, Node, Reach)| whole == spelled && reach.covers(at, 1);
+        self.means.iter().find(fits).map(|(_, meaning, _)| meaning)
+    }
+
     pub(crate) fn mark(&self, mark: Mark, at: &At) -> Option<&Effect> {
-        let mut rules: Vec<&MarkRule> = self
-            .marks
-            .iter()
-            .filter(|r| r.mark == mark && r.reach.covers(at, 0))
-            .collect();
-        rules.sort_by_key(|r| r.reach.narrowness());
-        rules.pop().map(|r| &r.effect)
+        let fits = |r: &&MarkRule| r.mark == mark && r.reach.covers(at, 0);
+        let rule = self.marks.iter().filter(fits);
+        Some(&rule.max_by_key(|r| r.reach.narrowness())?.effect)
     }
 
     pub(crate) fn label(&self, label: &str, on_rate: bool, at: &At) -> Option<&LabelRule> {
         let fits =
             |r: &&LabelRule| r.label == label && (!r.on_rate || on_rate) && r.reach.covers(at, 0);
-        let mut rules: Vec<&LabelRule> = self.labels.iter().filter(fits).collect();
-        rules.sort_by_key(|r| r.reach.narrowness());
-        rules.pop()
+        let rules = self.labels.iter().filter(fits);
+        rules.max_by_key(|r| r.reach.narrowness())
     }
 
     pub(crate) fn index(&self, letter: &str, at: &At) -> Option<&IndexRule> {
         let fits = |r: &&IndexRule| r.letter == letter && r.reach.covers(at, 0);
-        let mut rules: Vec<&IndexRule> = self.indices.iter().filter(fits).collect();
-        rules.sort_by_key(|r| r.reach.narrowness());
-        rules.pop()
+        let rules = self.indices.iter().filter(fits);
+        rules.max_by_key(|r| r.reach.narrowness())
     }
 
     pub(crate) fn frame(&self, name: &str) -> Option<FrameId> {

@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::mechanics;
-use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
+use crate::notation::ast::{Kind, Node, Number, Term};
 use crate::source::Source;
 use crate::verify::model::system::System;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, Meaning, loosely, spelled};
@@ -63,10 +63,6 @@ impl<'a> Lowering<'a> {
         *count
     }
 
-    pub(super) fn letters_unknown(&self) -> usize {
-        self.unknown.len()
-    }
-
     /// The frame of lists that say no other.
     pub(crate) fn custom(&self) -> usize {
         match self.frames_seen.len() {
@@ -110,7 +106,7 @@ impl<'a> Lowering<'a> {
             Kind::Power(base, exponent) => self.power(base, exponent),
             Kind::Transpose(inner) => Ok(self.value(inner)?.transposed()),
             Kind::Skew(inner) => self.skew(node, inner),
-            Kind::Group(bracket, inner) => self.group(*bracket, inner),
+            Kind::Group(_, inner) => self.value(inner),
             Kind::Norm(inner) => self.norm(inner),
             Kind::Tuple(entries) => self.list(std::slice::from_ref(entries), true),
             Kind::Matrix(rows) => self.list(rows, false),
@@ -149,23 +145,26 @@ impl<'a> Lowering<'a> {
             return None;
         }
         let (exact, loose) = (spelled(node), loosely(node));
-        let means = self
-            .letters
-            .means
-            .iter()
-            .find(|(w, _, reach)| *w == exact && reach.covers(self.at, 1));
-        if let Some((_, meaning, _)) = means {
-            let meaning = meaning.clone();
-            return Some(self.deeper(|lowering| lowering.value(&meaning)));
-        }
-        if matches!(node.kind, Kind::Group(..)) {
-            return None;
-        }
-        let number = match self.letters.letters.iter().any(|l| l.spelled == exact) {
+        let grouped = matches!(node.kind, Kind::Group(..));
+        let letter = self.letters.letters.iter().any(|l| l.spelled == exact);
+        let number = match letter && !grouped {
             true => self.count(&exact),
             false => 1,
         };
-        let letter = self.letters.find(&exact, &loose, self.at, number)?.clone();
+        self.meaning_of(&exact, (!grouped).then_some(loose.as_str()), number)
+    }
+
+    /// What sentences tell of a formula as it is spelled: what it means, or the letter that it is.
+    pub(super) fn meaning_of(
+        &mut self,
+        exact: &str,
+        loose: Option<&str>,
+        number: usize,
+    ) -> Option<Valued> {
+        if let Some(meaning) = self.letters.told_meaning(exact, self.at).cloned() {
+            return Some(self.deeper(|lowering| lowering.value(&meaning)));
+        }
+        let letter = self.letters.find(exact, loose?, self.at, number)?.clone();
         match letter.meaning {
             Meaning::Quantity(quantity) => Some(self.system.letter(&letter.latex, &quantity)),
             Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(&same))),
@@ -194,23 +193,16 @@ impl<'a> Lowering<'a> {
     }
 
     fn sum(&mut self, terms: &[Term]) -> Valued {
-        let mut sum: Option<Value> = None;
+        let mut sum = Value::scalar(Fraction::zero());
         for term in terms {
-            let value = self.value(&term.node)?;
-            let value = if term.negative {
-                value.negated()
-            } else {
-                value
-            };
-            sum = Some(match sum {
-                Some(sum) => {
-                    let custom = self.custom();
-                    self.system.plus(&sum, &value, custom)?
-                }
-                None => value,
-            });
+            let mut value = self.value(&term.node)?;
+            if term.negative {
+                value = value.negated();
+            }
+            let custom = self.custom();
+            sum = self.system.plus(&sum, &value, custom)?;
         }
-        sum.map_or_else(|| beyond("an empty sum"), Ok)
+        Ok(sum)
     }
 
     fn power(&mut self, base: &Node, exponent: &Node) -> Valued {
@@ -292,13 +284,6 @@ impl<'a> Lowering<'a> {
         self.affected(value, &effect.unwrap_or(Effect::CrossProductMatrix))
     }
 
-    fn group(&mut self, bracket: Bracket, inner: &Node) -> Valued {
-        // [v] of a vector alone, with a mark that makes a matrix of it, is that matrix; else brackets only group.
-        let value = self.value(inner)?;
-        let _ = bracket;
-        Ok(value)
-    }
-
     fn norm(&mut self, inner: &Node) -> Valued {
         let value = self.value(inner)?;
         if value.is_matrix() {
@@ -322,11 +307,10 @@ impl<'a> Lowering<'a> {
         }
         if let Some((axes, frame)) = self.axes_of_label(label) {
             let value = self.value(inner)?;
-            let own = match value.vector_basis() {
-                Basis::On(frame) => Some(frame),
-                _ => None,
-            };
-            let frame = own.or(frame).unwrap_or(self.letters.component_frame);
+            let frame = value
+                .frame()
+                .or(frame)
+                .unwrap_or(self.letters.component_frame);
             return self.entry(&value, &axes, frame);
         }
         if let Some(frame) = self.letters.frame(label) {

@@ -4,6 +4,7 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
+use num_traits::Zero;
 
 impl Lowering<'_> {
     /// A list of components, or a matrix row by row; entries may be vectors side by side.
@@ -81,17 +82,14 @@ impl Lowering<'_> {
                 .collect::<Result<Vec<_>, _>>()
         };
         let (second, third) = (scalars(&values[1])?, scalars(&values[2])?);
-        let mut sum: Option<Value> = None;
+        let mut sum = Value::scalar(Fraction::zero());
         for (k, first) in values[0].iter().enumerate() {
             let (p, q) = ((k + 1) % 3, (k + 2) % 3);
             let minor = second[p].clone() * third[q].clone() - second[q].clone() * third[p].clone();
             let term = first.scaled(&minor);
-            sum = Some(match sum {
-                Some(sum) => self.system.plus(&sum, &term, custom)?,
-                None => term,
-            });
+            sum = self.system.plus(&sum, &term, custom)?;
         }
-        sum.map_or_else(|| beyond("an empty determinant"), Ok)
+        Ok(sum)
     }
 }
 

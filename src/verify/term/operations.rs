@@ -126,9 +126,7 @@ impl System {
             return self.times(a, b, custom);
         }
         if a.is_vector() && b.is_matrix() {
-            let basis = a.vector_basis();
-            let skew = Value::matrix(&mechanics::skew(&a.to_vector()?), [basis; 2]);
-            return self.times(&skew, b, custom);
+            return self.times(&a.cross_product_matrix()?, b, custom);
         }
         if !a.is_vector() || !b.is_vector() {
             return ill_typed(format!("{} is crossed with {}", a.shape(), b.shape()));

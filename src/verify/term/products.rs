@@ -5,7 +5,7 @@ use crate::notation::ast::{Factor, Kind, Node, Operator as Sign};
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::letters::{loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Value, Valued, beyond};
 use std::collections::BTreeMap;
@@ -217,25 +217,7 @@ impl Lowering<'_> {
                 .map(|node| spelled(node))
                 .collect::<Vec<_>>()
                 .join(" ");
-            let means = self
-                .letters
-                .means
-                .iter()
-                .find(|(w, _, reach)| *w == whole && reach.covers(self.at, 1));
-            if let Some((_, meaning, _)) = means {
-                let meaning = meaning.clone();
-                return Some((length, self.deeper(|lowering| lowering.value(&meaning))));
-            }
-            let letter = self.letters.find(&whole, &whole, self.at, 1)?.clone();
-            match letter.meaning {
-                Meaning::Quantity(quantity) => {
-                    Some((length, self.system.letter(&letter.latex, &quantity)))
-                }
-                Meaning::Same(same) => {
-                    Some((length, self.deeper(|lowering| lowering.value(&same))))
-                }
-                _ => None,
-            }
+            Some((length, self.meaning_of(&whole, Some(&whole), 1)?))
         })
     }
 

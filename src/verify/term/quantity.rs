@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Place};
 use crate::mechanics;
-use crate::verify::model::atoms::{Key, Law, Motion, fraction, whole};
+use crate::verify::model::atoms::{Key, Law, Motion, fraction};
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{
     BodyId, FamilyId, FrameId, Matrix, PointId, System, Vector, component_text,
@@ -239,13 +239,9 @@ impl System {
             }
             Quantity::Axis(frame, axis) => itself(self.axis(*frame, *axis)),
             Quantity::Rotation { from, to } => {
-                let one = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
-                Value::matrix(&one, [Basis::On(*to), Basis::On(*from)])
+                Value::matrix(&Matrix::identity(), [Basis::On(*to), Basis::On(*from)])
             }
-            Quantity::Identity => {
-                let one = Matrix::from_fn(|r, c| whole(i64::from(r == c)));
-                Value::matrix(&one, [Basis::Any; 2])
-            }
+            Quantity::Identity => Value::matrix(&Matrix::identity(), [Basis::Any; 2]),
             Quantity::Known(value) => value.clone(),
             of_body => return self.value_of_whole(of_body),
         })

@@ -206,11 +206,7 @@ impl Lowering<'_> {
                 on(value, *frame)
             }
             Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
-            Effect::CrossProductMatrix => {
-                let basis = value.vector_basis();
-                let skew = crate::mechanics::skew(&value.to_vector()?);
-                Value::matrix(&skew, [basis; 2])
-            }
+            Effect::CrossProductMatrix => value.cross_product_matrix()?,
             Effect::Itself => value,
         })
     }
@@ -312,14 +308,12 @@ impl Lowering<'_> {
             .letters
             .find(&exact, &spell(symbol, false), self.at, number);
         let Some(letter) = found.cloned() else {
-            let before = self.letters_unknown();
-            self.only_known = true;
+            let before = std::mem::replace(&mut self.only_known, true);
             let value = self.reindexed(symbol).and_then(|value| match value {
                 Some(value) => Ok(Some(value)),
                 None => self.by_label(symbol),
             });
-            self.only_known = false;
-            debug_assert!(before <= self.letters_unknown());
+            self.only_known = before;
             let text = print::latex(&symbol_node(symbol));
             if matches!(value, Ok(None) | Err(Trouble::Unknown(_)))
                 && self.shapes.contains_key(&text)
@@ -329,7 +323,7 @@ impl Lowering<'_> {
             }
             return match value {
                 Ok(value) => Ok(value.map(|value| {
-                    let frame = frame_of(&value);
+                    let frame = value.frame();
                     (value, frame)
                 })),
                 Err(Trouble::Unknown(_)) => Ok(None),
@@ -337,7 +331,7 @@ impl Lowering<'_> {
             };
         };
         let value = self.meant(&letter, symbol, None)?;
-        let frame = frame_of(&value);
+        let frame = value.frame();
         Ok(Some((value, frame)))
     }
 
@@ -392,13 +386,6 @@ pub(super) fn on(value: Value, frame: FrameId) -> Value {
 }
 
 /// The frame that an array is on.
-fn frame_of(value: &Value) -> Option<FrameId> {
-    match value.basis[usize::from(value.rows == 1)] {
-        Basis::On(frame) => Some(frame),
-        _ => None,
-    }
-}
-
 pub(super) fn symbol_node(symbol: &Symbol) -> Node {
     Node {
         kind: crate::notation::ast::Kind::Symbol(symbol.clone()),

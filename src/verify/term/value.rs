@@ -8,6 +8,7 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::system::{FrameId, Matrix, System, Vector};
 use num_traits::Zero;
+use std::fmt::{self, Display, Formatter};
 
 /// What an index of a value runs over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +40,19 @@ pub(crate) struct Shape {
     pub(crate) rows: usize,
     pub(crate) columns: usize,
     pub(crate) basis: [Basis; 2],
+}
+
+impl Display for Shape {
+    /// `a number`, `a vector`, `a 3 × 2 matrix`.
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match (self.rows, self.columns) {
+            (1, 1) => f.write_str("a number"),
+            (3, 1) => f.write_str("a vector"),
+            (rows, 1) => write!(f, "a column of {rows}"),
+            (1, columns) => write!(f, "a row of {columns}"),
+            (rows, columns) => write!(f, "a {rows} × {columns} matrix"),
+        }
+    }
 }
 
 /// Why a formula has no value.
@@ -145,14 +159,11 @@ impl Value {
         }
     }
 
-    /// `a number`, `a vector`, `a 3 × 2 matrix`.
-    pub(crate) fn shape(&self) -> String {
-        match (self.rows, self.columns) {
-            (1, 1) => "a number".into(),
-            (3, 1) => "a vector".into(),
-            (rows, 1) => format!("a column of {rows}"),
-            (1, columns) => format!("a row of {columns}"),
-            (rows, columns) => format!("a {rows} × {columns} matrix"),
+    pub(crate) fn shape(&self) -> Shape {
+        Shape {
+            rows: self.rows,
+            columns: self.columns,
+            basis: self.basis,
         }
     }
 
@@ -168,6 +179,20 @@ impl Value {
             entries,
             basis: [self.basis[1], self.basis[0]],
         }
+    }
+
+    /// Its rows and its columns turned, three of them at a time: Q A Pᵀ.
+    fn turned(&self, turns: &[Option<Matrix>; 2], basis: [Basis; 2]) -> Self {
+        let mut out = self.clone();
+        if let (3, Some(turn)) = (out.rows, &turns[0]) {
+            out.entries = times(turn, &out.entries, out.columns);
+        }
+        if let (3, Some(turn)) = (out.columns, &turns[1]) {
+            let mut columns = out.transposed();
+            columns.entries = times(turn, &columns.entries, columns.columns);
+            out = columns.transposed();
+        }
+        Self { basis, ..out }
     }
 
     pub(crate) fn scaled(&self, factor: &Fraction) -> Self {
@@ -195,6 +220,20 @@ impl Value {
         self.basis[usize::from(self.rows == 1)]
     }
 
+    /// The frame on whose axes its components are.
+    pub(crate) fn frame(&self) -> Option<FrameId> {
+        match self.vector_basis() {
+            Basis::On(frame) => Some(frame),
+            _ => None,
+        }
+    }
+
+    /// v× as a matrix.
+    pub(crate) fn cross_product_matrix(&self) -> Valued {
+        let skew = mechanics::skew(&self.to_vector()?);
+        Ok(Self::matrix(&skew, [self.vector_basis(); 2]))
+    }
+
     fn has_written(&self) -> bool {
         self.runs_over(Basis::Written)
     }
@@ -207,57 +246,21 @@ impl Value {
 impl System {
     /// Entry by entry on the axes that a value is on; of a geometric one on those of a frame.
     pub(crate) fn written_out(&mut self, value: &Value, custom: FrameId) -> Value {
-        let mut out = value.clone();
-        let frame = |basis: Basis| match basis {
-            Basis::On(frame) => Some(frame),
-            Basis::Itself => Some(custom),
+        let turns = value.basis.map(|basis| match basis {
+            Basis::On(frame) => Some(self.rotation(frame, self.work)),
+            Basis::Itself => Some(self.rotation(custom, self.work)),
             Basis::Any | Basis::Written => None,
-        };
-        if value.rows == 3
-            && let Some(frame) = frame(value.basis[0])
-        {
-            let turn = self.rotation(frame, self.work);
-            out.entries = times(&turn, &out.entries, out.columns);
-        }
-        if value.columns == 3
-            && let Some(frame) = frame(value.basis[1])
-        {
-            let turn = self.rotation(frame, self.work);
-            let turned = Value {
-                basis: [Basis::Any; 2],
-                ..out.clone()
-            }
-            .transposed();
-            let entries = times(&turn, &turned.entries, turned.columns);
-            out.entries = Value { entries, ..turned }.transposed().entries;
-        }
-        out.basis = [Basis::Written; 2];
-        out
+        });
+        value.turned(&turns, [Basis::Written; 2])
     }
 
     /// Written entries taken as those on the axes of frames.
     pub(crate) fn taken_on(&mut self, value: &Value, basis: [Basis; 2], custom: FrameId) -> Value {
-        let mut out = value.clone();
-        let frame = |basis: Basis| match basis {
-            Basis::On(frame) => frame,
-            _ => custom,
-        };
-        if value.rows == 3 {
-            let turn = self.rotation(self.work, frame(basis[0]));
-            out.entries = times(&turn, &out.entries, out.columns);
-        }
-        if value.columns == 3 {
-            let turn = self.rotation(self.work, frame(basis[1]));
-            let turned = Value {
-                basis: [Basis::Any; 2],
-                ..out.clone()
-            }
-            .transposed();
-            let entries = times(&turn, &turned.entries, turned.columns);
-            out.entries = Value { entries, ..turned }.transposed().entries;
-        }
-        out.basis = basis;
-        out
+        let turns = basis.map(|basis| match basis {
+            Basis::On(frame) => Some(self.rotation(self.work, frame)),
+            _ => Some(self.rotation(self.work, custom)),
+        });
+        value.turned(&turns, basis)
     }
 
     /// Two values of one shape, on the same axes.
