@@ -32,7 +32,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "number",
                     slots,
-                } => self.number(subjects, slots, declaration),
+                } => self.number(subjects, slots),
                 _ => {}
             }
         }
@@ -164,7 +164,7 @@ impl Builder<'_> {
     }
 
     /// "`i` numbers the particles."
-    fn number(&mut self, subjects: &[Term], slots: &[(Slot, Term)], declaration: &Declaration) {
+    fn number(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
         let Some(Term::Name(plural)) = slot(slots, Slot::Of) else {
             return;
         };
@@ -182,7 +182,6 @@ impl Builder<'_> {
                 indices.push(letter);
             }
         }
-        let _ = declaration;
     }
 
     /// Wheels of a family: "wheel `i` turns relative to B about `g_i` at the rate `\Omega_i`".

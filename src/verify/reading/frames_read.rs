@@ -7,6 +7,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::term::letters::{Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use num_traits::Zero;
 use std::collections::BTreeMap;
 
 /// The names of the axes of a frame that has none of its own.
@@ -201,7 +202,7 @@ impl Builder<'_> {
             .value_of(&rate)
             .ok()
             .and_then(|v| v.to_scalar().ok());
-        value.unwrap_or_default_rate()
+        value.unwrap_or_else(Zero::zero)
     }
 
     /// The number of an axis that is the same on both frames.
@@ -282,16 +283,6 @@ impl Builder<'_> {
     }
 }
 
-trait OrZero {
-    fn unwrap_or_default_rate(self) -> Fraction;
-}
-
-impl OrZero for Option<Fraction> {
-    fn unwrap_or_default_rate(self) -> Fraction {
-        self.unwrap_or_else(num_traits::Zero::zero)
-    }
-}
-
 /// What is said to turn against what.
 fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
     let mut parents = BTreeMap::new();
@@ -302,11 +293,8 @@ fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
                 verb: "turn",
                 slots,
             } => (subjects, slot(slots, Slot::RelativeTo)),
-            Statement::Is { subjects, what } if matches!(what.head, "frame" | "Euler angles") => {
-                match what.head {
-                    "frame" => (subjects, what.slot(Slot::RelativeTo)),
-                    _ => continue,
-                }
+            Statement::Is { subjects, what } if what.head == "frame" => {
+                (subjects, what.slot(Slot::RelativeTo))
             }
             _ => continue,
         };

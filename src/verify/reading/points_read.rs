@@ -144,7 +144,7 @@ impl Builder<'_> {
             return None;
         }
         let first = self.centre_of(*parts.first()?);
-        let mut sum = crate::verify::model::system::nothing();
+        let mut sum = Vector::zeros();
         for &part in &parts {
             let mass = self.reading.system.bodies[part].mass.clone();
             sum += self.reading.system.position(self.centre_of(part), first) * mass;

@@ -6,7 +6,7 @@ use crate::verify::Role;
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
-use crate::verify::model::system::{FrameId, PointId};
+use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::reach_of;
 use crate::verify::term::letters::{Meaning, Reach};
@@ -155,7 +155,7 @@ impl Builder<'_> {
         }
         let force = match weight {
             Some(weight) => self.system().value_of(&weight).ok()?.to_vector().ok()?,
-            None => crate::verify::model::system::nothing(),
+            None => Vector::zeros(),
         };
         if let Some(Term::Formula(letter)) = &letter {
             let rest = self.system().total_force(body) - force.clone();

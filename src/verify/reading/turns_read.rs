@@ -72,12 +72,11 @@ impl Builder<'_> {
         let Statement::Is { subjects, what } = &declaration.statement else {
             return;
         };
-        let (true, Some(about)) = (what.head == "frame", what.slot(Slot::About)) else {
+        if what.head != "frame" || what.slot(Slot::About).is_none() {
             return;
-        };
+        }
         let relative = what.slot(Slot::RelativeTo).and_then(name_of);
         let slots: Vec<(Slot, Term)> = what.slots.clone();
-        let about = about.clone();
         for subject in subjects {
             let Some(frame) = self.frame(subject) else {
                 continue;
@@ -88,7 +87,6 @@ impl Builder<'_> {
                 declaration,
             };
             if self.reading.system.frames[frame].turn == Turn::Free {
-                let _ = &about;
                 self.turn_frame(frame, &said);
             }
         }

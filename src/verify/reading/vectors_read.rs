@@ -171,7 +171,7 @@ impl Builder<'_> {
     ) {
         let tensor = match what.slot(Slot::Of) {
             Some(Term::Formula(formula)) if self.quantity_of(formula, declaration).is_none() => {
-                return self.read_moments_of_letter(formula, subjects, what);
+                return self.read_moments_of_letter(formula);
             }
             Some(Term::Formula(formula)) => {
                 self.operand(&Term::Formula(formula.clone()), declaration)
@@ -211,12 +211,7 @@ impl Builder<'_> {
     }
 
     /// Principal moments of a tensor that a line defines: their labels number its axes.
-    pub(super) fn read_moments_of_letter(
-        &mut self,
-        formula: &Formula,
-        subjects: &[Term],
-        what: &NounPhrase,
-    ) {
+    pub(super) fn read_moments_of_letter(&mut self, formula: &Formula) {
         let Some(node) = node_of(formula) else { return };
         let shape = Shape {
             rows: 3,
@@ -226,7 +221,5 @@ impl Builder<'_> {
         self.reading
             .shapes
             .insert(crate::notation::print::latex(node), shape);
-        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
-        let _ = (subjects, frame);
     }
 }
