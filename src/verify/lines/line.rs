@@ -82,7 +82,7 @@ impl Checker<'_> {
     pub(crate) fn blank(&self, line: &Line, role: Role) -> Finding {
         Finding {
             label: line.labels.first().cloned(),
-            ..Finding::undecided(&self.document, role, line.span)
+            ..Finding::undecided(self.document, role, line.span)
         }
     }
 
