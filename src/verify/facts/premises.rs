@@ -140,14 +140,10 @@ impl Facts {
     ) -> Result<Fraction, OutOfBudget> {
         let mut value = self.put_in_values(atoms, of, depth)?;
         for _ in 0..8 {
-            let before = value.clone();
-            self.lower_squares(atoms, &mut value)?;
-            if value.numerator() == before.numerator()
-                && value.denominator() == before.denominator()
-            {
-                return Ok(value);
+            match self.without_known_squares(atoms, &value)? {
+                Some(lowered) => value = self.put_in_values(atoms, &lowered, depth)?,
+                None => return Ok(value),
             }
-            value = self.put_in_values(atoms, &value, depth)?;
         }
         Err(OutOfBudget)
     }
@@ -180,21 +176,15 @@ impl Facts {
         source: &Source,
     ) -> Result<Extended, OutOfBudget> {
         let first = self.put(atoms, equation, source)?;
-        let mut rate = atoms.derivative(equation);
+        let mut rate = self.new_rate(atoms, first, equation, source);
         for _ in 0..2 {
-            if !first.has_new_rate(atoms) || rate.is_zero() {
-                break;
-            }
-            if rate.numerator().len() > MOST_OF_RATE {
-                self.miss(source);
-                break;
-            }
-            match self.put(atoms, &rate, source)? {
+            let Some(equation) = rate.take() else { break };
+            let put = self.put(atoms, &equation, source)?;
+            match put {
                 Extended::Contradicts => return Ok(Extended::Contradicts),
                 Extended::Unsolved => self.miss(source),
-                _ => {}
+                _ => rate = self.new_rate(atoms, put, &equation, source),
             }
-            rate = atoms.derivative(&rate);
         }
         Ok(first)
     }
@@ -265,15 +255,32 @@ impl Facts {
             Ok(Extended::Contradicts | Extended::Unsolved) | Err(OutOfBudget) => {
                 return self.miss(&source);
             }
-            Ok(put) if order < 2 && put.has_new_rate(atoms) => {}
-            Ok(_) => return,
+            Ok(put) if order < 2 => {
+                if let Some(rate) = self.new_rate(atoms, put, &equation, &source) {
+                    waiting.push((rate, source, order + 1));
+                }
+            }
+            Ok(_) => {}
         }
-        let rate = atoms.derivative(&equation);
+    }
+
+    /// The rate of an equation that was put in, where it may tell something new; one that is too long is missed.
+    fn new_rate(
+        &mut self,
+        atoms: &mut Atoms,
+        put: Extended,
+        equation: &Fraction,
+        source: &Source,
+    ) -> Option<Fraction> {
+        if !put.has_new_rate(atoms) {
+            return None;
+        }
+        let rate = atoms.derivative(equation);
         if rate.numerator().len() > MOST_OF_RATE {
-            self.miss(&source);
-        } else if !rate.is_zero() {
-            waiting.push((rate, source, order + 1));
+            self.miss(source);
+            return None;
         }
+        (!rate.is_zero()).then_some(rate)
     }
 
     /// Puts in an equation without its rates.

@@ -177,16 +177,11 @@ impl Prover<'_> {
         if rule.equation == solved {
             return Some(self.push(solved, Reason::Premise(name)));
         }
-        let start = self.push(rule.equation.clone(), Reason::Premise(name.clone()));
+        let start = self.push(rule.equation.clone(), Reason::Premise(name));
         let reduced = self.reduce(rule.equation.clone(), rule.time)?;
         // multiplier · premise − Σ cofactor · fact is what is left, a multiple of the solved form.
-        let Some(factor) = reduced
-            .value
-            .exact_quotient(&solved)
-            .filter(|f| !f.is_zero())
-        else {
-            return Some(self.push(solved, Reason::Premise(format!("{name}, solved"))));
-        };
+        let factor = reduced.value.exact_quotient(&solved);
+        let factor = factor.filter(|factor| !factor.is_zero())?;
         let mut cofactors: Vec<(usize, Polynomial)> = reduced
             .cofactors
             .into_iter()

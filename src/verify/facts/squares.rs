@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
-use crate::verify::model::atoms::{Atoms, Nature, lowered};
+use crate::verify::model::atoms::{Atoms, Nature, with_one_square};
 use num_traits::{One, Zero};
 
 impl Facts {
@@ -72,15 +72,10 @@ impl Facts {
                 let told = self.squares.get(&v).map(|(square, _)| square);
                 told.or(atoms.atom(v).square.as_ref())
             };
-            let next = value
-                .variables()
-                .into_iter()
-                .rev()
-                .find_map(|v| Some((v, square_of(v)?)).filter(|_| value.degree_in(v) > 1));
-            let Some((variable, square)) = next else {
+            let Some(next) = with_one_square(&value, square_of) else {
                 return Some(value);
             };
-            value = lowered(&value, variable, square);
+            value = next;
             if value.len() > MOST_TERMS {
                 return None;
             }
@@ -88,18 +83,18 @@ impl Facts {
         None
     }
 
-    /// Puts in what is known of squares, until no known square is left.
-    pub(super) fn lower_squares(
-        &mut self,
+    /// The fraction with known squares put in; `None` where it has none.
+    pub(super) fn without_known_squares(
+        &self,
         atoms: &Atoms,
-        value: &mut Fraction,
-    ) -> Result<(), OutOfBudget> {
+        value: &Fraction,
+    ) -> Result<Option<Fraction>, OutOfBudget> {
         let lowered = |p: &Polynomial| self.without_squares(atoms, p).ok_or(OutOfBudget);
         let (top, bottom) = (lowered(value.numerator())?, lowered(value.denominator())?);
-        if &top != value.numerator() || &bottom != value.denominator() {
-            *value = Fraction::new(top, bottom).ok_or(OutOfBudget)?;
+        if &top == value.numerator() && &bottom == value.denominator() {
+            return Ok(None);
         }
-        Ok(())
+        Fraction::new(top, bottom).ok_or(OutOfBudget).map(Some)
     }
 }
 
