@@ -237,24 +237,36 @@ impl Atoms {
         let key = &self.atom(variable).key;
         match key.order {
             0 => key.text.clone(),
-            order @ 1..=4 => {
-                let dots = ["\\dot", "\\ddot", "\\dddot", "\\ddddot"][usize::from(order) - 1];
-                dotted(dots, &key.text)
-            }
-            order => format!("\\frac{{d^{order}}}{{dt^{order}}} {}", key.text),
+            order => dotted(usize::from(order), &key.text)
+                .unwrap_or_else(|| format!("\\frac{{d^{order}}}{{dt^{order}}} {}", key.text)),
         }
     }
 }
 
-/// A letter with its dots above it and not above its indices.
-pub(crate) fn dotted(dots: &str, text: &str) -> String {
+/// The marks of the first, second, … rate.
+const DOTS: [&str; 4] = ["\\dot", "\\ddot", "\\dddot", "\\ddddot"];
+
+/// A letter with the dots of a rate above it and not above its indices; `None` where there is no such mark.
+pub(crate) fn dotted(order: usize, text: &str) -> Option<String> {
+    let dots = DOTS.get(order.checked_sub(1)?)?;
     let mut depth = 0i32;
     let end = text.char_indices().find(|&(at, c)| {
         depth += i32::from(c == '{') - i32::from(c == '}');
         depth == 0 && at > 0 && (c == '_' || c == '^')
     });
     let (base, rest) = text.split_at(end.map_or(text.len(), |(at, _)| at));
-    format!("{dots}{{{base}}}{rest}")
+    Some(format!("{dots}{{{base}}}{rest}"))
+}
+
+/// The polynomial with the last of its squares that are known put in; `None` where it has none.
+pub(crate) fn with_one_square<'s>(
+    of: &Polynomial,
+    square_of: impl Fn(Variable) -> Option<&'s Polynomial>,
+) -> Option<Polynomial> {
+    let squared = of.variables().into_iter().rev();
+    let mut squared = squared.filter(|&v| of.degree_in(v) > 1);
+    let (variable, square) = squared.find_map(|v| Some((v, square_of(v)?)))?;
+    Some(lowered(of, variable, square))
 }
 
 /// The polynomial with the square of a variable put in wherever it stands.

@@ -114,6 +114,12 @@ impl System {
         sum
     }
 
+    /// The central inertia and the angular velocity of a whole body; `None` for a particle.
+    fn spin(&mut self, body: BodyId, relative: FrameId) -> Option<(Matrix, Vector)> {
+        let omega = self.angular_velocity(self.bodies[body].frame?, relative);
+        Some((self.central_inertia(body), omega))
+    }
+
     /// The momentum of a body relative to a frame.
     pub(crate) fn momentum(&mut self, body: BodyId, frame: FrameId) -> Vector {
         let mut sum = Vector::zeros();
@@ -138,15 +144,9 @@ impl System {
         };
         let mut sum = Vector::zeros();
         for part in self.wholes(body) {
-            let Body {
-                frame: own,
-                centre,
-                mass,
-                ..
-            } = self.bodies[part].clone();
-            if let Some(own) = own {
-                let omega = self.angular_velocity(own, frame);
-                sum += mechanics::angular_momentum(&self.central_inertia(part), &omega);
+            let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
+            if let Some((inertia, omega)) = self.spin(part, frame) {
+                sum += mechanics::angular_momentum(&inertia, &omega);
             }
             let velocity = self.velocity(centre, frame) - base.clone();
             let way = self.position(centre, about);
@@ -176,15 +176,9 @@ impl System {
         let mut sum = Fraction::zero();
         let half = Fraction::from_ratio(1, 2);
         for part in self.wholes(body) {
-            let Body {
-                frame: own,
-                centre,
-                mass,
-                ..
-            } = self.bodies[part].clone();
-            if let Some(own) = own {
-                let omega = self.angular_velocity(own, frame);
-                sum += mechanics::kinetic_energy(&self.central_inertia(part), &omega);
+            let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
+            if let Some((inertia, omega)) = self.spin(part, frame) {
+                sum += mechanics::kinetic_energy(&inertia, &omega);
             }
             if !rotation_alone {
                 let velocity = self.velocity(centre, frame);

@@ -91,25 +91,16 @@ impl System {
             return unit(axis);
         }
         // The axis about which a frame turns is the same on its parent, which may be nearer.
-        if let Frame {
-            parent: Some(parent),
-            turn: Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _),
-            ..
-        } = &self.frames[frame]
-            && *about == axis
+        let shares = |link: FrameId| self.frames[link].turn.axis() == Some(axis);
+        if let Some(parent) = self.frames[frame].parent
+            && shares(frame)
             && !self.stands_on(self.work, frame)
         {
-            return self.axis(*parent, axis);
+            return self.axis(parent, axis);
         }
-        for link in self.links(self.work, frame) {
-            let Frame { parent, turn, .. } = &self.frames[link];
-            let shared = match turn {
-                Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _) => *about == axis,
-                _ => false,
-            };
-            if *parent == Some(frame) && shared {
-                return self.axis(link, axis);
-            }
+        let mut links = self.links(self.work, frame).into_iter();
+        if let Some(link) = links.find(|&f| self.frames[f].parent == Some(frame) && shares(f)) {
+            return self.axis(link, axis);
         }
         self.rotation(self.work, frame).column(axis).into_owned()
     }

@@ -1,8 +1,25 @@
 //! Sines, cosines and roots: variables with a relation, which they are functions of.
 
 use crate::algebra::{Fraction, Place, Polynomial, Rational, Variable};
-use crate::verify::model::atoms::{Atoms, Key, Law, Motion, Nature, fraction, lowered, whole};
+use crate::verify::model::atoms::{
+    Atoms, Key, Law, Motion, Nature, fraction, whole, with_one_square,
+};
 use num_traits::{One, Zero};
+
+/// The cosine and the sine of a sum of two angles, by those of each.
+fn of_sum(one: &(Fraction, Fraction), other: &(Fraction, Fraction)) -> (Fraction, Fraction) {
+    let ((c, s), (d, t)) = (one, other);
+    (
+        c.clone() * d.clone() - s.clone() * t.clone(),
+        s.clone() * d.clone() + c.clone() * t.clone(),
+    )
+}
+
+/// The cosine and the sine of a multiple of an angle.
+fn of_multiple(times: i64, angle: &(Fraction, Fraction)) -> (Fraction, Fraction) {
+    let none = (Fraction::one(), Fraction::zero());
+    (0..times).fold(none, |sum, _| of_sum(&sum, angle))
+}
 
 impl Atoms {
     /// The cosine and the sine of an angle.
@@ -20,10 +37,7 @@ impl Atoms {
             let mut sum = (Fraction::one(), Fraction::zero());
             for term in terms {
                 let (c, s) = self.cosine_sine(&term)?;
-                sum = (
-                    sum.0.clone() * c.clone() - sum.1.clone() * s.clone(),
-                    sum.1 * c + sum.0 * s,
-                );
+                sum = of_sum(&sum, &(c, s));
             }
             return Some(sum);
         }
@@ -46,14 +60,7 @@ impl Atoms {
         if p > 12 || q > 12 {
             return None;
         }
-        let (c, s) = self.kernel(unit, q)?;
-        let (mut cosine, mut sine) = (Fraction::one(), Fraction::zero());
-        for _ in 0..p {
-            (cosine, sine) = (
-                cosine.clone() * c.clone() - sine.clone() * s.clone(),
-                sine * c.clone() + cosine * s.clone(),
-            );
-        }
+        let (cosine, sine) = of_multiple(p, &self.kernel(unit, q)?);
         Some((cosine, if factor.is_negative() { -sine } else { sine }))
     }
 
@@ -84,12 +91,12 @@ impl Atoms {
         self.atom_mut(s).square = Some(Polynomial::one() - square);
         // What is known of the double angle is told by this one from now on.
         if q > 1 {
-            self.tell_by_parts(unit, q, &fraction(c), &fraction(s));
+            self.tell_by_parts(unit, q, &(fraction(c), fraction(s)));
         }
         Some((fraction(c), fraction(s)))
     }
 
-    pub(super) fn tell_by_parts(&mut self, unit: &Fraction, q: i64, c: &Fraction, s: &Fraction) {
+    fn tell_by_parts(&mut self, unit: &Fraction, q: i64, kernel: &(Fraction, Fraction)) {
         for whole_part in 1..q {
             if q % whole_part != 0 {
                 continue;
@@ -99,13 +106,7 @@ impl Atoms {
             let [Some(cosine), Some(sine)] = keys.map(|k| self.find(&k)) else {
                 continue;
             };
-            let (mut of_cosine, mut of_sine) = (Fraction::one(), Fraction::zero());
-            for _ in 0..q / whole_part {
-                (of_cosine, of_sine) = (
-                    of_cosine.clone() * c.clone() - of_sine.clone() * s.clone(),
-                    of_sine * c.clone() + of_cosine * s.clone(),
-                );
-            }
+            let (of_cosine, of_sine) = of_multiple(q / whole_part, kernel);
             let law = |value| {
                 Some(Law {
                     name: "addition theorems",
@@ -177,13 +178,10 @@ impl Atoms {
     pub(crate) fn with_squares(&self, of: &Fraction) -> Fraction {
         let mut top = of.numerator().clone();
         for _ in 0..16 {
-            let known = |v: &Variable| self.atom(*v).square.is_some() && top.degree_in(*v) > 1;
-            let Some(variable) = top.variables().into_iter().rev().find(known) else {
+            let Some(next) = with_one_square(&top, |v| self.atom(v).square.as_ref()) else {
                 break;
             };
-            if let Some(square) = &self.atom(variable).square {
-                top = lowered(&top, variable, square);
-            }
+            top = next;
         }
         Fraction::new(top, of.denominator().clone()).unwrap_or_else(|| of.clone())
     }

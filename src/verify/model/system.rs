@@ -47,6 +47,16 @@ pub(crate) enum Turn {
     Rate(Axis, Box<Fraction>),
 }
 
+impl Turn {
+    /// The number of the axis that it is about, which both frames share.
+    pub(crate) fn axis(&self) -> Option<usize> {
+        match self {
+            Self::Angle(axis, _) | Self::Rate(Axis::Number(axis), _) => Some(*axis),
+            Self::Fixed | Self::Free | Self::Rate(Axis::Along(_), _) => None,
+        }
+    }
+}
+
 /// A frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
