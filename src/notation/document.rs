@@ -69,6 +69,14 @@ pub struct Place {
     pub column: usize,
 }
 
+/// A line as people call it: `line 8`, or `cell 2, line 8` in a notebook.
+pub(crate) fn line_name(cell: Option<usize>, line: usize) -> String {
+    match cell {
+        Some(cell) => format!("cell {cell}, line {line}"),
+        None => format!("line {line}"),
+    }
+}
+
 /// The headings that a place of a document stands under.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Headings(Vec<(u8, String)>);

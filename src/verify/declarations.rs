@@ -1,6 +1,6 @@
 //! Gathers the sentences by which an author says what a document means, and keeps where each stands.
 
-use crate::notation::document::{Document, Sentence};
+use crate::notation::document::{Document, Sentence, line_name};
 use crate::source::{Source, Span};
 use crate::verify::language::statement::{Declaration, Misread};
 use crate::verify::language::{Lexicon, read_declarations, sentence};
@@ -95,6 +95,9 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
         origins.extend(said.map(|said| origin(document, Some((number, &sheet.source)), said)));
     }
     let mut declared = Declared::default();
+    if origins.is_empty() {
+        return declared;
+    }
     if let Some(beyond) = origins.get(MOST) {
         let misread = Misread {
             line: 1,
@@ -106,7 +109,7 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
         declared.misunderstood.push(place);
         origins.truncate(MOST);
     }
-    if !origins.is_empty() && document.front_matter.products.as_deref() == Some("entries") {
+    if document.front_matter.products.as_deref() == Some("entries") {
         origins.push(Origin {
             sheet: None,
             span: None,
@@ -116,7 +119,7 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
     }
     let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();
     let (found, misread) =
-        read_declarations(&texts.join("\n"), &document.macros, &Lexicon::default());
+        read_declarations(&texts.join("\n"), &document.macros, Lexicon::shared());
     for mut declaration in found {
         declared.of.push(declaration.line.saturating_sub(1));
         let words: Vec<&str> = declaration.text.split_whitespace().collect();
@@ -135,20 +138,20 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
 }
 
 fn origin(document: &Document, sheet: Option<(usize, &Source)>, said: &Sentence) -> Origin {
-    let source = sheet.map_or(&document.source, |(_, source)| source);
-    let place = sheet.is_none().then(|| document.place(said.span.start));
-    let line = place.map_or_else(|| source.line_column(said.span.start).0, |p| p.line);
-    let line = match place.and_then(|p| p.cell) {
-        Some(cell) => format!("cell {cell}, line {line}"),
-        None => format!("line {line}"),
+    let name = match sheet {
+        Some((_, source)) => {
+            let (line, _) = source.line_column(said.span.start);
+            format!("{}, {}", source.name, line_name(None, line))
+        }
+        None => {
+            let place = document.place(said.span.start);
+            line_name(place.cell, place.line)
+        }
     };
     Origin {
         sheet: sheet.map(|(number, _)| number),
         span: Some(said.span),
-        name: match sheet {
-            Some((_, source)) => format!("{}, {line}", source.name),
-            None => line,
-        },
+        name,
         text: said.text.clone(),
     }
 }
@@ -195,10 +198,10 @@ impl Declared {
 
     /// The sentences in the words of the language, each with where it comes from.
     pub fn meaning(&self) -> Vec<Meant> {
-        let lexicon = Lexicon::default();
+        let lexicon = Lexicon::shared();
         let each = self.declarations.iter().zip(&self.of);
         let meant = each.map(|(declaration, &of)| Meant {
-            sentence: sentence(declaration, &lexicon),
+            sentence: sentence(declaration, lexicon),
             source: self
                 .origins
                 .get(of)

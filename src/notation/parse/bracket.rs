@@ -127,23 +127,20 @@ fn closing_bar(tokens: &[Token<'_>], start: usize, bar: Lexeme<'_>) -> Option<us
     None
 }
 
-/// The entries of a list: split at commas, semicolons, or, in square brackets, at written spaces.
-/// The parts between commas: in braces too they are a list.
-pub(super) fn list<'t, 'a>(inside: &'t [Token<'a>]) -> Option<Vec<&'t [Token<'a>]>> {
-    let parts = split_outside(inside, |t| t.kind == Lexeme::Char(','));
+/// The parts between marks, if there are several and none is empty.
+pub(super) fn list<'t, 'a>(inside: &'t [Token<'a>], mark: char) -> Option<Vec<&'t [Token<'a>]>> {
+    let parts = split_outside(inside, |t| t.kind == Lexeme::Char(mark));
     (parts.len() > 1 && parts.iter().all(|p| !is_blank(p))).then_some(parts)
 }
 
+/// The entries of a list: split at commas, semicolons, or, in square brackets, at written spaces.
 fn components<'t, 'a>(
     inside: &'t [Token<'a>],
     bracket: Bracket,
     transposed: bool,
 ) -> Option<Vec<&'t [Token<'a>]>> {
-    for mark in [',', ';'] {
-        let parts = split_outside(inside, |t| t.kind == Lexeme::Char(mark));
-        if parts.len() > 1 && parts.iter().all(|p| !is_blank(p)) {
-            return Some(parts);
-        }
+    if let Some(parts) = list(inside, ',').or_else(|| list(inside, ';')) {
+        return Some(parts);
     }
     if bracket == Bracket::Curly {
         return None;

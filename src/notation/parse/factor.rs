@@ -176,7 +176,8 @@ impl<'a> Parser<'_, 'a> {
     fn braces(&mut self, start: usize) -> Node {
         let inside = self.argument();
         if !inside.is_empty() {
-            if let Some(parts) = super::bracket::list(inside) {
+            // In braces too the parts between commas are a list.
+            if let Some(parts) = super::bracket::list(inside, ',') {
                 let entries = parts
                     .into_iter()
                     .map(|part| self.inside(part).whole())

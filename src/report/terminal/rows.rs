@@ -1,5 +1,6 @@
 //! The lines that need no drawing, and what the verdicts rest on, one row each.
 
+use crate::notation::document::line_name;
 use crate::report::Checked;
 use crate::verify::{Finding, Role, Summary, Verdict};
 use annotate_snippets::normalize_untrusted_str;
@@ -78,14 +79,6 @@ pub(super) fn questions(checked: &Checked) -> String {
         let _ = writeln!(text, "  = {help}\n");
     }
     text
-}
-
-/// `line 8`, or `cell 2, line 8` in a notebook.
-fn line_name(cell: Option<usize>, line: usize) -> String {
-    match cell {
-        Some(cell) => format!("cell {cell}, line {line}"),
-        None => format!("line {line}"),
-    }
 }
 
 /// The verdict of a line that holds, and what it rests on.

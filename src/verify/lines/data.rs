@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::document::line_name;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
@@ -142,10 +143,7 @@ impl Checker<'_> {
         let unchecked = |f: &&Finding| {
             f.verdict == Verdict::Undecided && f.reason.as_deref() == Some(TAKEN_AS_GIVEN)
         };
-        let named = |f: &Finding| match f.cell {
-            Some(cell) => format!("cell {cell}, line {}", f.source_line),
-            None => format!("line {}", f.source_line),
-        };
+        let named = |f: &Finding| line_name(f.cell, f.source_line);
         let mut names = self.findings.iter().filter(unchecked).map(named);
         if names.any(|name| finding.uses.contains(&name)) {
             finding.verdict = Verdict::Undecided;

@@ -2,6 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::notation::document::line_name;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
@@ -317,12 +318,10 @@ impl Checker<'_> {
 
     pub(crate) fn line_name(&self, finding: &Finding) -> String {
         let place = (finding.source_line, finding.cell);
-        let again = self.on_line.get(&place).copied().unwrap_or(0);
-        match (finding.cell, again) {
-            (Some(cell), 0) => format!("cell {cell}, line {}", finding.source_line),
-            (Some(cell), n) => format!("cell {cell}, line {} ({})", finding.source_line, n + 1),
-            (None, 0) => format!("line {}", finding.source_line),
-            (None, n) => format!("line {} ({})", finding.source_line, n + 1),
+        let name = line_name(finding.cell, finding.source_line);
+        match self.on_line.get(&place) {
+            None | Some(0) => name,
+            Some(n) => format!("{name} ({})", n + 1),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
+use crate::notation::document::line_name;
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
@@ -47,10 +48,7 @@ impl Checker<'_> {
         }
         let before = self.names_of_siblings(sides);
         let made = |f: &Finding| {
-            let line = format!("line {}", f.source_line);
-            let place = f
-                .cell
-                .map_or(line.clone(), |cell| format!("cell {cell}, {line}"));
+            let place = line_name(f.cell, f.source_line);
             let again = format!("{place} (");
             let mut names = before.iter();
             names.any(|name| *name == place || name.starts_with(&again))
