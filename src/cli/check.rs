@@ -157,11 +157,7 @@ fn check(
     }
     let report = match declared.is_empty() {
         true => verify::check(&document),
-        false => {
-            let mut report = verify::check_declared(&document, &declared.declarations);
-            report.meaning = declared.meaning();
-            report
-        }
+        false => verify::check_declared(&document, &declared),
     };
     let mut checked = Checked {
         document,

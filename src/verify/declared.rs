@@ -5,17 +5,17 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
+use crate::verify::declarations::Declared;
 use crate::verify::declared::own::OwnLetters;
 use crate::verify::facts::proof::uses;
 use crate::verify::language::statement::{Declaration, Statement, Term};
-use crate::verify::language::{Lexicon, sentence};
 use crate::verify::reading::Reading;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::Answer;
 use crate::verify::term::letters::At;
 use crate::verify::verdict::{
-    Convention, Counterexample, Finding, Meant, Passed, Question, Report, Role, Verdict,
+    Convention, Counterexample, Finding, Passed, Question, Report, Role, Verdict,
 };
 use std::collections::{BTreeMap, HashMap};
 
@@ -31,7 +31,8 @@ const LONGEST_LETTER: usize = 80;
 const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
-pub fn check_declared(document: &Document, declarations: &[Declaration]) -> Report {
+pub fn check_declared(document: &Document, declared: &Declared) -> Report {
+    let declarations = declared.declarations.as_slice();
     let mut judge = Judge::new(document, declarations);
     judge.run();
     let own = OwnLetters::of(document, &mut judge.reading);
@@ -50,11 +51,6 @@ pub fn check_declared(document: &Document, declarations: &[Declaration]) -> Repo
     let questions = rows.questions();
     let (findings, passed) = (rows.findings, rows.passed);
     let atoms = &judge.reading.system.atoms;
-    let lexicon = Lexicon::default();
-    let meant = |declaration: &Declaration| Meant {
-        sentence: sentence(declaration, &lexicon),
-        source: format!("line {}", declaration.line),
-    };
     let variables = 0..atoms.len() as Variable;
     Report {
         path: document.source.name.clone(),
@@ -65,7 +61,7 @@ pub fn check_declared(document: &Document, declarations: &[Declaration]) -> Repo
         readings: vec![],
         passed,
         variables: variables.map(|v| own.anywhere(atoms, v)).collect(),
-        meaning: declarations.iter().map(meant).collect(),
+        meaning: declared.meaning(),
         unused: judge
             .reading
             .unused
@@ -194,7 +190,7 @@ impl Rows<'_> {
         finding.role = judged.role;
         finding.verdict = match (judged.answer, &judged.proof) {
             (Answer::Proved, Some(proof)) => {
-                finding.uses = premises(proof);
+                finding.uses = uses(proof);
                 finding.conditions = self.conditions(proof, judged, &finding.source);
                 Verdict::Proved(proof.clone())
             }
@@ -318,16 +314,6 @@ impl Rows<'_> {
         asked.iter_mut().for_each(|question| question.lines.dedup());
         asked
     }
-}
-
-/// Whom a proof believes; what was solved from a premise rests on that premise.
-fn premises(proof: &Proof) -> Vec<String> {
-    let names = uses(proof).into_iter();
-    let mut names: Vec<String> = names
-        .map(|name| name.strip_suffix(", solved").unwrap_or(&name).to_owned())
-        .collect();
-    names.dedup();
-    names
 }
 
 /// The name of a component: its number in a vector, row and column in a matrix.

@@ -1,16 +1,20 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
-use polhode::notation::{Macros, document::Format, read};
-use polhode::verify::check_declared;
-use polhode::verify::language::{Lexicon, read_declarations};
+use polhode::notation::sentences;
+use polhode::notation::{document::Format, read};
+use polhode::source::Source;
+use polhode::verify::{Sheet, check_declared, declarations};
 
 /// The verdicts of the lines, a letter each.
-fn judged(sentences: &str, text: &str) -> String {
+fn judged(said: &str, text: &str) -> String {
     let (document, _) = read("a document", text, Format::Markdown);
-    let lexicon = Lexicon::default();
-    let (declarations, misread) = read_declarations(sentences, &Macros::default(), &lexicon);
-    assert!(misread.is_empty(), "{misread:?}");
-    let report = check_declared(&document, &declarations);
+    let sheet = Sheet {
+        sentences: sentences(said),
+        source: Source::new("what is declared", said),
+    };
+    let declared = declarations(&document, &[sheet]);
+    assert!(declared.misunderstood.is_empty(), "{declared:?}");
+    let report = check_declared(&document, &declared);
     let letter = |name: &str| name.chars().next().unwrap_or('?');
     let findings = report.findings.iter();
     findings.map(|f| letter(f.verdict.name())).collect()

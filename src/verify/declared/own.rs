@@ -76,8 +76,8 @@ impl OwnLetters {
             let known = self.of.get(&base).and_then(|known| choose(known));
             match (known, atoms.atom(base).rate_of) {
                 (Some((letter, _)), _) if dots == 0 => return letter.clone(),
-                (Some((letter, _)), _) if dots <= DOTS.len() => {
-                    return dotted(DOTS[dots - 1], letter);
+                (Some((letter, _)), _) => {
+                    return dotted(dots, letter).unwrap_or_else(|| atoms.latex(variable));
                 }
                 (None, Some(of)) => (base, dots) = (of, dots + 1),
                 _ => return atoms.latex(variable),
@@ -94,6 +94,3 @@ impl OwnLetters {
         Printer::new(Style::Latex, &letters).fraction(of)
     }
 }
-
-/// The marks of the first, second, … derivative.
-const DOTS: [&str; 4] = ["\\dot", "\\ddot", "\\dddot", "\\ddddot"];

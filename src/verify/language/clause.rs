@@ -87,11 +87,10 @@ impl<'a> Reader<'a> {
         if !self.take_any(&["dimensions"]) {
             return Err(self.unexpected("noun", "`dimensions` could stand here", &NOUNS));
         }
-        Ok(Statement::Premise(NounPhrase {
-            head: "dimension",
-            adjectives: vec![],
-            slots: vec![(Slot::Which, Term::Numbers(vec![number]))],
-        }))
+        Ok(Statement::Premise(NounPhrase::new(
+            "dimension",
+            vec![(Slot::Which, Term::Numbers(vec![number]))],
+        )))
     }
 
     /// "No moment acts on the body about G", behind "no".

@@ -106,11 +106,7 @@ impl<'a> Reader<'a> {
                 if let Some(entry) = self.lexicon.entry("particle", &[Class::Thing]) {
                     self.slots(entry, &mut slots)?;
                 }
-                particles.push(Term::Phrase(Box::new(NounPhrase {
-                    head: "particle",
-                    adjectives: vec![],
-                    slots,
-                })));
+                particles.push(Term::Phrase(Box::new(NounPhrase::new("particle", slots))));
             }
             self.particles = false;
             return Ok(particles);
@@ -144,11 +140,7 @@ impl<'a> Reader<'a> {
             let start = self.at;
             self.take_sign(Kind::Comma);
             if let Some(adverb) = self.take_entry(&[Class::Adverb]) {
-                let mut phrase = NounPhrase {
-                    head: adverb.entry.name,
-                    adjectives: vec![],
-                    slots: vec![],
-                };
+                let mut phrase = NounPhrase::new(adverb.entry.name, vec![]);
                 if let Some(slot) = adverb.entry.slot("object") {
                     let terms = self.terms_alike()?;
                     phrase

@@ -3,6 +3,7 @@
 use super::forms::{alternatives, in_plural, on_first, parted, with_ed, with_s};
 use super::statement::Slot;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 /// The words that come with the crate.
 const WORDS: &str = include_str!("lexicon.txt");
@@ -120,6 +121,12 @@ impl Default for Lexicon {
 }
 
 impl Lexicon {
+    /// The words that come with the crate, read once.
+    pub(crate) fn shared() -> &'static Self {
+        static SHARED: LazyLock<Lexicon> = LazyLock::new(Lexicon::default);
+        &SHARED
+    }
+
     /// All entries, in the order of the file.
     pub(crate) fn entries(&self) -> &[Entry] {
         &self.entries

@@ -193,11 +193,7 @@ impl<'a> Reader<'a> {
         }
         if self.at_name() {
             let slots = vec![(Slot::Which, self.name())];
-            return Term::Phrase(Box::new(NounPhrase {
-                head: entry.name,
-                adjectives: vec![],
-                slots,
-            }));
+            return Term::Phrase(Box::new(NounPhrase::new(entry.name, slots)));
         }
         Term::Name(match inflection {
             Inflection::Base => entry.name.to_owned(),

@@ -177,11 +177,7 @@ impl<'a> Reader<'a> {
         }
         let one = |(subject, entry): (&Term, &Entry)| Statement::Is {
             subjects: vec![subject.clone()],
-            what: NounPhrase {
-                head: entry.name,
-                adjectives: vec![],
-                slots: slots.clone(),
-            },
+            what: NounPhrase::new(entry.name, slots.clone()),
         };
         Ok(Some(subjects.iter().zip(entries).map(one).collect()))
     }
@@ -282,11 +278,7 @@ impl<'a> Reader<'a> {
         {
             let mut slots = vec![];
             self.slots(entry, &mut slots)?;
-            let what = NounPhrase {
-                head: entry.name,
-                adjectives: vec![],
-                slots,
-            };
+            let what = NounPhrase::new(entry.name, slots);
             return Ok((what, entry));
         }
         let what = self.phrase()?;
@@ -347,11 +339,10 @@ impl<'a> Reader<'a> {
 /// What stands for something whatever some letters are.
 fn shorthand(of: Term, any: &[Term]) -> NounPhrase {
     let any = any.iter().map(|letter| (Slot::ForAny, letter.clone()));
-    NounPhrase {
-        head: "shorthand",
-        adjectives: vec![],
-        slots: std::iter::once((Slot::Of, of)).chain(any).collect(),
-    }
+    NounPhrase::new(
+        "shorthand",
+        std::iter::once((Slot::Of, of)).chain(any).collect(),
+    )
 }
 
 /// The statement that a phrase behind "is" makes.

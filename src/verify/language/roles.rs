@@ -99,11 +99,7 @@ impl Reader<'_> {
             Slot::At
         } else if self.take("in the section") {
             let name = Term::Name(self.quoted()?);
-            let section = NounPhrase {
-                head: "section",
-                adjectives: vec![],
-                slots: vec![(Slot::Which, name)],
-            };
+            let section = NounPhrase::new("section", vec![(Slot::Which, name)]);
             return Ok(vec![(Slot::In, Term::Phrase(Box::new(section)))]);
         } else if self.done() {
             return Ok(vec![]);

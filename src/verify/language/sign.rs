@@ -1,9 +1,10 @@
 //! Rules for marks, labels and customs of notation.
 
+use super::clause::as_formula;
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
-use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
+use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement};
 use super::words::Kind;
 use crate::notation::ast::Kind as Tree;
 use crate::notation::document::Row;
@@ -108,7 +109,7 @@ impl<'a> Reader<'a> {
         {
             let mut slots = vec![];
             self.slots(rate, &mut slots)?;
-            return Ok(NotationMeaning::Noun(bare("rate", slots)));
+            return Ok(NotationMeaning::Noun(NounPhrase::new("rate", slots)));
         }
         if self.word() == "at" {
             self.at += 1;
@@ -148,15 +149,11 @@ impl<'a> Reader<'a> {
             }
         }
         self.owner = outer;
-        let formula = |term: &Term| match term {
-            Term::Formula(formula) => Some(formula.clone()),
-            _ => None,
-        };
-        let formulas: Option<Vec<Formula>> = terms.iter().map(formula).collect();
+        let formulas: Option<Vec<Formula>> = terms.iter().map(as_formula).collect();
         let meaning = formulas.map_or_else(
             || {
                 let slots = terms.into_iter().map(|term| (Slot::Of, term));
-                NotationMeaning::Noun(bare("function", slots.collect()))
+                NotationMeaning::Noun(NounPhrase::new("function", slots.collect()))
             },
             NotationMeaning::FunctionsOf,
         );
@@ -181,12 +178,4 @@ pub(crate) fn is_operator(formula: &Formula, phrase: &NounPhrase, entry: &Entry)
         Row::Line(_) | Row::Unreadable { .. } => true,
     };
     entry.operator && (operates || phrase.slot(Slot::Of).is_none())
-}
-
-fn bare(head: &'static str, slots: Vec<(Slot, Term)>) -> NounPhrase {
-    NounPhrase {
-        head,
-        adjectives: vec![],
-        slots,
-    }
 }

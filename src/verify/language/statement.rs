@@ -294,6 +294,15 @@ impl fmt::Display for Misread {
 impl std::error::Error for Misread {}
 
 impl NounPhrase {
+    /// A noun with what hangs on it.
+    pub(crate) fn new(head: &'static str, slots: Vec<(Slot, Term)>) -> Self {
+        Self {
+            head,
+            adjectives: vec![],
+            slots,
+        }
+    }
+
     /// The first term in a slot.
     pub fn slot(&self, slot: Slot) -> Option<&Term> {
         self.all(slot).next()
