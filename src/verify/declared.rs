@@ -318,9 +318,11 @@ impl Rows<'_> {
 
 /// The name of a component: its number in a vector, row and column in a matrix.
 fn component(count: usize, place: usize) -> Option<String> {
-    match count {
-        0 | 1 => None,
-        9 => Some(format!("row {}, column {}", place / 3 + 1, place % 3 + 1)),
-        _ => Some((place + 1).to_string()),
+    if count <= 1 {
+        return None;
     }
+    Some(match (3..=8).find(|size| size * size == count) {
+        Some(size) => format!("row {}, column {}", place / size + 1, place % size + 1),
+        None => (place + 1).to_string(),
+    })
 }

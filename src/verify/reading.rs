@@ -50,8 +50,6 @@ pub(crate) struct Reading {
     pub(crate) held: Vec<(Reach, Reach)>,
     /// Lines that hold to first order in these variables.
     pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
-    /// How many dimensions space has, where.
-    pub(crate) dimensions: Vec<(Reach, usize)>,
     /// Lines that hold at one instant.
     pub(crate) instants: Vec<Reach>,
     /// Sentences that nothing was made of.
@@ -64,16 +62,6 @@ impl Reading {
         self.roles
             .iter()
             .any(|(reach, role)| role.is_none() && reach.covers(at, 0))
-    }
-
-    /// How many dimensions space has at a place.
-    pub(crate) fn dimensions_at(&self, at: &At) -> usize {
-        let told = self
-            .dimensions
-            .iter()
-            .filter(|(reach, _)| reach.covers(at, 0));
-        told.max_by_key(|(reach, _)| reach.narrowness())
-            .map_or(3, |(_, number)| *number)
     }
 
     /// What is small at a place.

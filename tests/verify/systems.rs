@@ -179,3 +179,68 @@ $$ \sin^2\varphi + \cos^2\varphi = 1 $$
 ";
     assert_eq!(judged(sentences, text), "prp");
 }
+
+#[test]
+fn rotations_in_any_number_of_dimensions() {
+    let sentences = |dimensions: &str| {
+        format!(
+            "Space has {dimensions} dimensions.
+N is an inertial frame.
+B is a frame fixed in the body.
+$Q$ takes components on B to components on N.
+A tilde means components on B.
+A vector or tensor without a tilde has components on N.
+O is a point fixed in N and in B.
+P is a point fixed in B.
+$s$ is the position of P from O.
+$u$ is the velocity of P relative to N.
+$b$ is any vector.
+$\\mathbb{{1}}$ is the identity matrix.
+$\\partial_t$ is the rate, entry by entry.
+"
+        )
+    };
+    let text = r"
+$$ W := \dot Q Q^T $$
+
+$$ Q Q^T = Q^T Q = \mathbb{1} $$
+$$ u = W s $$
+$$ u = -W s $$
+$$ W^T = -W $$
+$$ W^T = W $$
+$$ \ddot s = (\dot W + W W) s $$
+$$ \ddot s = (\dot W - W W) s $$
+$$ \partial_t(Q\tilde b) = Q(\tilde W\tilde b + \dot{\tilde b}) $$
+$$ \partial_t(Q\tilde b) = Q(\dot{\tilde b} - \tilde W\tilde b) $$
+$$ s^T u = 0 $$
+";
+    for dimensions in ["two", "three", "4", "5"] {
+        assert_eq!(
+            judged(&sentences(dimensions), text),
+            "apprprprprp",
+            "{dimensions}"
+        );
+    }
+}
+
+#[test]
+fn what_is_settled_in_one_space_is_settled_anew_in_another() {
+    let sentences = "Space has four dimensions.
+On line 6, space has three dimensions.
+N is an inertial frame.
+B is a frame fixed in the body.
+$Q$ takes components on B to components on N.
+$\\vec w$ is the angular velocity of B relative to N in components on N.
+$[\\vec w]_\\times$ is the cross-product matrix of $\\vec w$.
+";
+    let text = r"
+$$ W := \dot Q Q^T $$
+
+In space of three dimensions alone
+
+$$ W = [\vec w]_\times $$
+
+$$ W^T = -W $$
+";
+    assert_eq!(judged(sentences, text), "app");
+}

@@ -7,6 +7,9 @@ use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
 
+/// Space has no more dimensions than this: matrices grow with their square.
+const MOST_DIMENSIONS: usize = 8;
+
 /// What is said, and of which part of the document.
 pub(crate) type Said = (Extent, Statement);
 
@@ -81,8 +84,9 @@ impl<'a> Reader<'a> {
             }
             .inspect(|_| self.at += 1),
         };
-        let Some(number) = number else {
-            return Err(self.unexpected("number", "`three` could stand here", &[]));
+        let Some(number) = number.filter(|number| (2..=MOST_DIMENSIONS).contains(number)) else {
+            let expected = "`three` could stand here, or another number up to 8";
+            return Err(self.unexpected("number", expected, &[]));
         };
         if !self.take_any(&["dimensions"]) {
             return Err(self.unexpected("noun", "`dimensions` could stand here", &NOUNS));

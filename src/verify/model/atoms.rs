@@ -18,6 +18,8 @@ pub(crate) struct Key {
     pub(crate) member: Option<String>,
     /// Whose writing it is.
     pub(crate) space: Space,
+    /// How many dimensions space has where it is written, if they are not three.
+    pub(crate) dimensions: Option<usize>,
 }
 
 /// Whose writing a key is: the same text may be a quantity of the model, a letter of the document that is told by a law
@@ -38,6 +40,7 @@ impl Key {
             order: 0,
             member: None,
             space: Space::Model,
+            dimensions: None,
         }
     }
 
@@ -109,6 +112,8 @@ pub(crate) struct Atoms {
     list: Vec<Atom>,
     known: HashMap<Key, Variable>,
     rates: HashMap<Variable, Fraction>,
+    /// How many dimensions space has here, if they are not three: one writing is another variable there.
+    pub(crate) dimensions: Option<usize>,
 }
 
 /// A variable as a fraction.
@@ -124,6 +129,11 @@ pub(crate) fn whole(number: i64) -> Fraction {
 impl Atoms {
     /// The variable with this key, made free where there is none yet.
     pub(crate) fn variable(&mut self, key: Key, place: Place, motion: Motion) -> Variable {
+        let dimensions = self.dimensions;
+        self.entered(Key { dimensions, ..key }, place, motion)
+    }
+
+    fn entered(&mut self, key: Key, place: Place, motion: Motion) -> Variable {
         if let Some(&known) = self.known.get(&key) {
             return known;
         }
@@ -142,7 +152,12 @@ impl Atoms {
     }
 
     pub(crate) fn find(&self, key: &Key) -> Option<Variable> {
-        self.known.get(key).copied()
+        let dimensions = self.dimensions;
+        let key = Key {
+            dimensions,
+            ..key.clone()
+        };
+        self.known.get(&key).copied()
     }
 
     pub(crate) fn atom(&self, variable: Variable) -> &Atom {
@@ -198,7 +213,7 @@ impl Atoms {
         };
         let nature = atom.nature.clone();
         key.order += 1;
-        let rate = self.variable(key, place, Motion::Free);
+        let rate = self.entered(key, place, Motion::Free);
         self.atom_mut(rate).rate_of = Some(variable);
         self.atom_mut(rate).nature = nature;
         self.rates.insert(variable, fraction(rate));

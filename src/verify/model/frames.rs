@@ -38,7 +38,7 @@ impl System {
     }
 
     /// The frames on the way from one frame up to the last that the other does not stand on as well.
-    fn links(&self, frame: FrameId, other: FrameId) -> Vec<FrameId> {
+    pub(super) fn links(&self, frame: FrameId, other: FrameId) -> Vec<FrameId> {
         let theirs = self.chain(other);
         let own = self.chain(frame).into_iter();
         own.take_while(|f| !theirs.contains(f)).collect()

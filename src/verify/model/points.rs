@@ -47,9 +47,13 @@ impl System {
         if self.points[of].fixed_in.contains(&frame) {
             return Vector::zeros();
         }
-        let fixed = self.points.iter().position(|p| p.fixed_in.contains(&frame));
-        let from = fixed.unwrap_or(0);
-        let way = self.position(of, from);
+        let way = self.position(of, self.fixed_point(frame));
         self.rate_seen_from(frame, &way)
+    }
+
+    /// A point that is fixed in a frame; the origin where none is.
+    pub(crate) fn fixed_point(&self, frame: FrameId) -> PointId {
+        let fixed = self.points.iter().position(|p| p.fixed_in.contains(&frame));
+        fixed.unwrap_or(0)
     }
 }

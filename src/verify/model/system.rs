@@ -200,16 +200,19 @@ impl System {
     }
 }
 
-/// A component of a vector in LaTeX: `x` of `r_i` is `r_{i,x}`.
+/// A component of a vector in LaTeX: `x` of `r_i` is `r_{i,x}`. Behind the third they are numbered.
 pub(crate) fn component_text(text: &str, row: usize) -> String {
+    let axis = AXES
+        .get(row)
+        .map_or_else(|| (row + 1).to_string(), |axis| (*axis).to_owned());
     match text.rsplit_once('_') {
         Some((letter, index)) if !index.contains(['{', '}', ' ']) => {
-            format!("{letter}_{{{index},{}}}", AXES[row])
+            format!("{letter}_{{{index},{axis}}}")
         }
         Some((letter, index)) if index.starts_with('{') && index.ends_with('}') => {
             let inner = &index[1..index.len() - 1];
-            format!("{letter}_{{{inner},{}}}", AXES[row])
+            format!("{letter}_{{{inner},{axis}}}")
         }
-        _ => format!("{text}_{}", AXES[row]),
+        _ => format!("{text}_{axis}"),
     }
 }

@@ -127,8 +127,7 @@ impl Builder<'_> {
         {
             let letters = &mut self.reading.letters.crossing;
             letters.extend(node_of(of).map(spelled));
-        } else if rate && (written.contains("dt") || written.contains("{t}")) {
-            let mark = Mark::Leibniz;
+        } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
             self.reading.letters.marks.push(MarkRule {
                 mark,
                 effect,
@@ -154,6 +153,18 @@ impl Builder<'_> {
             NotationMeaning::FunctionsOf(_) => None,
         }
     }
+}
+
+/// Whether a derivative is one in time, with d or with ∂.
+fn rate_in_time(written: &str) -> Option<Mark> {
+    let plain: String = written
+        .chars()
+        .filter(|c| !c.is_whitespace() && !"\\{}_".contains(*c))
+        .collect();
+    if plain.ends_with("partialt") {
+        return Some(Mark::Partial);
+    }
+    (written.contains("dt") || written.contains("{t}")).then_some(Mark::Leibniz)
 }
 
 /// A label without commands and braces.

@@ -84,7 +84,7 @@ impl Builder<'_> {
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
                     let reach = reach_of(&declaration.extent);
-                    self.reading.dimensions.push((reach, *number));
+                    self.reading.letters.dimensions.push((reach, *number));
                 }),
                 _ => None,
             },

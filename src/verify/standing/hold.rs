@@ -142,7 +142,9 @@ impl Judge<'_> {
                     settles = letter.map(|letter| (letter, left, right));
                 }
                 Err(Trouble::IllTyped(message))
-                    if unknown.is_empty() && self.reading.unused_at(&self.at).is_none() =>
+                    if unknown.is_empty()
+                        && self.reading.unused_at(&self.at).is_none()
+                        && self.reading.system.dimensions() == 3 =>
                 {
                     let mut held = Held::open(message);
                     held.standing = Standing::Denied;
@@ -183,13 +185,6 @@ impl Judge<'_> {
         unknown: Vec<String>,
         settles: Option<(String, Value, Value)>,
     ) -> Held {
-        // What holds in space need not hold in another number of dimensions.
-        let dimensions = self.reading.dimensions_at(&self.at);
-        if dimensions != 3 {
-            let message =
-                format!("space has {dimensions} dimensions here, and three are worked out");
-            return Held::open(message);
-        }
         let Ok(residuals) = self.residuals(&sides) else {
             return Held::open("this grew beyond what is worked out");
         };
@@ -198,9 +193,10 @@ impl Judge<'_> {
         let mut held = Held {
             unknown,
             sides,
+            settles,
+            reason: None,
             ..Held::open("")
         };
-        held.reason = None;
         if residuals.iter().all(Zero::is_zero) {
             held.proof = prove(&mut self.facts, atoms, &held.sides, &small);
             held.standing = Standing::Entailed;
@@ -212,7 +208,7 @@ impl Judge<'_> {
         }
         let free: Vec<_> = residuals.iter().flat_map(Fraction::variables).collect();
         let open = free.iter().any(|&v| atoms.is_unknown(v));
-        held.standing = match (open, &settles) {
+        held.standing = match (open, &held.settles) {
             (true, Some(_)) => Standing::Settles,
             (true, None) => Standing::Free,
             (false, _) => Standing::Denied,
@@ -222,7 +218,6 @@ impl Judge<'_> {
         } else {
             held.reason = Some("letters of which nothing is told leave it open".into());
         }
-        held.settles = settles;
         held
     }
 

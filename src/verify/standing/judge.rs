@@ -53,6 +53,10 @@ pub(crate) struct Judge<'a> {
     settled_taken: Vec<usize>,
     /// Lines of the paragraph that wait for letters, with what they are for.
     waiting: Vec<(usize, Line, Vec<Link>, Purpose)>,
+    /// The accepted lines that define letters, by their numbers.
+    defining: Vec<(usize, Vec<Link>)>,
+    /// How many dimensions space has at the last line.
+    dimensions: usize,
 }
 
 impl<'a> Judge<'a> {
@@ -71,6 +75,8 @@ impl<'a> Judge<'a> {
             headings: Headings::default(),
             settled_taken: vec![],
             waiting: vec![],
+            defining: vec![],
+            dimensions: 3,
         }
     }
 
@@ -143,6 +149,7 @@ impl<'a> Judge<'a> {
             return;
         }
         self.take_premises();
+        self.enter_space();
         let mut purpose = purpose(&self.sentence);
         if let Some(role) = self.reading.role(&self.at) {
             purpose = Purpose {
@@ -157,10 +164,38 @@ impl<'a> Judge<'a> {
         let waits = held
             .iter()
             .any(|h| !h.unknown.is_empty() && h.standing != Standing::Settles);
+        let defines = held.iter().any(|h| h.standing == Standing::Settles);
         let before = self.judged.len();
         self.conclude(line, purpose, held);
-        if waits && self.judged.len() > before && self.judged[before].answer != Answer::Proved {
+        let Some(answer) = self.judged.get(before).map(|judged| judged.answer) else {
+            return;
+        };
+        if defines && answer == Answer::Accepted {
+            self.defining.push((self.at.line, links.clone()));
+        }
+        if waits && answer != Answer::Proved {
             self.waiting.push((before, line.clone(), links, purpose));
+        }
+    }
+
+    /// In a space of another number of dimensions every letter is another variable, and is defined there anew.
+    fn enter_space(&mut self) {
+        let dimensions = self.reading.letters.dimensions_at(&self.at);
+        if dimensions == self.dimensions {
+            return;
+        }
+        self.dimensions = dimensions;
+        self.shapes = match dimensions {
+            3 => self.reading.shapes.clone(),
+            _ => HashMap::new(),
+        };
+        for (line, links) in self.defining.clone() {
+            for link in &links {
+                let held = self.hold(link);
+                if held.settles.is_some() {
+                    self.settle(&held, line);
+                }
+            }
         }
     }
 
@@ -218,7 +253,7 @@ impl<'a> Judge<'a> {
         let mut verdict = worst;
         if worst == Answer::Accepted {
             for held in &held {
-                verdict = verdict.max(self.settle(held));
+                verdict = verdict.max(self.settle(held, self.at.line));
             }
         }
         let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
@@ -243,8 +278,8 @@ impl<'a> Judge<'a> {
     }
 
     /// Takes what an accepted line says into the facts.
-    fn settle(&mut self, held: &Held) -> Answer {
-        let source = Source::Line(self.at.line);
+    fn settle(&mut self, held: &Held, line: usize) -> Answer {
+        let source = Source::Line(line);
         if let Some((letter, left, _)) = &held.settles {
             self.shapes.insert(letter.clone(), left.shape());
         }

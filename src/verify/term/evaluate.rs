@@ -125,11 +125,7 @@ impl System {
         match of {
             Spot::Point(point) => self.velocity(*point, relative),
             Spot::Member(family, index) => {
-                let fixed = self
-                    .points
-                    .iter()
-                    .position(|p| p.fixed_in.contains(&relative));
-                let way = self.member_position(*family, index, fixed.unwrap_or(0));
+                let way = self.member_position(*family, index, self.fixed_point(relative));
                 self.rate_seen_from(relative, &way)
             }
         }

@@ -139,6 +139,8 @@ pub(crate) enum Mark {
     NoLabel,
     /// d/dt.
     Leibniz,
+    /// ∂/∂t.
+    Partial,
 }
 
 /// A rule for a mark.
@@ -193,6 +195,8 @@ pub(crate) struct Letters {
     pub(crate) written: BTreeSet<String>,
     /// Writings that stand for other formulas.
     pub(crate) means: Vec<(String, Node, Reach)>,
+    /// How many dimensions space has, where.
+    pub(crate) dimensions: Vec<(Reach, usize)>,
 }
 
 impl Letters {
@@ -251,6 +255,16 @@ impl Letters {
             |r: &&LabelRule| r.label == label && (!r.on_rate || on_rate) && r.reach.covers(at, 0);
         let rules = self.labels.iter().filter(fits);
         rules.max_by_key(|r| r.reach.narrowness())
+    }
+
+    /// How many dimensions space has at a place.
+    pub(crate) fn dimensions_at(&self, at: &At) -> usize {
+        let told = self
+            .dimensions
+            .iter()
+            .filter(|(reach, _)| reach.covers(at, 0));
+        told.max_by_key(|(reach, _)| reach.narrowness())
+            .map_or(3, |(_, number)| *number)
     }
 
     pub(crate) fn index(&self, letter: &str, at: &At) -> Option<&IndexRule> {

@@ -42,6 +42,7 @@ impl<'a> Lowering<'a> {
         at: &'a At,
         shapes: &'a HashMap<String, Shape>,
     ) -> Self {
+        system.set_dimensions(letters.dimensions_at(at));
         Self {
             system,
             letters,
@@ -173,13 +174,11 @@ impl<'a> Lowering<'a> {
     }
 
     fn bold(&mut self, number: &Number) -> Valued {
-        let value = constant(number);
+        let (value, size) = (constant(number), self.system.dimensions());
         match value.is_zero() {
             true => Ok(Value {
-                rows: 3,
-                columns: 1,
-                entries: vec![Fraction::zero(); 3],
                 basis: [Basis::Any; 2],
+                ..Value::written(size, 1, vec![Fraction::zero(); size])
             }),
             false => Ok(self.system.value_of(&Quantity::Identity)?.scaled(&value)),
         }
@@ -303,7 +302,11 @@ impl<'a> Lowering<'a> {
     fn in_frame(&mut self, inner: &Node, label: &str) -> Valued {
         if let Some(effect) = self.effect_of(label, true) {
             let value = self.value(inner)?;
-            return self.affected(value, &effect);
+            return match (&effect, self.lists_rates(inner)) {
+                (Effect::RateSeenFrom(_), Some(true)) => Ok(value),
+                (Effect::RateSeenFrom(_), Some(false)) => beyond("rates with two labels"),
+                _ => self.affected(value, &effect),
+            };
         }
         if let Some((axes, frame)) = self.axes_of_label(label) {
             let value = self.value(inner)?;
@@ -318,6 +321,26 @@ impl<'a> Lowering<'a> {
             return self.affected(value, &Effect::ComponentsOn(frame));
         }
         Err(Trouble::Unknown(label.to_owned()))
+    }
+
+    /// Whether sentences tell what the rates in a list are, which its label then says once more; `None` for no such list.
+    fn lists_rates(&self, list: &Node) -> Option<bool> {
+        let rows = match &list.kind {
+            Kind::Group(_, inner) => return self.lists_rates(inner),
+            Kind::Matrix(rows) => rows.as_slice(),
+            Kind::Tuple(entries) => std::slice::from_ref(entries),
+            _ => return None,
+        };
+        let rate = |entry: &Node| matches!(entry.kind, Kind::TimeDerivative { .. });
+        let told = |entry: &Node| {
+            let (exact, loose) = (spelled(entry), loosely(entry));
+            self.letters.find(&exact, &loose, self.at, 0).is_some()
+        };
+        let mut entries = rows.iter().flatten();
+        entries
+            .clone()
+            .any(rate)
+            .then(|| entries.all(|entry| rate(entry) && told(entry)))
     }
 }
 

@@ -35,7 +35,7 @@ impl Lowering<'_> {
             return Ok(match (value.is_vector(), frames.len(), frames.first()) {
                 (true, 1, Some(&frame)) => {
                     self.system
-                        .taken_on(&value, [Basis::On(frame), Basis::Any], frame)
+                        .taken_on(&value, [Basis::On(frame), Basis::Any], frame)?
                 }
                 _ => value,
             });
@@ -44,20 +44,16 @@ impl Lowering<'_> {
             return Ok(all[0].clone());
         }
         if values.len() == 1 && all.iter().all(|v| v.is_vector()) {
-            let out: Vec<Value> = all
-                .iter()
-                .map(|v| self.system.written_out(v, custom))
-                .collect();
+            let out = all.iter().map(|v| self.system.written_out(v, custom));
+            let out = out.collect::<Result<Vec<_>, _>>()?;
             let entries = (0..3)
                 .flat_map(|r| out.iter().map(move |v| v.entries[r].clone()))
                 .collect();
             return Ok(Value::written(3, width, entries));
         }
         if width == 1 && all.iter().all(|v| v.is_row()) {
-            let out: Vec<Value> = all
-                .iter()
-                .map(|v| self.system.written_out(v, custom))
-                .collect();
+            let out = all.iter().map(|v| self.system.written_out(v, custom));
+            let out = out.collect::<Result<Vec<_>, _>>()?;
             let entries = out.iter().flat_map(|v| v.entries.clone()).collect();
             return Ok(Value::written(values.len(), 3, entries));
         }

@@ -18,7 +18,7 @@ impl System {
             }
             return ill_typed(format!("{} and {} are added", a.shape(), b.shape()));
         }
-        let (a, b) = self.brought_together(a, b, custom);
+        let (a, b) = self.brought_together(a, b, custom)?;
         let entries = a
             .entries
             .iter()
@@ -41,7 +41,7 @@ impl System {
         if a.columns != b.rows {
             return ill_typed(format!("{} is multiplied by {}", a.shape(), b.shape()));
         }
-        let (a, b) = self.fitted(a, b, custom);
+        let (a, b) = self.fitted(a, b, custom)?;
         let mut entries = Vec::with_capacity(a.rows * b.columns);
         for r in 0..a.rows {
             for c in 0..b.columns {
@@ -66,7 +66,7 @@ impl System {
     }
 
     /// Factors whose inner indices run over the same axes.
-    fn fitted(&mut self, a: &Value, b: &Value, custom: FrameId) -> (Value, Value) {
+    fn fitted(&mut self, a: &Value, b: &Value, custom: FrameId) -> Result<(Value, Value), Trouble> {
         let (left, right) = (a.basis[1], b.basis[0]);
         let inner = a.columns > 1;
         let fits = match (left, right) {
@@ -80,17 +80,17 @@ impl System {
             _ => true,
         };
         match fits {
-            true => (a.clone(), b.clone()),
+            true => Ok((a.clone(), b.clone())),
             false => {
                 // A list beside an array on a frame is a list on that frame.
                 let near = |basis: Basis| match basis {
                     Basis::On(frame) => frame,
                     _ => custom,
                 };
-                (
-                    self.written_out(a, near(right)),
-                    self.written_out(b, near(left)),
-                )
+                Ok((
+                    self.written_out(a, near(right))?,
+                    self.written_out(b, near(left))?,
+                ))
             }
         }
     }
@@ -131,7 +131,7 @@ impl System {
         if !a.is_vector() || !b.is_vector() {
             return ill_typed(format!("{} is crossed with {}", a.shape(), b.shape()));
         }
-        let (a, b) = self.brought_together(a, b, custom);
+        let (a, b) = self.brought_together(a, b, custom)?;
         let cross = mechanics::cross(&a.to_vector()?, &b.to_vector()?);
         Ok(Value::vector(&cross, a.basis[0]))
     }
@@ -161,19 +161,18 @@ impl System {
             Basis::On(frame) => Some(frame),
             Basis::Any | Basis::Written => None,
         };
-        if value.rows == 3
+        let size = self.dimensions();
+        if value.rows == size
             && let Some(frame) = frame(value.basis[0])
         {
-            let omega = self.angular_velocity(self.work, frame);
-            let turn = Value::matrix(&mechanics::skew(&omega), [value.basis[0]; 2]);
+            let turn = self.turning(self.work, frame, value.basis[0])?;
             let carried = self.times(&turn, value, frame)?;
             rate = self.plus(&rate, &carried, frame)?;
         }
-        if value.columns == 3
+        if value.columns == size
             && let Some(frame) = frame(value.basis[1])
         {
-            let omega = self.angular_velocity(self.work, frame);
-            let turn = Value::matrix(&mechanics::skew(&omega), [value.basis[1]; 2]);
+            let turn = self.turning(self.work, frame, value.basis[1])?;
             let carried = self.times(value, &turn, frame)?.negated();
             rate = self.plus(&rate, &carried, frame)?;
         }
@@ -203,7 +202,7 @@ impl System {
     ) -> Result<(Value, Value), Trouble> {
         let same = (a.rows, a.columns) == (b.rows, b.columns);
         if same {
-            return Ok(self.brought_together(a, b, custom));
+            return self.brought_together(a, b, custom);
         }
         // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
         if a.is_scalar() && a.is_zero() {
@@ -221,10 +220,10 @@ impl System {
             return Ok((a.clone(), zero));
         }
         if a.is_row() && b.is_vector() && a.basis[1] == Basis::Written {
-            return Ok(self.brought_together(&a.transposed(), b, custom));
+            return self.brought_together(&a.transposed(), b, custom);
         }
         if a.is_vector() && b.is_row() && b.basis[1] == Basis::Written {
-            return Ok(self.brought_together(a, &b.transposed(), custom));
+            return self.brought_together(a, &b.transposed(), custom);
         }
         ill_typed(format!("{} is set equal to {}", a.shape(), b.shape()))
     }
@@ -237,12 +236,13 @@ fn outer(a: &Value, b: &Value) -> [Basis; 2] {
         (Basis::Any, Basis::Itself) => Basis::Itself,
         _ => own,
     };
-    let left = if a.columns == 3 && a.rows == 3 {
+    let square = |value: &Value| value.columns == value.rows && value.rows > 1;
+    let left = if square(a) {
         taken(a.basis[0], inner_if_same(a, b.basis[0]))
     } else {
         a.basis[0]
     };
-    let right = if b.columns == 3 && b.rows == 3 {
+    let right = if square(b) {
         taken(b.basis[1], inner_if_same(b, a.basis[1]))
     } else {
         b.basis[1]

@@ -5,7 +5,7 @@ use crate::mechanics;
 use crate::verify::model::atoms::{Key, Law, Motion, fraction};
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{
-    BodyId, FamilyId, FrameId, Matrix, PointId, System, Vector, component_text,
+    BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
 };
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
@@ -219,6 +219,9 @@ impl System {
 
     /// The value of a quantity in the variables of the model.
     pub(crate) fn value_of(&mut self, quantity: &Quantity) -> Valued {
+        if self.dimensions() != 3 {
+            return self.value_in_space(quantity);
+        }
         let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
         Ok(match quantity {
             Quantity::Position { of, from } => itself(self.place(of, *from)),
@@ -238,10 +241,8 @@ impl System {
                 }
             }
             Quantity::Axis(frame, axis) => itself(self.axis(*frame, *axis)),
-            Quantity::Rotation { from, to } => {
-                Value::matrix(&Matrix::identity(), [Basis::On(*to), Basis::On(*from)])
-            }
-            Quantity::Identity => Value::matrix(&Matrix::identity(), [Basis::Any; 2]),
+            Quantity::Rotation { from, to } => self.identity([Basis::On(*to), Basis::On(*from)]),
+            Quantity::Identity => self.identity([Basis::Any; 2]),
             Quantity::Known(value) => value.clone(),
             of_body => return self.value_of_whole(of_body),
         })
@@ -284,7 +285,7 @@ impl System {
     }
 
     /// The value of a letter that stands for itself.
-    fn value_of_letter(&mut self, quantity: &Quantity) -> Valued {
+    pub(super) fn value_of_letter(&mut self, quantity: &Quantity) -> Valued {
         let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
         Ok(match quantity {
             Quantity::Vector { text, carried } => itself(self.named_vector(text, *carried)),

@@ -32,7 +32,7 @@ impl Lowering<'_> {
         }
         let (seen, labelled) = match frame {
             Some(label) => (self.frame_of_rate(&plain(&label.text))?, true),
-            None => (self.customary_frame(style), false),
+            None => (self.customary_frame(mark_of(style)), false),
         };
         let mut rate = value.clone();
         for _ in 0..order {
@@ -45,11 +45,7 @@ impl Lowering<'_> {
     }
 
     /// Whose rate a derivative without a label is.
-    fn customary_frame(&self, style: DerivativeStyle) -> FrameId {
-        let mark = match style {
-            DerivativeStyle::Dots => Mark::Dot,
-            DerivativeStyle::Leibniz => Mark::Leibniz,
-        };
+    fn customary_frame(&self, mark: Mark) -> FrameId {
         match self.letters.mark(mark, self.at) {
             Some(Effect::RateSeenFrom(frame)) => *frame,
             _ => self.system.ground,
@@ -96,6 +92,14 @@ impl Lowering<'_> {
             return beyond("a derivative of higher order in something other than time");
         };
         let by = self.value(variable)?;
+        if partial && by == Value::scalar(self.time()) {
+            // What is held fixed is for the author to say.
+            if self.letters.mark(Mark::Partial, self.at).is_none() {
+                return beyond("a partial derivative in time");
+            }
+            let seen = self.customary_frame(Mark::Partial);
+            return self.system.rate_of_value(&value, seen);
+        }
         if by.is_scalar() && !partial {
             return self.along_motion(&value, &by);
         }
@@ -152,5 +156,13 @@ impl Lowering<'_> {
                 basis: [value.vector_basis(), by.vector_basis()],
             }),
         }
+    }
+}
+
+/// The mark of a derivative in time.
+fn mark_of(style: DerivativeStyle) -> Mark {
+    match style {
+        DerivativeStyle::Dots => Mark::Dot,
+        DerivativeStyle::Leibniz => Mark::Leibniz,
     }
 }

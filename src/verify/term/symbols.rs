@@ -231,7 +231,7 @@ impl Lowering<'_> {
         self.frames_seen.insert(frame);
         let out = match value.basis.contains(&Basis::Written) {
             true => value.clone(),
-            false => self.system.written_out(&on(value.clone(), frame), frame),
+            false => self.system.written_out(&on(value.clone(), frame), frame)?,
         };
         let at = |row: usize, column: usize| out.entries.get(row * out.columns + column).cloned();
         let entry = match *axes {

@@ -101,7 +101,7 @@ impl Lowering<'_> {
         let entries = (0..rows * columns).map(|at| {
             let text = match (rows, columns) {
                 (1, 1) => text.to_owned(),
-                (_, 1) => crate::verify::model::system::component_text(text, at.min(2)),
+                (_, 1) => crate::verify::model::system::component_text(text, at),
                 _ => format!("{{{text}}}_{{{}{}}}", at / columns + 1, at % columns + 1),
             };
             let key = Key {

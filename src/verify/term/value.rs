@@ -7,6 +7,7 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::system::{FrameId, Matrix, System, Vector};
+use crate::verify::term::dimensions::beyond_space;
 use num_traits::Zero;
 use std::fmt::{self, Display, Formatter};
 
@@ -228,6 +229,28 @@ impl Value {
         }
     }
 
+    /// What its indices run over, where they run.
+    fn bases(&self) -> [Basis; 2] {
+        let runs = |size: usize, basis: Basis| if size > 1 { basis } else { Basis::Any };
+        [
+            runs(self.rows, self.basis[0]),
+            runs(self.columns, self.basis[1]),
+        ]
+    }
+
+    /// Whether it is a multiple of the identity, from axes to the same axes.
+    fn is_the_same_on_any_axes(&self) -> bool {
+        let size = self.rows;
+        let fits = |(at, entry): (usize, &Fraction)| match at / size == at % size {
+            true => *entry == self.entries[0],
+            false => entry.is_zero(),
+        };
+        size == self.columns
+            && size > 1
+            && self.basis[0] == self.basis[1]
+            && self.entries.iter().enumerate().all(fits)
+    }
+
     /// v× as a matrix.
     pub(crate) fn cross_product_matrix(&self) -> Valued {
         let skew = mechanics::skew(&self.to_vector()?);
@@ -235,32 +258,45 @@ impl Value {
     }
 
     fn has_written(&self) -> bool {
-        self.runs_over(Basis::Written)
-    }
-
-    fn runs_over(&self, basis: Basis) -> bool {
-        (self.rows > 1 && self.basis[0] == basis) || (self.columns > 1 && self.basis[1] == basis)
+        self.bases().contains(&Basis::Written)
     }
 }
 
 impl System {
     /// Entry by entry on the axes that a value is on; of a geometric one on those of a frame.
-    pub(crate) fn written_out(&mut self, value: &Value, custom: FrameId) -> Value {
-        let turns = value.basis.map(|basis| match basis {
-            Basis::On(frame) => Some(self.rotation(frame, self.work)),
-            Basis::Itself => Some(self.rotation(custom, self.work)),
-            Basis::Any | Basis::Written => None,
-        });
-        value.turned(&turns, [Basis::Written; 2])
+    pub(crate) fn written_out(&mut self, value: &Value, custom: FrameId) -> Valued {
+        if value.is_the_same_on_any_axes() {
+            let basis = [Basis::Written; 2];
+            return Ok(Value {
+                basis,
+                ..value.clone()
+            });
+        }
+        let mut turn = |basis| match basis {
+            Basis::On(frame) => self.entries_turned(frame, self.work),
+            Basis::Itself => self.entries_turned(custom, self.work),
+            Basis::Any | Basis::Written => Ok(None),
+        };
+        let turns = [turn(value.basis[0])?, turn(value.basis[1])?];
+        Ok(value.turned(&turns, [Basis::Written; 2]))
+    }
+
+    /// The entries of the matrix between two frames, which only a space of three dimensions has.
+    fn entries_turned(&mut self, to: FrameId, from: FrameId) -> Result<Option<Matrix>, Trouble> {
+        match self.dimensions() {
+            3 => Ok(Some(self.rotation(to, from))),
+            _ => Err(beyond_space()),
+        }
     }
 
     /// Written entries taken as those on the axes of frames.
-    pub(crate) fn taken_on(&mut self, value: &Value, basis: [Basis; 2], custom: FrameId) -> Value {
-        let turns = basis.map(|basis| match basis {
-            Basis::On(frame) => Some(self.rotation(self.work, frame)),
-            _ => Some(self.rotation(self.work, custom)),
-        });
-        value.turned(&turns, basis)
+    pub(crate) fn taken_on(&mut self, value: &Value, basis: [Basis; 2], custom: FrameId) -> Valued {
+        let mut turn = |basis| match basis {
+            Basis::On(frame) => self.entries_turned(self.work, frame),
+            _ => self.entries_turned(self.work, custom),
+        };
+        let turns = [turn(basis[0])?, turn(basis[1])?];
+        Ok(value.turned(&turns, basis))
     }
 
     /// Two values of one shape, on the same axes.
@@ -269,24 +305,23 @@ impl System {
         a: &Value,
         b: &Value,
         custom: FrameId,
-    ) -> (Value, Value) {
-        if a.is_scalar() || a.basis == b.basis {
-            return (a.clone(), b.clone());
+    ) -> Result<(Value, Value), Trouble> {
+        if a.is_scalar() || a.bases() == b.bases() {
+            return Ok((a.clone(), b.clone()));
         }
+        let on = |basis| (Value { basis, ..a.clone() }, Value { basis, ..b.clone() });
         if a.is_zero() || b.is_zero() {
-            let basis = if a.is_zero() { b.basis } else { a.basis };
-            return (Value { basis, ..a.clone() }, Value { basis, ..b.clone() });
+            return Ok(on(if a.is_zero() { b.basis } else { a.basis }));
         }
         match (a.has_written(), b.has_written()) {
-            (false, false) => {}
-            (true, false) => return (self.taken_on(a, b.basis, custom), b.clone()),
-            (false, true) => return (a.clone(), self.taken_on(b, a.basis, custom)),
-            (true, true) => return (self.written_out(a, custom), self.written_out(b, custom)),
+            (true, false) => return Ok((self.taken_on(a, b.basis, custom)?, b.clone())),
+            (false, true) => return Ok((a.clone(), self.taken_on(b, a.basis, custom)?)),
+            _ => {}
         }
-        if let Some(basis) = joined(a, b) {
-            return (Value { basis, ..a.clone() }, Value { basis, ..b.clone() });
+        match joined(a, b).filter(|_| !a.has_written()) {
+            Some(basis) => Ok(on(basis)),
+            None => Ok((self.written_out(a, custom)?, self.written_out(b, custom)?)),
         }
-        (self.written_out(a, custom), self.written_out(b, custom))
     }
 }
 
@@ -297,10 +332,11 @@ fn joined(a: &Value, b: &Value) -> Option<[Basis; 2]> {
         (Basis::Any | Basis::Itself, other) | (other, Basis::Any | Basis::Itself) => Some(other),
         _ => None,
     };
-    let basis = [one(a.basis[0], b.basis[0])?, one(a.basis[1], b.basis[1])?];
+    let (own, other) = (a.bases(), b.bases());
+    let basis = [one(own[0], other[0])?, one(own[1], other[1])?];
     // The tensor itself has one frame for both indices; a matrix between two frames is none.
     let two = a.is_matrix() && matches!(basis, [Basis::On(f), Basis::On(g)] if f != g);
-    (!two || a.basis == b.basis).then_some(basis)
+    (!two || own == other).then_some(basis)
 }
 
 fn times(turn: &Matrix, entries: &[Fraction], columns: usize) -> Vec<Fraction> {
