@@ -5,6 +5,7 @@
 
 mod bracket;
 mod call;
+mod columns;
 mod derivative;
 mod environment;
 mod factor;

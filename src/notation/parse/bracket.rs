@@ -49,6 +49,10 @@ impl<'t, 'a> Parser<'t, 'a> {
             Lexeme::Char('{') => Bracket::Curly,
             _ => Bracket::Round,
         };
+        if let Some(entries) = self.columns_with_signs(inside) {
+            let rows = entries.into_iter().map(|entry| vec![entry]).collect();
+            return self.node(Kind::Matrix(rows), start);
+        }
         if let Some(parts) = components(inside, bracket, self.transpose_follows()) {
             let entries = parts
                 .into_iter()
@@ -89,25 +93,43 @@ impl<'t, 'a> Parser<'t, 'a> {
         script && self.peek_at(at) == Some(Lexeme::Command("times"))
     }
 
-    /// `|a|`, `\lVert a \rVert`, and `\left|` around an array, which is a determinant.
+    /// `|a|`, `||a||`, `\lVert a \rVert`, and `\left|` around an array, which is a determinant.
     pub(super) fn norm(&mut self, start: usize) -> Node {
-        let end = match self.tokens[start].kind {
-            Lexeme::LeftBar => bracket_end(self.tokens, start),
-            bar => closing_bar(self.tokens, start, bar),
+        let double = self.double_bars(start);
+        let end = match (double, self.tokens[start].kind) {
+            (Some(end), _) => Some(end),
+            (None, Lexeme::LeftBar) => bracket_end(self.tokens, start),
+            (None, bar) => closing_bar(self.tokens, start, bar),
         };
         let Some(end) = end else {
             let node = self.error("a bar that is not closed");
             self.at = self.tokens.len();
             return node;
         };
-        let inside = &self.tokens[start + 1..end];
-        self.at = end + 1;
+        let bars = 1 + usize::from(double.is_some());
+        let inside = &self.tokens[start + bars..end];
+        self.at = end + bars;
         let inner = self.inside(inside).whole();
         let node = match inner.kind {
             Kind::Matrix(rows) => self.node(Kind::Determinant(rows), start),
             _ => self.node(Kind::Norm(Box::new(inner)), start),
         };
         self.scripts(node, start)
+    }
+
+    /// Where the two bars stand that close two bars written close together; `|` within them closes nothing.
+    fn double_bars(&self, start: usize) -> Option<usize> {
+        let bar = |at: usize| {
+            self.tokens
+                .get(at)
+                .is_some_and(|t| t.kind == Lexeme::Char('|'))
+        };
+        let double = |at: usize| bar(at) && bar(at + 1) && !self.tokens[at + 1].spaced;
+        if !double(start) {
+            return None;
+        }
+        let end = closing_bar(self.tokens, start + 1, Lexeme::Char('|'))?;
+        (end > start + 2 && double(end)).then_some(end)
     }
 }
 

@@ -49,7 +49,11 @@ impl Parser<'_, '_> {
         self.at = at + length;
         let volume = if others > 0 { None } else { self.volume() };
         let variable = volume.unwrap_or_else(|| self.differential_variable());
-        let integrand = match inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_))) {
+        self.skip_spaces();
+        let first = inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_)));
+        let integrand = match first {
+            // `\int dm\, r^2`: what is integrated may stand behind the differential.
+            true if self.factor_starts() => self.product(),
             true => Node {
                 kind: Kind::Number(super::product::read_number("1")),
                 span: variable.span,

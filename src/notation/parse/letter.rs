@@ -8,7 +8,8 @@ const GREEK: &[&str] = &[
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
     "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
     "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi",
-    "Psi", "Omega", "ell", "hbar", "infty", "wp", "Re", "Im", "mho", "aleph",
+    "Psi", "Omega", "ell", "hbar", "infty", "wp", "Re", "Im", "mho", "aleph", "dagger", "ddagger",
+    "square", "Box", "diamond",
 ];
 
 /// The plain name of a letter command; the variant shapes are the same letter.

@@ -162,8 +162,7 @@ impl<'a> Splitter<'a> {
                 }
                 Lexeme::Space(width) if outside && width >= 18 => {
                     // A label behind the gap needs to see that one was written.
-                    let label_follows = tokens.get(i).is_some_and(|t| t.kind == Lexeme::Char('('));
-                    if !(label_follows && self.take_label(tokens, &mut i)) {
+                    if !self.take_label(tokens, &mut i) {
                         self.flush(Break::Gap);
                     }
                 }
@@ -200,25 +199,29 @@ impl<'a> Splitter<'a> {
             && (self.pieces.is_empty() || super::range::range(trimmed(&self.current)).is_none())
     }
 
-    /// `(8.6)` behind a gap, as a label on what stands before it.
+    /// `(8.6)` and `Eq. (8.6)` behind a gap, as a label on what stands before it.
     fn take_label(&mut self, tokens: &[Token<'a>], i: &mut usize) -> bool {
-        let Some(end) = super::bracket_end(tokens, *i) else {
+        let open = *i + length_of_name(&tokens[*i..]);
+        if tokens.get(open).is_none_or(|t| t.kind != Lexeme::Char('(')) {
+            return false;
+        }
+        let Some(end) = super::bracket_end(tokens, open) else {
             return false;
         };
-        let text = super::text::plain(&tokens[*i + 1..end]);
+        let text = super::text::plain(&tokens[open + 1..end]);
         let last = tokens
             .get(end + 1)
             .is_none_or(|t| matches!(t.kind, Lexeme::Row | Lexeme::Char('.' | ',')));
         if !last || !super::text::is_label(&text) || self.current.is_empty() {
             return false;
         }
-        let span = tokens[*i].span;
+        let span = tokens[open].span;
         self.current.push(Token {
             kind: Lexeme::Space(18),
             span,
             spaced: false,
         });
-        self.current.extend_from_slice(&tokens[*i..=end]);
+        self.current.extend_from_slice(&tokens[open..=end]);
         *i = end + 1;
         true
     }
@@ -252,6 +255,22 @@ impl<'a> Splitter<'a> {
         after += usize::from(closes);
         self.split(inside, name, level + 1);
         Some(after)
+    }
+}
+
+/// How many tokens the spaces and the `Eq.` before a number take.
+fn length_of_name(tokens: &[Token<'_>]) -> usize {
+    let name = |token: &&Token<'_>| {
+        matches!(
+            token.kind,
+            Lexeme::Space(_) | Lexeme::Char('.') | Lexeme::Letter('E' | 'e' | 'q' | 'n')
+        )
+    };
+    let length = tokens.iter().take_while(name).count();
+    let text = super::text::plain(&tokens[..length]).to_lowercase();
+    match text.trim_end_matches('.') {
+        "" | "eq" | "eqn" => length,
+        _ => 0,
     }
 }
 
