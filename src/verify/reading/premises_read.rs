@@ -274,6 +274,7 @@ impl Builder<'_> {
         if !equal {
             return self.say_unused(declaration);
         }
+        self.reading.letters.keep_apart(sides);
         let value = |builder: &mut Self, node: &crate::notation::ast::Node| {
             let formula = Formula {
                 source: crate::notation::print::latex(node),

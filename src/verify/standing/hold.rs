@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
 use crate::verify::facts::Source;
-use crate::verify::facts::premises::OutOfBudget;
+use crate::verify::facts::premises::{Facts, OutOfBudget};
 use crate::verify::facts::proof::prove;
 use crate::verify::facts::world::World;
 use crate::verify::standing::chains::Link;
@@ -15,6 +15,12 @@ use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
 use num_traits::Zero;
+
+/// A premise of no more terms is a short one.
+const MOST_OF_SHORT: usize = 12;
+
+/// The premises of no more sentences and lines are tried alone.
+const MOST_PARTS: usize = 24;
 
 /// What one link of a line came to.
 pub(super) struct Held {
@@ -186,7 +192,12 @@ impl Judge<'_> {
         settles: Option<(String, Value, Value)>,
     ) -> Held {
         let Ok(residuals) = self.residuals(&sides) else {
-            return Held::open("this grew beyond what is worked out");
+            let mut held = Held::open("this grew beyond what is worked out");
+            held.proof = self.proof_by_few_premises(&sides);
+            if held.proof.is_some() {
+                (held.standing, held.reason) = (Standing::Entailed, None);
+            }
+            return held;
         };
         let small = self.reading.small_at(&self.at);
         let atoms = &mut self.reading.system.atoms;
@@ -221,6 +232,33 @@ impl Judge<'_> {
         held
     }
 
+    /// What follows of a part of the premises follows of all of them: of the short ones, or of those of one sentence or
+    /// line.
+    fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        let all = self.premises();
+        let short = |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
+        let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
+        for (_, source) in &all {
+            let own = all.iter().filter(|(_, other)| other == source);
+            let own: Vec<_> = own.cloned().collect();
+            if parts.len() <= MOST_PARTS && !parts.contains(&own) {
+                parts.push(own);
+            }
+        }
+        let before = self.facts.clone();
+        let proof = parts.into_iter().find_map(|part| {
+            self.facts = Facts::default();
+            self.facts.extend_all(&mut self.reading.system.atoms, part);
+            let residuals = self.residuals(sides).ok()?;
+            let small = self.reading.small_at(&self.at);
+            let atoms = &mut self.reading.system.atoms;
+            let follows = residuals.iter().all(Zero::is_zero);
+            follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
+        });
+        self.facts = before;
+        proof
+    }
+
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
     fn deny(&mut self, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.reading.unused_at(&self.at) {
@@ -234,8 +272,13 @@ impl Judge<'_> {
             return;
         }
         let atoms = &mut self.reading.system.atoms;
-        held.shown = World::refuting(&self.facts, atoms, residuals)
-            .and_then(|world| shown(&mut self.facts, atoms, &held.sides, residuals, &world));
+        match World::refuting(&self.facts, atoms, residuals) {
+            Some(world) => {
+                held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+            }
+            // Roots and lengths may still make it true.
+            None => held.doubt = Some("no numbers were found in which it fails".into()),
+        }
     }
 }
 

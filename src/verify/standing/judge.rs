@@ -227,13 +227,19 @@ impl<'a> Judge<'a> {
             return;
         }
         self.reading.taken = active;
-        self.facts = Facts::default();
-        let declared = self.reading.premises_in_force().into_iter();
-        let lines = settled.iter().map(|&i| &self.reading.settled[i]);
-        let lines = lines.map(|p| (p.equation.clone(), p.source.clone()));
-        let all = declared.chain(lines).collect();
-        self.facts.extend_all(&mut self.reading.system.atoms, all);
         self.settled_taken = settled;
+        let all = self.premises();
+        self.facts = Facts::default();
+        self.facts
+            .extend_all(&mut self.reading.system.atoms, all);
+    }
+
+    /// What is declared or was accepted, and is in force.
+    pub(super) fn premises(&self) -> Vec<(Fraction, Source)> {
+        let declared = self.reading.premises_in_force().into_iter();
+        let lines = self.settled_taken.iter().map(|&i| &self.reading.settled[i]);
+        let lines = lines.map(|p| (p.equation.clone(), p.source.clone()));
+        declared.chain(lines).collect()
     }
 
     /// One verdict from what the links came to: the worst of them.

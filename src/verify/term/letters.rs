@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::quantity::Quantity;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A place in a document.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -235,6 +235,21 @@ impl Letters {
         let found = self.find(spelled, loose, at, number)?;
         let apart = found.spelled != spelled && self.written.contains(&found.spelled);
         (!apart).then_some(found)
+    }
+
+    /// One formula that has a letter bold and plain means two letters, wherever they stand.
+    pub(crate) fn keep_apart(&mut self, sides: &[Node]) {
+        fn collect(node: &Node, found: &mut BTreeMap<String, BTreeSet<String>>) {
+            if let Kind::Symbol(symbol) = &node.kind {
+                let ways = found.entry(spell(symbol, false)).or_default();
+                ways.insert(spell(symbol, true));
+            }
+            node.children().for_each(|child| collect(child, found));
+        }
+        let mut found = BTreeMap::new();
+        sides.iter().for_each(|side| collect(side, &mut found));
+        let several = found.into_values().filter(|ways| ways.len() > 1);
+        self.written.extend(several.flatten());
     }
 
     /// What the author says that a formula means.
