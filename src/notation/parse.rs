@@ -233,12 +233,34 @@ impl<'t, 'a> Parser<'t, 'a> {
                 self.at = (end + 1).min(self.tokens.len());
                 &self.tokens[start..self.at]
             }
+            Some(Lexeme::Command("frac" | "dfrac" | "tfrac")) => self.fraction_as_argument(),
             Some(_) => {
                 self.at += 1;
                 &self.tokens[start..self.at]
             }
             None => &[],
         }
+    }
+
+    /// A fraction that stands as an argument without braces takes its own two with it: `T^\frac32`.
+    fn fraction_as_argument(&mut self) -> &'t [Token<'a>] {
+        let start = self.at;
+        let mut missing = 1;
+        while missing > 0 {
+            self.skip_spaces();
+            match self.peek() {
+                None => break,
+                Some(Lexeme::Command("frac" | "dfrac" | "tfrac")) => missing += 1,
+                Some(Lexeme::Command(name)) if letter::takes_argument(name) => {}
+                Some(Lexeme::Open) => {
+                    self.at = closing(self.tokens, self.at).min(self.tokens.len() - 1);
+                    missing -= 1;
+                }
+                Some(_) => missing -= 1,
+            }
+            self.at += 1;
+        }
+        &self.tokens[start..self.at]
     }
 
     /// An argument as an expression.

@@ -105,6 +105,18 @@ impl Builder<'_> {
         meaning: Meaning,
         declaration: &Declaration,
     ) {
+        let reach = reach_of(&declaration.extent);
+        self.denote_within(formula, meaning, reach, declaration);
+    }
+
+    /// Gives a writing a meaning in a part of the document.
+    pub(super) fn denote_within(
+        &mut self,
+        formula: &Formula,
+        meaning: Meaning,
+        reach: Reach,
+        declaration: &Declaration,
+    ) {
         let Some(node) = node_of(formula) else {
             return;
         };
@@ -116,15 +128,16 @@ impl Builder<'_> {
                 source: formula.source.clone(),
                 row: Row::Expression(inner.clone()),
             };
-            self.denote(&inner, meaning.clone(), declaration);
+            self.denote_within(&inner, meaning.clone(), reach.clone(), declaration);
         }
         self.reading.letters.letters.push(Letter {
             spelled: spelled(node),
             loose: loosely(node),
             latex: formula.source.clone(),
             meaning,
-            reach: reach_of(&declaration.extent),
+            reach,
             sentence: declaration.text.clone(),
+            besides: matches!(&declaration.statement, Statement::Is { what, .. } if what.is("also")),
         });
     }
 

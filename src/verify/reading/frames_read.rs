@@ -4,8 +4,8 @@ use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, node_of};
-use crate::verify::term::letters::{Letter, Meaning, Reach, loosely, spelled};
+use crate::verify::reading::names::name_of;
+use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -261,14 +261,8 @@ impl Builder<'_> {
                     text: formula.source.clone(),
                     carried,
                 };
-                self.reading.letters.letters.push(Letter {
-                    spelled: spelled(node_of(formula)?),
-                    loose: loosely(node_of(formula)?),
-                    latex: formula.source.clone(),
-                    meaning: Meaning::Quantity(unit.clone()),
-                    reach: Reach::All,
-                    sentence: declaration.text.clone(),
-                });
+                let meaning = Meaning::Quantity(unit.clone());
+                self.denote_within(formula, meaning, Reach::All, declaration);
                 self.system().value_of(&unit).ok()?.to_vector().ok()
             }
             Term::Name(name) => {

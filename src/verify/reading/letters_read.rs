@@ -1,6 +1,6 @@
 //! What letters denote.
 
-use crate::notation::ast::Kind;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
@@ -142,6 +142,7 @@ impl Builder<'_> {
                     self.say_unused(declaration);
                 }
             }
+            "column" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" => self.read_kernels(subjects, what, declaration),
             "cross-product matrix" | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
                 self.read_operator(subjects, what, declaration);
@@ -150,6 +151,24 @@ impl Builder<'_> {
                 self.read_any_angular_velocity(subjects);
             }
             _ => self.read_quantity(subjects, what, declaration),
+        }
+    }
+
+    /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
+    fn read_column(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        let entries = what.all(Slot::Of).map(|term| match term {
+            Term::Formula(formula) => node_of(formula).cloned(),
+            _ => None,
+        });
+        let Some(entries) = entries.collect::<Option<Vec<_>>>() else {
+            return self.say_unused(declaration);
+        };
+        for formula in formulas(subjects) {
+            let column = Node {
+                kind: Kind::Tuple(entries.clone()),
+                span: crate::source::Span::default(),
+            };
+            self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
     }
 
@@ -348,7 +367,7 @@ impl Builder<'_> {
     }
 }
 
-fn loosely_or_spelled(node: &crate::notation::ast::Node) -> String {
+fn loosely_or_spelled(node: &Node) -> String {
     let exact = spelled(node);
     if exact.is_empty() {
         loosely(node)

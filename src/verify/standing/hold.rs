@@ -12,12 +12,17 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::{Shown, shown};
 use crate::verify::standing::sides::{Both, both};
 use crate::verify::standing::verdicts::Standing;
+use crate::verify::standing::written::symbols_of;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 /// A premise of no more terms is a short one.
 const MOST_OF_SHORT: usize = 12;
+
+/// Letters with two meanings are taken in either at no more places of a link.
+const MOST_DOUBLED: usize = 6;
 
 /// The premises of no more sentences and lines are tried alone.
 const MOST_PARTS: usize = 24;
@@ -35,6 +40,19 @@ pub(super) struct Held {
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
 }
+
+/// The sides of a link, component by component.
+#[derive(Default)]
+struct Sides {
+    sides: Vec<(Fraction, Fraction)>,
+    /// Letters of which nothing is told.
+    unknown: Vec<String>,
+    /// The letter that it settles, with its value.
+    settles: Option<(String, Value, Value)>,
+}
+
+/// The sides, or why there are none and the letters of which nothing is told.
+type WorkedOut = Result<Sides, (Trouble, Vec<String>)>;
 
 impl Held {
     pub(super) fn open(reason: impl Into<String>) -> Self {
@@ -118,10 +136,68 @@ impl Judge<'_> {
             }
             return held;
         }
+        match self.sides(link, &BTreeSet::new()) {
+            Err((Trouble::IllTyped(_), _)) if !self.doubled(link).is_empty() => {
+                self.hold_by_types(link)
+            }
+            worked_out => self.hold_sides(worked_out),
+        }
+    }
+
+    /// Where letters mean two things, that is meant with which the types fit, if it is one.
+    fn hold_by_types(&mut self, link: &Link) -> Held {
+        let doubled = self.doubled(link);
+        let choices = (1..1usize << doubled.len().min(MOST_DOUBLED)).map(|choice| {
+            let chosen = doubled.iter().enumerate();
+            let chosen = chosen.filter(|(at, _)| choice >> at & 1 == 1);
+            chosen.map(|(_, place)| place.clone()).collect()
+        });
+        let choices: Vec<BTreeSet<_>> = choices.collect();
+        let mut fitting = choices.iter().map(|choice| self.sides(link, choice));
+        let fitting: Vec<_> = fitting.by_ref().filter(Result::is_ok).take(2).collect();
+        match <[_; 1]>::try_from(fitting) {
+            Ok([only]) => self.hold_sides(only),
+            Err(_) => Held::open("the types do not tell which of its meanings a letter has"),
+        }
+    }
+
+    /// The places on a link of letters that mean something besides.
+    fn doubled(&self, link: &Link) -> Vec<(String, usize)> {
+        let symbols = symbols_of(&[&link.left, &link.right]);
+        let has = |(writing, _): &(String, usize)| {
+            self.reading.letters.besides(writing, &self.at).is_some()
+        };
+        symbols.into_iter().filter(has).collect()
+    }
+
+    fn hold_sides(&mut self, sides: WorkedOut) -> Held {
+        match sides {
+            Ok(Sides {
+                sides,
+                unknown,
+                settles,
+            }) => self.weigh(sides, unknown, settles),
+            Err((Trouble::IllTyped(message), unknown))
+                if unknown.is_empty()
+                    && self.reading.unused_at(&self.at).is_none()
+                    && self.reading.system.dimensions() == 3 =>
+            {
+                let mut held = Held::open(message);
+                held.standing = Standing::Denied;
+                held
+            }
+            Err((trouble, unknown)) => {
+                let mut held = Held::open(String::from(trouble));
+                held.unknown = unknown;
+                held
+            }
+        }
+    }
+
+    /// Both sides of a link, for every axis that its free indices may number.
+    fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
         let free = free_letters(&self.reading.letters, &self.at, &[&link.left, &link.right]);
-        let mut sides = vec![];
-        let mut unknown = vec![];
-        let mut settles = None;
+        let mut all = Sides::default();
         for axes in assignments(&free) {
             let mut lowering = Lowering::new(
                 &mut self.reading.system,
@@ -131,41 +207,25 @@ impl Judge<'_> {
                 &self.shapes,
             );
             lowering.axes = axes;
+            lowering.besides.clone_from(besides);
             let pair = both(&mut lowering, link);
-            unknown.extend(lowering.unknown.iter().cloned());
+            all.unknown.extend(lowering.unknown.iter().cloned());
             match pair {
                 Ok(Both {
                     left,
                     right,
-                    settles: letter,
+                    settles,
                 }) => {
-                    sides.extend(
-                        left.entries
-                            .iter()
-                            .cloned()
-                            .zip(right.entries.iter().cloned()),
-                    );
-                    settles = letter.map(|letter| (letter, left, right));
+                    let entries = left.entries.iter().cloned();
+                    all.sides.extend(entries.zip(right.entries.iter().cloned()));
+                    all.settles = settles.map(|letter| (letter, left, right));
                 }
-                Err(Trouble::IllTyped(message))
-                    if unknown.is_empty()
-                        && self.reading.unused_at(&self.at).is_none()
-                        && self.reading.system.dimensions() == 3 =>
-                {
-                    let mut held = Held::open(message);
-                    held.standing = Standing::Denied;
-                    return held;
-                }
-                Err(trouble) => {
-                    let mut held = Held::open(String::from(trouble));
-                    held.unknown = unknown;
-                    return held;
-                }
+                Err(trouble) => return Err((trouble, all.unknown)),
             }
         }
-        unknown.sort();
-        unknown.dedup();
-        self.weigh(sides, unknown, settles)
+        all.unknown.sort();
+        all.unknown.dedup();
+        Ok(all)
     }
 
     /// What is left of each difference in free variables, to first order where that is asked for.

@@ -41,6 +41,21 @@ fn is_number_of_line(node: &Node) -> bool {
     }
 }
 
+/// The symbols of formulas, spelled, and which occurrence of that writing each is.
+pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
+    fn collect(node: &Node, found: &mut Vec<(String, usize)>) {
+        if let Kind::Symbol(symbol) = &node.kind {
+            let writing = spell(symbol, true);
+            let before = found.iter().filter(|(other, _)| *other == writing).count();
+            found.push((writing, before + 1));
+        }
+        node.children().for_each(|child| collect(child, found));
+    }
+    let mut found = vec![];
+    nodes.iter().for_each(|node| collect(node, &mut found));
+    found
+}
+
 /// The symbols that a document writes, spelled.
 pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
     fn collect(node: &Node, found: &mut BTreeSet<String>) {

@@ -112,6 +112,8 @@ pub(crate) struct Letter {
     pub(crate) reach: Reach,
     /// The sentence that says so.
     pub(crate) sentence: String,
+    /// Whether it means something else besides: types decide where.
+    pub(crate) besides: bool,
 }
 
 /// What a mark or a label does to the letter that carries it.
@@ -215,7 +217,7 @@ impl Letters {
                 } else {
                     l.loose == loose
                 };
-                same && l.reach.covers(at, number)
+                same && !l.besides && l.reach.covers(at, number)
             };
             // The later of two equally narrow ones replaces the earlier.
             let fitting = self.letters.iter().filter(fits);
@@ -235,6 +237,12 @@ impl Letters {
         let found = self.find(spelled, loose, at, number)?;
         let apart = found.spelled != spelled && self.written.contains(&found.spelled);
         (!apart).then_some(found)
+    }
+
+    /// What a letter means besides.
+    pub(crate) fn besides(&self, spelled: &str, at: &At) -> Option<&Letter> {
+        let fits = |l: &&Letter| l.besides && l.spelled == spelled && l.reach.covers(at, 0);
+        self.letters.iter().find(fits)
     }
 
     /// One formula that has a letter bold and plain means two letters, wherever they stand.

@@ -28,6 +28,8 @@ pub(crate) struct Lowering<'a> {
     pub(crate) unknown: BTreeSet<String>,
     /// The frames of components that were met since it was last emptied.
     pub(crate) frames_seen: BTreeSet<usize>,
+    /// Where letters have the meaning that they have besides: a writing, and which of its occurrences.
+    pub(crate) besides: BTreeSet<(String, usize)>,
     /// How often each writing stood on the line so far.
     pub(crate) counts: HashMap<String, usize>,
     pub(super) only_known: bool,
@@ -52,6 +54,7 @@ impl<'a> Lowering<'a> {
             shapes,
             unknown: BTreeSet::new(),
             frames_seen: BTreeSet::new(),
+            besides: BTreeSet::new(),
             counts: HashMap::new(),
             only_known: false,
             depth: 0,
@@ -82,9 +85,13 @@ impl<'a> Lowering<'a> {
         if self.depth >= DEEPEST {
             return beyond("meanings that go round in a circle");
         }
+        // What stands in a meaning does not stand on the line.
+        let besides = std::mem::take(&mut self.besides);
+        let counts = self.counts.clone();
         self.depth += 1;
         let value = value(self);
         self.depth -= 1;
+        (self.besides, self.counts) = (besides, counts);
         value
     }
 

@@ -19,6 +19,11 @@ impl Lowering<'_> {
     pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
         let exact = spell(symbol, true);
         let number = self.count(&exact);
+        if self.besides.contains(&(exact.clone(), number))
+            && let Some(letter) = self.letters.besides(&exact, self.at).cloned()
+        {
+            return self.meant(&letter, symbol, None);
+        }
         if let Some(letter) = self
             .letters
             .find_lone(&exact, &spell(symbol, false), self.at, number)
