@@ -103,7 +103,8 @@ impl Parser<'_, '_> {
             ) => true,
             // Behind a space that is written, a script belongs to what follows: `R\,^{W}I`.
             Some(Lexeme::Superscript) => {
-                self.at > 0 && matches!(self.tokens[self.at - 1].kind, Lexeme::Space(_))
+                let space = |at: usize| matches!(self.tokens[at].kind, Lexeme::Space(_));
+                self.at > 0 && (space(self.at - 1) || self.script_leads_a_matrix())
             }
             Some(Lexeme::Text(text)) => {
                 super::text::is_symbol(text) || super::function::named(text.trim()).is_some()

@@ -20,6 +20,7 @@ impl<'t, 'a> Parser<'t, 'a> {
                     let tokens = self.argument();
                     node = self.subscript(node, tokens);
                 }
+                Some(Lexeme::Superscript) if self.script_leads_a_matrix() => break,
                 Some(Lexeme::Superscript) => {
                     self.at += 1;
                     let tokens = self.argument();
@@ -36,6 +37,20 @@ impl<'t, 'a> Parser<'t, 'a> {
             node.span = self.since(start);
         }
         node
+    }
+
+    /// Whether a frame stands apart from what is before it and right before a matrix: it belongs to that.
+    pub(super) fn script_leads_a_matrix(&self) -> bool {
+        let apart = self.tokens.get(self.at).is_some_and(|t| t.spaced);
+        if !apart || self.peek() != Some(Lexeme::Superscript) {
+            return false;
+        }
+        let mut probe = self.clone();
+        probe.at += 1;
+        let label = text::plain(probe.argument());
+        let frame = label.chars().all(char::is_alphabetic) && !matches!(label.as_str(), "T" | "top");
+        probe.skip_spaces();
+        frame && matches!(probe.peek(), Some(Lexeme::Begin(_)))
     }
 
     fn script_is_empty(&self) -> bool {

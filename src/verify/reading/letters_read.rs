@@ -8,6 +8,7 @@ use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 20] = [
@@ -338,14 +339,19 @@ impl Builder<'_> {
             let (Term::Formula(subject), Term::Formula(other)) = (subject, other) else {
                 continue;
             };
-            // A letter that is told already is equal to the other there.
+            // A letter that is told already is equal to the other there, or another thing if it is of another kind.
             if self.quantity_of(subject, declaration).is_some() {
                 let left = self.formula_value(subject, declaration);
                 let right = self.formula_value(other, declaration);
-                if let (Some(left), Some(right)) = (left, right) {
-                    self.hold_equal(&left, &right, declaration);
+                let size = |value: &Value| (value.rows, value.columns);
+                match (left, right) {
+                    (Some(left), Some(right)) if size(&left) == size(&right) => {
+                        self.hold_equal(&left, &right, declaration);
+                        continue;
+                    }
+                    (Some(_), Some(_)) => {}
+                    _ => continue,
                 }
-                continue;
             }
             if let Some(node) = node_of(other) {
                 self.denote(subject, Meaning::Same(Box::new(node.clone())), declaration);

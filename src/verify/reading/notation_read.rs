@@ -105,6 +105,9 @@ impl Builder<'_> {
             Sign::Operator(formula) => {
                 self.read_operator_rule(formula, meaning, effect, declaration)
             }
+            Sign::Custom("frame at the upper left") => {
+                self.reading.letters.raised_frames = *meaning == NotationMeaning::Fixed("that frame");
+            }
             Sign::Custom(_) => {}
         }
     }

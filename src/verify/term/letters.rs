@@ -187,6 +187,8 @@ pub(crate) struct Letters {
     pub(crate) summed: bool,
     /// The frame of components that say no other.
     pub(crate) component_frame: FrameId,
+    /// A frame written above a letter takes components on it.
+    pub(crate) raised_frames: bool,
     /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
     pub(crate) integrals: bool,
     /// Letters that with a cross behind them are matrices: `ω×`.

@@ -148,7 +148,12 @@ impl Lowering<'_> {
             let mut base = symbol.clone();
             let label = plain(label);
             base.superscripts.pop();
-            if let Some(effect) = self.effect_of(&label, false) {
+            let raised = || {
+                let frame = self.letters.frame(&label)?;
+                let means = self.letters.raised_frames;
+                means.then_some(Effect::ComponentsOn(frame))
+            };
+            if let Some(effect) = self.effect_of(&label, false).or_else(raised) {
                 return match self.known(&base)? {
                     Some((value, _)) => self.affected(value, &effect).map(Some),
                     None => Ok(None),
