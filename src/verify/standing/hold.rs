@@ -7,7 +7,7 @@ use crate::verify::facts::premises::{Facts, OutOfBudget};
 use crate::verify::facts::proof::prove;
 use crate::verify::facts::world::World;
 use crate::verify::standing::chains::Link;
-use crate::verify::standing::indices::{assignments, free_letters};
+use crate::verify::standing::indices::{assignments, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::{Shown, shown};
 use crate::verify::standing::sides::{Both, both};
@@ -196,9 +196,11 @@ impl Judge<'_> {
 
     /// Both sides of a link, for every axis that its free indices may number.
     fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
-        let free = free_letters(&self.reading.letters, &self.at, &[&link.left, &link.right]);
+        let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
+        let free = || assignments(&free_letters(letters, &self.at, &nodes));
+        let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);
         let mut all = Sides::default();
-        for axes in assignments(&free) {
+        for axes in readings {
             let mut lowering = Lowering::new(
                 &mut self.reading.system,
                 &self.reading.letters,

@@ -1,9 +1,9 @@
 //! Index letters of a line: those that stand for each axis in turn, and those that are summed over.
 
-use crate::notation::ast::{Kind, Node};
-use crate::verify::term::indices::axis_letters;
-use crate::verify::term::letters::{At, Letters};
-use std::collections::BTreeMap;
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::term::indices::{axis_letters, with_number};
+use crate::verify::term::letters::{At, Letters, spell};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The letters that a line holds for each of: all of them, or with the convention of sums those that stand alone in a
 /// term.
@@ -45,4 +45,47 @@ pub(crate) fn assignments(free: &[String]) -> Vec<BTreeMap<String, usize>> {
             .collect();
     }
     all
+}
+
+/// Letters of custom for the axes 1, 2, 3, one behind the other.
+const CUSTOMARY: [&str; 3] = ["i", "j", "k"];
+
+/// The ways to read `i`, `j` and `k` in cyclic order, where no sentence says what they number: as the numbers of letters
+/// that are told with 1, 2 and 3.
+pub(crate) fn cyclic_assignments(
+    letters: &Letters,
+    at: &At,
+    sides: &[&Node],
+) -> Option<Vec<BTreeMap<String, usize>>> {
+    let mut numbered = BTreeSet::new();
+    for side in sides {
+        numbers(letters, at, side, &mut numbered)?;
+    }
+    let turned = |shift: usize| {
+        let letters = CUSTOMARY.iter().enumerate();
+        letters.map(move |(at, letter)| ((*letter).to_owned(), (at + shift) % 3))
+    };
+    let all = numbered.len() == CUSTOMARY.len();
+    all.then(|| (0..3).map(|shift| turned(shift).collect()).collect())
+}
+
+/// Collects the letters that number others; `None` where one has another meaning, or what it numbers is not told.
+fn numbers(letters: &Letters, at: &At, node: &Node, found: &mut BTreeSet<String>) -> Option<()> {
+    if let Kind::Symbol(symbol) = &node.kind
+        && let Some(last) = symbol.subscripts.last()
+        && CUSTOMARY.contains(&last.as_str())
+    {
+        let told = |other: &Symbol| letters.find(&spell(other, true), &spell(other, false), at, 0);
+        let one = |number: &str| told(&with_number(symbol, number)).is_some();
+        let own = told(symbol).is_some() || letters.index(last, at).is_some();
+        if own || !["1", "2", "3"].into_iter().all(one) {
+            return None;
+        }
+        found.insert(last.clone());
+    }
+    if matches!(node.kind, Kind::IndexedSum { .. }) {
+        return None;
+    }
+    node.children()
+        .try_for_each(|child| numbers(letters, at, child, found))
 }

@@ -37,6 +37,17 @@ pub(crate) struct Judged {
     pub(crate) sides: Vec<(Fraction, Fraction)>,
 }
 
+/// A line that waits for letters.
+struct Waiting {
+    /// Its place among the lines that are judged.
+    place: usize,
+    line: Line,
+    links: Vec<Link>,
+    purpose: Purpose,
+    /// Whether it was looked at again already.
+    second_time: bool,
+}
+
 /// A document under way.
 pub(crate) struct Judge<'a> {
     pub(super) document: &'a Document,
@@ -51,8 +62,8 @@ pub(crate) struct Judge<'a> {
     headings: Headings,
     /// The accepted lines that are in force.
     settled_taken: Vec<usize>,
-    /// Lines of the paragraph that wait for letters, with what they are for.
-    waiting: Vec<(usize, Line, Vec<Link>, Purpose)>,
+    /// Lines of this paragraph and of the one before it that wait.
+    waiting: Vec<Waiting>,
     /// The accepted lines that define letters, by their numbers.
     defining: Vec<(usize, Vec<Link>)>,
     /// How many dimensions space has at the last line.
@@ -164,6 +175,7 @@ impl<'a> Judge<'a> {
         let waits = held
             .iter()
             .any(|h| !h.unknown.is_empty() && h.standing != Standing::Settles);
+        let unknown = held.iter().any(|h| !h.unknown.is_empty());
         let defines = held.iter().any(|h| h.standing == Standing::Settles);
         let before = self.judged.len();
         self.conclude(line, purpose, held);
@@ -173,8 +185,14 @@ impl<'a> Judge<'a> {
         if defines && answer == Answer::Accepted {
             self.defining.push((self.at.line, links.clone()));
         }
-        if waits && answer != Answer::Proved {
-            self.waiting.push((before, line.clone(), links, purpose));
+        if waits && answer != Answer::Proved || unknown && answer == Answer::Undecided {
+            self.waiting.push(Waiting {
+                place: before,
+                line: line.clone(),
+                links,
+                purpose,
+                second_time: false,
+            });
         }
     }
 
@@ -199,18 +217,32 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Looks once more at the lines of a paragraph that waited for what its later lines define.
+    /// Looks once more at lines that waited for what later lines of their paragraph, or of the next, define.
     fn look_again(&mut self) {
-        for (place, line, links, purpose) in std::mem::take(&mut self.waiting) {
+        for mut waiting in std::mem::take(&mut self.waiting) {
+            let Waiting {
+                place,
+                line,
+                links,
+                purpose,
+                ..
+            } = &waiting;
+            let (place, purpose) = (*place, *purpose);
             let at = std::mem::replace(&mut self.at, self.judged[place].at.clone());
+            self.take_premises();
+            self.enter_space();
             let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
-            if held.iter().all(|h| h.unknown.is_empty()) {
+            let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
+            if held.iter().all(told) {
                 let end = self.judged.len();
-                self.conclude(&line, purpose, held);
+                self.conclude(line, purpose, held);
                 if let Some(last) = self.judged.get(end).cloned() {
                     self.judged.truncate(end);
                     self.judged[place] = last;
                 }
+            } else if !waiting.second_time {
+                waiting.second_time = true;
+                self.waiting.push(waiting);
             }
             self.at = at;
         }

@@ -1,8 +1,17 @@
 //! The letters in a formula that number axes.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::term::letters::{At, Letters, plain};
 use std::collections::BTreeMap;
+
+/// A symbol with a number in place of its last label.
+pub(crate) fn with_number(symbol: &Symbol, number: &str) -> Symbol {
+    let mut numbered = symbol.clone();
+    if let Some(last) = numbered.subscripts.last_mut() {
+        number.clone_into(last);
+    }
+    numbered
+}
 
 /// How often each letter that numbers axes stands in a formula.
 pub(crate) fn axis_letters(letters: &Letters, at: &At, node: &Node) -> BTreeMap<String, usize> {

@@ -5,6 +5,7 @@ use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
+use crate::verify::term::indices::with_number;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, plain, spell};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
@@ -33,6 +34,9 @@ impl Lowering<'_> {
         }
         if let Some(value) = self.reindexed(symbol)? {
             return Ok(value);
+        }
+        if let Some(letter) = self.by_number(symbol) {
+            return self.meant(&letter, symbol, None);
         }
         if let Some(value) = self.by_frames(symbol) {
             return value;
@@ -122,6 +126,21 @@ impl Lowering<'_> {
             }
         }
         Ok(None)
+    }
+
+    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`.
+    fn by_number(&self, symbol: &Symbol) -> Option<Letter> {
+        let index = symbol.subscripts.last()?;
+        let axis = self.axis_of_letter(index)?;
+        // A sentence that says what an index numbers says so of vectors.
+        if self.letters.index(index, self.at).is_some() {
+            return None;
+        }
+        let other = with_number(symbol, &(axis + 1).to_string());
+        let found = self
+            .letters
+            .find(&spell(&other, true), &spell(&other, false), self.at, 0);
+        found.cloned()
     }
 
     /// ω_{B/N}, ω_{BN}: the angular velocity of one frame relative to another.
