@@ -79,7 +79,7 @@ fn convention(reading: &Reading, declarations: &[Declaration]) -> Convention {
         _ => false,
     };
     Convention {
-        name: match reading.letters.integrals {
+        name: match reading.letters.customs.integrals {
             true => "integrals",
             false => "entries",
         },

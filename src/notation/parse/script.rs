@@ -48,7 +48,8 @@ impl<'t, 'a> Parser<'t, 'a> {
         let mut probe = self.clone();
         probe.at += 1;
         let label = text::plain(probe.argument());
-        let frame = label.chars().all(char::is_alphabetic) && !matches!(label.as_str(), "T" | "top");
+        let frame =
+            label.chars().all(char::is_alphabetic) && !matches!(label.as_str(), "T" | "top");
         probe.skip_spaces();
         frame && matches!(probe.peek(), Some(Lexeme::Begin(_)))
     }

@@ -54,7 +54,7 @@ pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> 
         points_of: vec![],
         hubs: vec![],
     };
-    builder.reading.letters.integrals = true;
+    builder.reading.letters.customs.integrals = true;
     builder.reading.letters.written = written;
     conditional.iter().for_each(|d| builder.say_unused(d));
     builder.name_frames();

@@ -50,14 +50,14 @@ impl Builder<'_> {
         let products =
             |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
         if subjects.iter().any(products) {
-            self.reading.letters.integrals = what.head == "integral";
+            self.reading.letters.customs.integrals = what.head == "integral";
         }
     }
 
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
         if matches!(sign, Sign::Custom("repeated axis index" | "repeated index")) {
-            self.reading.letters.summed = *meaning == NotationMeaning::Fixed("summed");
+            self.reading.letters.customs.summed = *meaning == NotationMeaning::Fixed("summed");
             return;
         }
         // Of which letters a function is, its own law says; and a × b is the cross product anyhow.
@@ -106,7 +106,8 @@ impl Builder<'_> {
                 self.read_operator_rule(formula, meaning, effect, declaration)
             }
             Sign::Custom("frame at the upper left") => {
-                self.reading.letters.raised_frames = *meaning == NotationMeaning::Fixed("that frame");
+                self.reading.letters.customs.raised_frames =
+                    *meaning == NotationMeaning::Fixed("that frame");
             }
             Sign::Custom(_) => {}
         }

@@ -84,7 +84,11 @@ impl Builder<'_> {
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
                     let reach = reach_of(&declaration.extent);
-                    self.reading.letters.dimensions.push((reach, *number));
+                    self.reading
+                        .letters
+                        .customs
+                        .dimensions
+                        .push((reach, *number));
                 }),
                 _ => None,
             },

@@ -92,7 +92,7 @@ impl Builder<'_> {
         let on = on.unwrap_or(self.reading.letters.component_frame);
         for (place, formula) in formulas(subjects).enumerate() {
             let [row, column] = labelled_entry(formula).or(ENTRIES.get(place).copied())?;
-            let integral = self.reading.letters.integrals && is_tensor(&of);
+            let integral = self.reading.letters.customs.integrals && is_tensor(&of);
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),
                 row,

@@ -298,7 +298,8 @@ impl Judge<'_> {
     /// line.
     fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
         let all = self.premises();
-        let short = |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
+        let short =
+            |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
         let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
         for (_, source) in &all {
             let own = all.iter().filter(|(_, other)| other == source);

@@ -66,13 +66,12 @@ pub(crate) struct Judge<'a> {
     waiting: Vec<Waiting>,
     /// The accepted lines that define letters, by their numbers.
     defining: Vec<(usize, Vec<Link>)>,
-    /// How many dimensions space has at the last line.
-    dimensions: usize,
 }
 
 impl<'a> Judge<'a> {
     pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
-        let reading = build(declarations, written_symbols(document));
+        let mut reading = build(declarations, written_symbols(document));
+        reading.system.set_dimensions(3);
         let shapes = reading.shapes.clone();
         Self {
             document,
@@ -87,7 +86,6 @@ impl<'a> Judge<'a> {
             settled_taken: vec![],
             waiting: vec![],
             defining: vec![],
-            dimensions: 3,
         }
     }
 
@@ -199,10 +197,9 @@ impl<'a> Judge<'a> {
     /// In a space of another number of dimensions every letter is another variable, and is defined there anew.
     fn enter_space(&mut self) {
         let dimensions = self.reading.letters.dimensions_at(&self.at);
-        if dimensions == self.dimensions {
+        if dimensions == self.reading.system.dimensions() {
             return;
         }
-        self.dimensions = dimensions;
         self.shapes = match dimensions {
             3 => self.reading.shapes.clone(),
             _ => HashMap::new(),
@@ -262,8 +259,7 @@ impl<'a> Judge<'a> {
         self.settled_taken = settled;
         let all = self.premises();
         self.facts = Facts::default();
-        self.facts
-            .extend_all(&mut self.reading.system.atoms, all);
+        self.facts.extend_all(&mut self.reading.system.atoms, all);
     }
 
     /// What is declared or was accepted, and is in force.

@@ -72,10 +72,7 @@ impl System {
                 let way = self.place(of, *from);
                 let axis = self.value_of(axis)?.to_vector()?;
                 let across = mechanics::cross(&axis, &way);
-                match self.atoms.root(&across.dot(&across)) {
-                    Some(root) => Value::scalar(root),
-                    None => return beyond("a distance that is not worked out"),
-                }
+                self.root(&across.dot(&across))?
             }
             _ => return beyond("a quantity that is not worked out"),
         })

@@ -20,11 +20,7 @@ impl Lowering<'_> {
             Function::Trace => Ok(Value::scalar(value.to_matrix()?.trace())),
             Function::Sqrt => {
                 let inside = value.to_scalar()?;
-                let root = self.system.atoms.root(&inside);
-                root.map_or_else(
-                    || beyond("a root that is not worked out"),
-                    |r| Ok(Value::scalar(r)),
-                )
+                self.system.root(&inside)
             }
             Function::Diag => {
                 let d = value.to_vector()?;

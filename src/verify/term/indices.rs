@@ -1,7 +1,8 @@
 //! The letters in a formula that number axes.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::term::letters::{At, Letters, plain};
+use crate::verify::term::letters::{At, Letter, Letters, plain, spell};
+use crate::verify::term::lower::Lowering;
 use std::collections::BTreeMap;
 
 /// A symbol with a number in place of its last label.
@@ -48,4 +49,21 @@ fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, u
     }
     node.children()
         .for_each(|child| count(letters, at, child, found));
+}
+
+impl Lowering<'_> {
+    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`.
+    pub(super) fn by_number(&self, symbol: &Symbol) -> Option<Letter> {
+        let index = symbol.subscripts.last()?;
+        let axis = self.axis_of_letter(index)?;
+        // A sentence that says what an index numbers says so of vectors.
+        if self.letters.index(index, self.at).is_some() {
+            return None;
+        }
+        let other = with_number(symbol, &(axis + 1).to_string());
+        let found = self
+            .letters
+            .find(&spell(&other, true), &spell(&other, false), self.at, 0);
+        found.cloned()
+    }
 }

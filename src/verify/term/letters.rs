@@ -183,14 +183,9 @@ pub(crate) struct Letters {
     pub(crate) indices: Vec<IndexRule>,
     /// Frames by the labels that they may have.
     pub(crate) frame_names: Vec<(String, FrameId)>,
-    /// A repeated axis index is summed.
-    pub(crate) summed: bool,
     /// The frame of components that say no other.
     pub(crate) component_frame: FrameId,
-    /// A frame written above a letter takes components on it.
-    pub(crate) raised_frames: bool,
-    /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
-    pub(crate) integrals: bool,
+    pub(crate) customs: Customs,
     /// Letters that with a cross behind them are matrices: `ω×`.
     pub(crate) crossing: Vec<String>,
     /// ω_{X/Y} for any frames.
@@ -199,6 +194,17 @@ pub(crate) struct Letters {
     pub(crate) written: BTreeSet<String>,
     /// Writings that stand for other formulas.
     pub(crate) means: Vec<(String, Node, Reach)>,
+}
+
+/// How the author writes all letters.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Customs {
+    /// A repeated axis index is summed.
+    pub(crate) summed: bool,
+    /// A frame written above a letter takes components on it.
+    pub(crate) raised_frames: bool,
+    /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
+    pub(crate) integrals: bool,
     /// How many dimensions space has, where.
     pub(crate) dimensions: Vec<(Reach, usize)>,
 }
@@ -285,6 +291,7 @@ impl Letters {
     /// How many dimensions space has at a place.
     pub(crate) fn dimensions_at(&self, at: &At) -> usize {
         let told = self
+            .customs
             .dimensions
             .iter()
             .filter(|(reach, _)| reach.covers(at, 0));
@@ -296,6 +303,12 @@ impl Letters {
         let fits = |r: &&IndexRule| r.letter == letter && r.reach.covers(at, 0);
         let rules = self.indices.iter().filter(fits);
         rules.max_by_key(|r| r.reach.narrowness())
+    }
+
+    /// What a frame above a letter does to it, where that is a custom.
+    pub(crate) fn raised_frame(&self, label: &str) -> Option<Effect> {
+        let frame = self.frame(label).filter(|_| self.customs.raised_frames);
+        frame.map(Effect::ComponentsOn)
     }
 
     pub(crate) fn frame(&self, name: &str) -> Option<FrameId> {

@@ -234,17 +234,15 @@ impl<'a> Lowering<'a> {
             }
         }
         let value = self.value(base)?;
-        let Some(power) = exponent.to_rational() else {
-            return beyond("a power that is no number");
-        };
-        if let Some(power) = power.to_integer() {
+        if let Some(power) = exponent.to_rational().and_then(|p| p.to_integer()) {
             return self.whole_power(&value, power);
         }
-        let (twice, base) = (power * Rational::from(2), value.to_scalar()?);
-        match (twice.to_integer(), self.system.atoms.root(&base)) {
-            (Some(twice), Some(root)) => self.whole_power(&Value::scalar(root), twice),
-            _ => beyond("a root that is not worked out"),
-        }
+        let twice = exponent.to_rational().map(|p| p * Rational::from(2));
+        let Some(twice) = twice.and_then(|twice| twice.to_integer()) else {
+            return beyond("a power that is no whole or half number");
+        };
+        let root = self.system.root(&value.to_scalar()?)?;
+        self.whole_power(&root, twice)
     }
 
     fn whole_power(&mut self, value: &Value, power: i64) -> Valued {
@@ -300,10 +298,7 @@ impl<'a> Lowering<'a> {
             true => value.entries[0].clone() * value.entries[0].clone(),
             false => self.system.dot(&value, &value, custom)?.to_scalar()?,
         };
-        match self.system.atoms.root(&square) {
-            Some(root) => Ok(Value::scalar(root)),
-            None => beyond("a length that is not worked out"),
-        }
+        self.system.root(&square)
     }
 
     fn in_frame(&mut self, inner: &Node, label: &str) -> Valued {
@@ -311,7 +306,7 @@ impl<'a> Lowering<'a> {
             let value = self.value(inner)?;
             return match (&effect, self.lists_rates(inner)) {
                 (Effect::RateSeenFrom(_), Some(true)) => Ok(value),
-                (Effect::RateSeenFrom(_), Some(false)) => beyond("rates with two labels"),
+                (Effect::RateSeenFrom(_), Some(false)) => Err(Trouble::Unknown(label.to_owned())),
                 _ => self.affected(value, &effect),
             };
         }

@@ -179,6 +179,14 @@ impl System {
         Ok(rate)
     }
 
+    /// The square root of a number: a length by its square.
+    pub(crate) fn root(&mut self, of: &Fraction) -> Valued {
+        match self.atoms.root(of) {
+            Some(root) => Ok(Value::scalar(root)),
+            None => beyond("a root that is not worked out"),
+        }
+    }
+
     /// The inverse of a number or of a matrix.
     pub(crate) fn inverse(&mut self, value: &Value) -> Valued {
         if value.is_scalar() {

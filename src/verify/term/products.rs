@@ -10,6 +10,9 @@ use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Value, Valued, beyond};
 use std::collections::BTreeMap;
 
+/// Why a product without factors has no value.
+const EMPTY: &str = "an empty product";
+
 impl Lowering<'_> {
     /// The value of a product.
     pub(super) fn product(&mut self, factors: &[Factor]) -> Valued {
@@ -47,13 +50,13 @@ impl Lowering<'_> {
         }
         match values.into_iter().next() {
             Some((_, value)) => Ok(value),
-            None => beyond("an empty product"),
+            None => beyond(EMPTY),
         }
     }
 
     /// A letter without an axis that stands once in each of two factors: it is summed over, where that is the convention.
     fn summed_letter(&self, factors: &[Factor]) -> Option<String> {
-        if !self.letters.summed {
+        if !self.letters.customs.summed {
             return None;
         }
         let mut times: BTreeMap<String, Vec<usize>> = BTreeMap::new();
@@ -127,7 +130,7 @@ impl Lowering<'_> {
         }
         let custom = self.custom();
         let Some(mut product) = values.pop() else {
-            return beyond("an empty product");
+            return beyond(EMPTY);
         };
         while let Some(left) = values.pop() {
             // Numbers wait: a row before a number and a column is taken as a row before a column.

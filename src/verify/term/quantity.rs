@@ -7,7 +7,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{
     BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
 };
-use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 
 /// A place: a point, or a member of a family.
 #[derive(Clone, Debug, PartialEq)]
@@ -235,10 +235,7 @@ impl System {
             }
             Quantity::Magnitude(of) => {
                 let vector = self.value_of(of)?.to_vector()?;
-                match self.atoms.root(&vector.dot(&vector)) {
-                    Some(root) => Value::scalar(root),
-                    None => return beyond("a length that is not worked out"),
-                }
+                self.root(&vector.dot(&vector))?
             }
             Quantity::Axis(frame, axis) => itself(self.axis(*frame, *axis)),
             Quantity::Rotation { from, to } => self.identity([Basis::On(*to), Basis::On(*from)]),

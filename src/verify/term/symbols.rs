@@ -5,7 +5,6 @@ use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
-use crate::verify::term::indices::with_number;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, plain, spell};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
@@ -128,21 +127,6 @@ impl Lowering<'_> {
         Ok(None)
     }
 
-    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`.
-    fn by_number(&self, symbol: &Symbol) -> Option<Letter> {
-        let index = symbol.subscripts.last()?;
-        let axis = self.axis_of_letter(index)?;
-        // A sentence that says what an index numbers says so of vectors.
-        if self.letters.index(index, self.at).is_some() {
-            return None;
-        }
-        let other = with_number(symbol, &(axis + 1).to_string());
-        let found = self
-            .letters
-            .find(&spell(&other, true), &spell(&other, false), self.at, 0);
-        found.cloned()
-    }
-
     /// ω_{B/N}, ω_{BN}: the angular velocity of one frame relative to another.
     fn by_frames(&mut self, symbol: &Symbol) -> Option<Valued> {
         if !self.letters.angular_velocities.contains(&symbol.name) {
@@ -167,12 +151,8 @@ impl Lowering<'_> {
             let mut base = symbol.clone();
             let label = plain(label);
             base.superscripts.pop();
-            let raised = || {
-                let frame = self.letters.frame(&label)?;
-                let means = self.letters.raised_frames;
-                means.then_some(Effect::ComponentsOn(frame))
-            };
-            if let Some(effect) = self.effect_of(&label, false).or_else(raised) {
+            let effect = self.effect_of(&label, false);
+            if let Some(effect) = effect.or_else(|| self.letters.raised_frame(&label)) {
                 return match self.known(&base)? {
                     Some((value, _)) => self.affected(value, &effect).map(Some),
                     None => Ok(None),
@@ -268,8 +248,9 @@ impl Lowering<'_> {
             [axis] => at(axis, axis),
             [row, column] if value.is_matrix() => {
                 let entry = at(row, column);
-                let integral =
-                    self.letters.integrals && row != column && self.written_as_products(value);
+                let integral = self.letters.customs.integrals
+                    && row != column
+                    && self.written_as_products(value);
                 if integral { entry.map(|e| -e) } else { entry }
             }
             _ => None,
