@@ -253,7 +253,7 @@ impl Facts {
     ) {
         match self.put(atoms, &equation, &source) {
             Ok(Extended::Contradicts | Extended::Unsolved) | Err(OutOfBudget) => {
-                return self.miss(&source);
+                self.miss(&source);
             }
             Ok(put) if order < 2 => {
                 if let Some(rate) = self.new_rate(atoms, put, &equation, &source) {
