@@ -244,3 +244,96 @@ $$ W^T = -W $$
 ";
     assert_eq!(judged(sentences, text), "app");
 }
+
+#[test]
+fn types_tell_which_of_two_meanings_a_letter_has() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\alpha$, $\\beta$, $\\gamma$ are the Euler angles of B relative to N in the order z, y, x.
+$\\beta$ is also the column of $\\alpha$, $\\beta$ and $\\gamma$.
+$w$ is the angular velocity of B relative to N in components on B.
+";
+    let text = r"
+$$ \beta = (\alpha, \beta, \gamma)^T $$
+$$ \dot\beta = (\dot\alpha, \dot\beta, \dot\gamma)^T $$
+$$ w = \begin{bmatrix} -\sin\beta & 0 & 1 \\ \cos\beta\sin\gamma & \cos\gamma & 0 \\ \cos\beta\cos\gamma & -\sin\gamma & 0 \end{bmatrix} \dot\beta $$
+$$ w = \begin{bmatrix} \sin\beta & 0 & 1 \\ \cos\beta\sin\gamma & \cos\gamma & 0 \\ \cos\beta\cos\gamma & -\sin\gamma & 0 \end{bmatrix} \dot\beta $$
+";
+    assert_eq!(judged(sentences, text), "pppr");
+}
+
+#[test]
+fn letters_with_numbers_are_read_in_cyclic_order() {
+    let sentences = format!(
+        "{BODY}$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\vec\\omega$ on B.
+$A_1$, $A_2$, $A_3$ are the principal moments of the body about G on B.
+No moment acts on the body about G.
+"
+    );
+    let text = r"
+$$ A_i\dot\omega_i = (A_j - A_k)\,\omega_j\omega_k $$
+$$ A_i\dot\omega_i = (A_k - A_j)\,\omega_j\omega_k $$
+";
+    assert_eq!(judged(&sentences, text), "pr");
+}
+
+#[test]
+fn an_integral_reaches_behind_a_differential_that_comes_first() {
+    let text = r"
+$$ \vec L = \int dm\, \vec r\times(\vec\omega\times\vec r) $$
+";
+    let (document, _) = read("a document", text, Format::Markdown);
+    let report = polhode::verify::check(&document);
+    let verdicts: Vec<_> = report.findings.iter().map(|f| f.verdict.name()).collect();
+    assert_ne!(verdicts, ["refuted"]);
+}
+
+#[test]
+fn a_line_that_later_words_explain_is_looked_at_again() {
+    let sentences = format!("{BODY}$\\vec r$ is any vector.\n");
+    let text = r"
+It follows that
+
+$$ \vec c = \vec a + \vec\omega\times\vec L $$
+
+where $\vec a = \mathbf J\dot{\vec\omega}$ and $\vec c = \vec M$.
+";
+    assert_eq!(judged(&sentences, text), "paa");
+}
+
+#[test]
+fn bold_and_plain_of_one_sentence_are_two_letters() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+C is the mass centre of the body.
+$\\mathbf w$ is the angular velocity of B relative to N.
+$\\hat{\\mathbf n}$ is a unit vector.
+$\\mathbf w = w\\hat{\\mathbf n}$.
+$T$ is the kinetic energy of rotation of the body relative to N.
+$I$ is the moment of inertia of the body about the axis through C along $\\hat{\\mathbf n}$.
+";
+    let text = r"
+$$ T = \tfrac12 I w^2 $$
+$$ T = I w^2 $$
+";
+    let verdicts = judged(sentences, text);
+    assert!(
+        verdicts.starts_with('p') && !verdicts.ends_with('p'),
+        "{verdicts}"
+    );
+}
+
+#[test]
+fn rarer_notation_means_what_it_means_when_written_plainly() {
+    let sentences = "$a$, $b$, $c$ and $d$ are constant.
+$\\vec v$ is any vector.
+";
+    let text = r"
+$$ \begin{bmatrix} a + b \\ c - d \end{bmatrix} = \left[ {\begin{matrix} a \\ c \end{matrix}} \hspace{.5cm} \begin{matrix} + \\ - \end{matrix} \begin{matrix} b \\ d \end{matrix} \right] $$
+$$ \begin{bmatrix} a + b \\ c + d \end{bmatrix} = \left[ {\begin{matrix} a \\ c \end{matrix}} \hspace{.5cm} \begin{matrix} + \\ - \end{matrix} \begin{matrix} b \\ d \end{matrix} \right] $$
+$$ ||\vec v||^2 = \vec v\cdot\vec v $$
+$$ \frac a2\,b = \frac{ab}2 $$
+$$ a^\frac42 = a^2 \quad~Eq. (7) $$
+";
+    assert_eq!(judged(sentences, text), "prppp");
+}
