@@ -35,7 +35,7 @@ impl System {
         }
     }
 
-    /// The matrix that takes what a frame carries to its rate, seen from another frame: [ω]×.
+    /// The matrix that takes what a frame carries to its rate, seen from another frame: `[ω]×`.
     pub(super) fn turning(&mut self, of: FrameId, relative: FrameId, basis: Basis) -> Valued {
         if self.dimensions() == 3 {
             let omega = self.angular_velocity(of, relative);
