@@ -9,8 +9,8 @@ pub(crate) mod world;
 /// Who says that something holds.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Source {
-    /// A line of the document that was accepted, by its number in the file.
-    Line(usize),
+    /// A line of the document that was accepted, by its cell in a notebook and its number there or in the file.
+    Line(Option<usize>, usize),
     /// A sentence by which the author declares something.
     Declared(String),
 }
@@ -19,7 +19,8 @@ impl Source {
     /// The words that `uses` and certificates show.
     pub(crate) fn text(&self) -> String {
         match self {
-            Self::Line(line) => format!("line {line}"),
+            Self::Line(None, line) => format!("line {line}"),
+            Self::Line(Some(cell), line) => format!("line {line} of cell {cell}"),
             Self::Declared(sentence) => format!("declared: {sentence}"),
         }
     }

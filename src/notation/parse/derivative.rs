@@ -66,6 +66,9 @@ impl<'t, 'a> Parser<'t, 'a> {
         variables: Vec<Node>,
         start: usize,
     ) -> Node {
+        if usize::from(above.order) != variables.len() {
+            return self.error("a derivative has the same order above and below its line");
+        }
         let operand = if above.rest.is_empty() {
             self.differentiated()
         } else {
@@ -219,7 +222,7 @@ impl<'t, 'a> Parser<'t, 'a> {
 
     /// `\dv{L}{t}`, `\dv{t}(…)`, `\pdv{F}{x}`, `\dv[2]{r}{t}`.
     pub(super) fn physics_derivative(&mut self, partial: bool, start: usize) -> Node {
-        let mut times = 1;
+        let mut times = 1_u8;
         self.take(Lexeme::Char('*'));
         if self.take(Lexeme::Char('[')) {
             if let Some(Lexeme::Number(digits)) = self.peek() {
@@ -242,7 +245,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         self.derivative(
             Differential {
                 partial,
-                order: times,
+                order: variables.len() as u8,
                 frame: None,
                 rest,
             },

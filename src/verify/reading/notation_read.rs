@@ -60,7 +60,7 @@ impl Builder<'_> {
             self.reading.letters.customs.summed = *meaning == NotationMeaning::Fixed("summed");
             return;
         }
-        // Of which letters a function is, its own law says; and a × b is the cross product anyhow.
+        // Of which coordinates a function is, its own law says; and a × b is the cross product anyhow.
         let functions = match meaning {
             NotationMeaning::FunctionsOf(_) => true,
             NotationMeaning::Noun(phrase) => {
@@ -69,6 +69,10 @@ impl Builder<'_> {
             NotationMeaning::Fixed(_) => false,
         };
         if functions && matches!(sign, Sign::Operator(_)) {
+            if let NotationMeaning::FunctionsOf(letters) = meaning {
+                let letters = letters.iter().filter_map(node_of).cloned();
+                self.reading.letters.arguments.push(letters.collect());
+            }
             return;
         }
         let Some(effect) = self.effect(meaning) else {

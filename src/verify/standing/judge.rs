@@ -64,8 +64,8 @@ pub(crate) struct Judge<'a> {
     settled_taken: Vec<usize>,
     /// Lines of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
-    /// The accepted lines that define letters, by their numbers.
-    defining: Vec<(usize, Vec<Link>)>,
+    /// The accepted lines that define letters.
+    defining: Vec<(Source, Vec<Link>)>,
 }
 
 impl<'a> Judge<'a> {
@@ -159,11 +159,12 @@ impl<'a> Judge<'a> {
         }
         self.take_premises();
         self.enter_space();
-        let mut purpose = purpose(&self.sentence);
+        let mut purpose = purpose(&self.sentence).on(line.continues, &links);
         if let Some(role) = self.reading.role(&self.at) {
             purpose = Purpose {
                 role,
                 derived: role == Role::Claim,
+                ..Purpose::default()
             };
         }
         if line.relations.iter().all(|(r, _)| *r == Relation::Defined) {
@@ -181,7 +182,7 @@ impl<'a> Judge<'a> {
             return;
         };
         if defines && answer == Answer::Accepted {
-            self.defining.push((self.at.line, links.clone()));
+            self.defining.push((self.source(), links.clone()));
         }
         if waits && answer != Answer::Proved || unknown && answer == Answer::Undecided {
             self.waiting.push(Waiting {
@@ -204,11 +205,11 @@ impl<'a> Judge<'a> {
             3 => self.reading.shapes.clone(),
             _ => HashMap::new(),
         };
-        for (line, links) in self.defining.clone() {
+        for (source, links) in self.defining.clone() {
             for link in &links {
                 let held = self.hold(link);
                 if held.settles.is_some() {
-                    self.settle(&held, line);
+                    self.settle(&held, &source);
                 }
             }
         }
@@ -226,7 +227,9 @@ impl<'a> Judge<'a> {
             } = &waiting;
             let (place, purpose) = (*place, *purpose);
             let at = std::mem::replace(&mut self.at, self.judged[place].at.clone());
-            self.take_premises();
+            // What a line says for itself is no premise of it.
+            let own = self.source();
+            self.take_premises_but(Some(&own));
             self.enter_space();
             let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
             let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
@@ -245,10 +248,20 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// The line that is looked at, as one who says that something holds.
+    fn source(&self) -> Source {
+        Source::Line(self.at.cell, self.at.line)
+    }
+
     /// Puts in the declared premises that reach this place, and takes out those that do not.
     fn take_premises(&mut self) {
+        self.take_premises_but(None);
+    }
+
+    /// The same without what one source says.
+    fn take_premises_but(&mut self, own: Option<&Source>) {
         let active = self.reading.active_premises(&self.at);
-        let reaching = |p: &Premise| p.reach.covers(&self.at, 0);
+        let reaching = |p: &Premise| p.reach.covers(&self.at, 0) && Some(&p.source) != own;
         let settled: Vec<usize> = (0..self.reading.settled.len())
             .filter(|&i| reaching(&self.reading.settled[i]))
             .collect();
@@ -275,6 +288,7 @@ impl<'a> Judge<'a> {
         let derived = purpose.derived || self.reading.unused_at(&self.at).is_some();
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
+            (Standing::Denied | Standing::Free, _) if purpose.relates => Standing::Open,
             (standing, _) => standing,
         };
         let answers: Vec<Answer> = held
@@ -287,7 +301,7 @@ impl<'a> Judge<'a> {
         let mut verdict = worst;
         if worst == Answer::Accepted {
             for held in &held {
-                verdict = verdict.max(self.settle(held, self.at.line));
+                verdict = verdict.max(self.settle(held, &self.source()));
             }
         }
         let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
@@ -312,8 +326,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Takes what an accepted line says into the facts.
-    fn settle(&mut self, held: &Held, line: usize) -> Answer {
-        let source = Source::Line(line);
+    fn settle(&mut self, held: &Held, source: &Source) -> Answer {
         if let Some((letter, left, _)) = &held.settles {
             self.shapes.insert(letter.clone(), left.shape());
         }
@@ -334,11 +347,11 @@ impl<'a> Judge<'a> {
         for (left, right) in &held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;
-            match self.facts.extend(atoms, &equation, &source) {
+            match self.facts.extend(atoms, &equation, source) {
                 Ok(Extended::Contradicts) => return Answer::Refuted,
                 Ok(Extended::Follows) => continue,
                 Ok(Extended::Solved(_) | Extended::Square) => {}
-                Ok(Extended::Unsolved) | Err(OutOfBudget) => self.facts.miss(&source),
+                Ok(Extended::Unsolved) | Err(OutOfBudget) => self.facts.miss(source),
             }
             let reach = match held.standing {
                 Standing::Settles => Reach::All,

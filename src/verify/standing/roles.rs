@@ -1,7 +1,9 @@
 //! What a line is for, by the words that lead into it.
 
+use crate::notation::ast::{Kind, Node};
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues};
+use crate::verify::standing::chains::Link;
 
 /// The role of a line and whether words derive it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +11,8 @@ pub(crate) struct Purpose {
     pub(crate) role: Role,
     /// "hence", "we find": it is said to follow.
     pub(crate) derived: bool,
+    /// It is led in as an assumption, but relates several quantities: words alone do not make a law of it.
+    pub(crate) relates: bool,
 }
 
 impl Default for Purpose {
@@ -16,7 +20,42 @@ impl Default for Purpose {
         Self {
             role: Role::Claim,
             derived: false,
+            relates: false,
         }
+    }
+}
+
+impl Purpose {
+    /// A role that words give.
+    fn of(role: Role) -> Self {
+        Self {
+            role,
+            ..Self::default()
+        }
+    }
+
+    /// The purpose of a line with these links. An assumption says what one quantity is; a row that goes on from one
+    /// with more than a quantity is worked out from it.
+    pub(crate) fn on(mut self, continues: bool, links: &[Link]) -> Self {
+        let assumed = matches!(self.role, Role::Assume | Role::Given);
+        let told = |link: &Link| is_quantity(&link.left) && !continues || is_quantity(&link.right);
+        if assumed && !links.iter().all(told) {
+            match continues {
+                true => self.role = Role::Claim,
+                false => self.relates = true,
+            }
+        }
+        self
+    }
+}
+
+/// Whether a formula is one quantity, its rate, its negative, or a number of it.
+fn is_quantity(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Number(_) | Kind::Symbol(_) => true,
+        Kind::Group(_, inner) | Kind::Negate(inner) => is_quantity(inner),
+        Kind::TimeDerivative { operand, .. } => is_quantity(operand),
+        _ => node.children().next().is_none(),
     }
 }
 
@@ -26,21 +65,12 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
     for cue in cues(sentence) {
         purpose = match cue {
             Cue::Derive => Purpose {
-                role: Role::Claim,
                 derived: true,
+                ..Purpose::default()
             },
-            Cue::Define => Purpose {
-                role: Role::Define,
-                derived: false,
-            },
-            Cue::Assume => Purpose {
-                role: Role::Assume,
-                derived: false,
-            },
-            Cue::Give => Purpose {
-                role: Role::Given,
-                derived: false,
-            },
+            Cue::Define => Purpose::of(Role::Define),
+            Cue::Assume => Purpose::of(Role::Assume),
+            Cue::Give => Purpose::of(Role::Given),
         };
     }
     purpose

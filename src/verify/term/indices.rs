@@ -52,18 +52,16 @@ fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, u
 }
 
 impl Lowering<'_> {
-    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`.
-    pub(super) fn by_number(&self, symbol: &Symbol) -> Option<Letter> {
+    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`, and whether a sentence
+    /// says what the index numbers: then it says so of vectors first.
+    pub(super) fn by_number(&self, symbol: &Symbol) -> Option<(Letter, bool)> {
         let index = symbol.subscripts.last()?;
         let axis = self.axis_of_letter(index)?;
-        // A sentence that says what an index numbers says so of vectors.
-        if self.letters.index(index, self.at).is_some() {
-            return None;
-        }
         let other = with_number(symbol, &(axis + 1).to_string());
         let found = self
             .letters
             .find(&spell(&other, true), &spell(&other, false), self.at, 0);
-        found.cloned()
+        let said = self.letters.index(index, self.at).is_some();
+        Some((found.cloned()?, said))
     }
 }

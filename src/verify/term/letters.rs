@@ -192,6 +192,8 @@ pub(crate) struct Letters {
     pub(crate) angular_velocities: Vec<String>,
     /// The symbols that the document writes, spelled.
     pub(crate) written: BTreeSet<String>,
+    /// The lists of letters that partial derivatives take functions of.
+    pub(crate) arguments: Vec<Vec<Node>>,
     /// Writings that stand for other formulas.
     pub(crate) means: Vec<(String, Node, Reach)>,
 }

@@ -306,7 +306,7 @@ impl<'a> Lowering<'a> {
             let value = self.value(inner)?;
             return match (&effect, self.lists_rates(inner)) {
                 (Effect::RateSeenFrom(_), Some(true)) => Ok(value),
-                (Effect::RateSeenFrom(_), Some(false)) => Err(Trouble::Unknown(label.to_owned())),
+                (Effect::RateSeenFrom(_), _) => Err(Trouble::Unknown(label.to_owned())),
                 _ => self.affected(value, &effect),
             };
         }

@@ -1,5 +1,6 @@
 //! Derivatives in time and in other things.
 
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::letters::{Effect, Mark, plain};
@@ -116,20 +117,41 @@ impl Lowering<'_> {
         self.system.quotient(&top, &bottom)
     }
 
-    /// ∂f/∂x, with everything that laws tell put in and all other free variables held fixed.
+    /// What the author says that ∂/∂x takes functions of, where that is said.
+    fn arguments_with(&mut self, by: &Value) -> Result<Vec<Variable>, Trouble> {
+        for list in self.letters.arguments.clone() {
+            let mut arguments = vec![];
+            for node in &list {
+                arguments.extend(self.value(node)?.entries);
+            }
+            if by.entries.iter().all(|entry| arguments.contains(entry)) {
+                let variables = arguments.iter().filter_map(Fraction::as_variable);
+                return Ok(variables.map(|v| self.system.renamed(v)).collect());
+            }
+        }
+        Ok(vec![])
+    }
+
+    /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
     fn partial(&mut self, value: &Value, by: &Value) -> Valued {
-        let expanded: Vec<_> = value
-            .entries
-            .iter()
-            .map(|e| self.system.expanded(e))
-            .collect();
+        let kept = self.arguments_with(by)?;
+        let mut expanded = vec![];
+        for entry in &value.entries {
+            match self.system.in_arguments(entry, &kept) {
+                Some(entry) => expanded.push(entry),
+                None => return beyond("a partial derivative of no function of what is said"),
+            }
+        }
         let mut entries = vec![];
         for entry in &expanded {
             for variable in &by.entries {
-                let variable = self.system.expanded(variable);
+                let variable = self.system.expanded(variable, &kept);
                 let Some(variable) = variable.as_variable() else {
                     return beyond("a partial derivative in something that is no free variable");
                 };
+                if self.system.atoms.is_unknown(variable) {
+                    return beyond("a partial derivative in something of which nothing is told");
+                }
                 entries.push(self.system.partial(entry, variable));
             }
         }

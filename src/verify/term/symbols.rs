@@ -34,14 +34,18 @@ impl Lowering<'_> {
         if let Some(value) = self.reindexed(symbol)? {
             return Ok(value);
         }
-        if let Some(letter) = self.by_number(symbol) {
-            return self.meant(&letter, symbol, None);
+        let numbered = self.by_number(symbol);
+        if let Some((letter, false)) = &numbered {
+            return self.meant(letter, symbol, None);
         }
         if let Some(value) = self.by_frames(symbol) {
             return value;
         }
         if let Some(value) = self.by_label(symbol)? {
             return Ok(value);
+        }
+        if let Some((letter, _)) = &numbered {
+            return self.meant(letter, symbol, None);
         }
         if let Some(value) = self.by_mark(symbol)? {
             return Ok(value);
