@@ -66,7 +66,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
             .reading
             .unused
             .iter()
-            .map(|(sentence, _)| sentence.clone())
+            .map(|unused| unused.sentence.clone())
             .collect(),
     }
 }

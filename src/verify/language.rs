@@ -27,3 +27,9 @@ pub use declare::{read_declarations, read_sentence};
 pub use lexicon::Lexicon;
 pub use manual::manual;
 pub use print::sentence;
+
+/// Whether an entry of the lexicon is a quantity or a value, and no thing or place.
+pub(crate) fn is_quantity(name: &str) -> bool {
+    let entry = Lexicon::shared().entry(name, &[lexicon::Class::Noun]);
+    entry.is_some()
+}

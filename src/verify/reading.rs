@@ -21,7 +21,7 @@ use crate::verify::facts::small::Small;
 use crate::verify::model::system::System;
 use crate::verify::term::letters::{At, Letters, Reach};
 use crate::verify::term::value::Shape;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// Something that is declared to hold.
 #[derive(Clone, Debug)]
@@ -53,7 +53,16 @@ pub(crate) struct Reading {
     /// Lines that hold at one instant.
     pub(crate) instants: Vec<Reach>,
     /// Sentences that nothing was made of.
-    pub(crate) unused: Vec<(String, Reach)>,
+    pub(crate) unused: Vec<Unused>,
+}
+
+/// A sentence that nothing was made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Unused {
+    pub(crate) sentence: String,
+    pub(crate) reach: Reach,
+    /// The letters that it says something of, without marks and labels, where it says no more than what these are.
+    pub(crate) letters: Option<BTreeSet<String>>,
 }
 
 impl Reading {
@@ -77,10 +86,14 @@ impl Reading {
         )
     }
 
-    /// A sentence about a place of which nothing was made.
-    pub(crate) fn unused_at(&self, at: &At) -> Option<&str> {
-        let found = self.unused.iter().find(|(_, reach)| reach.covers(at, 0));
-        found.map(|(sentence, _)| sentence.as_str())
+    /// A sentence of which nothing was made, and which may tell something of these letters at a place.
+    pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
+        let tells = |unused: &&Unused| {
+            let own = unused.letters.as_ref();
+            unused.reach.covers(at, 0) && own.is_none_or(|own| !own.is_disjoint(letters))
+        };
+        let found = self.unused.iter().find(tells);
+        found.map(|unused| unused.sentence.as_str())
     }
 
     /// The role that is declared of a line.

@@ -188,7 +188,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         if !plain || is_glue(word) || ARTICLES.contains(&word) {
             break;
         }
-        if lexicon.begins(word) {
+        if known(tokens, end, lexicon) {
             let rest: Vec<&str> = tokens[end..]
                 .iter()
                 .take(2)
@@ -217,7 +217,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             && verb.is_none_or(|verb| verb.inflection != Inflection::Ending)
     });
     let last = tokens.get(end.wrapping_sub(1))?;
-    let body = whole || !lexicon.begins(&last.lower);
+    let body = whole || !known(tokens, end.wrapping_sub(1), lexicon) && last.kind == Kind::Word;
     let found = unknown && body && !described && (article || index);
     let words: Vec<&str> = tokens
         .get(start..end)?
@@ -225,6 +225,12 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         .map(|t| t.lower.as_str())
         .collect();
     found.then(|| (words.join(" "), end))
+}
+
+/// Whether an entry of the lexicon begins with the words that stand here.
+fn known(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
+    let words: Vec<&str> = tokens.iter().skip(at).map(|t| t.lower.as_str()).collect();
+    lexicon.find(&words, &Class::ALL).is_some()
 }
 
 /// Whether the subject of a sentence may begin here: at its beginning or behind an extent.

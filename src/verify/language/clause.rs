@@ -138,10 +138,16 @@ impl<'a> Reader<'a> {
         }
         loop {
             statements.extend(self.said_of(subjects)?);
+            self.renamed_behind(subjects, statements)?;
             let start = self.at;
             let separated = self.take_separator();
             if separated && self.at_gap() {
                 self.at = self.gap(start, statements)?;
+            }
+            let is = matches!(statements.last(), Some(Statement::Is { .. }));
+            if separated && is && self.at_adjective() {
+                statements.extend(self.predicate(subjects, formulas.clone())?);
+                return Ok(());
             }
             let verb = self.find(&[Class::Verb]).is_some() || COPULAS.contains(&self.word());
             if !separated || !verb {
@@ -151,6 +157,42 @@ impl<'a> Reader<'a> {
                 return Ok(());
             }
         }
+    }
+
+    /// ", also written `$c$`" behind what is said of some subjects.
+    fn renamed_behind(&mut self, subjects: &[Term], statements: &mut Vec<Statement>) -> Read<()> {
+        let start = self.at;
+        if self.take_separator() && self.at_renaming() && self.take("also written") {
+            statements.push(Statement::Same {
+                subjects: self.terms()?,
+                others: subjects.to_vec(),
+            });
+        } else {
+            self.at = start;
+        }
+        Ok(())
+    }
+
+    /// Whether another writing follows: "also written `$c$`".
+    pub(crate) fn at_renaming(&self) -> bool {
+        self.word() == "also" && self.word_at(1) == "written"
+    }
+
+    /// Whether an adjective comes next that is said of what stands before: "and not zero".
+    fn at_adjective(&self) -> bool {
+        let negated = usize::from(self.word() == "not");
+        let found = self
+            .lexicon
+            .find(self.following(negated), &[Class::Adjective]);
+        found.is_some_and(|found| self.ends_clause(negated + found.length))
+    }
+
+    /// Whether nothing, or another clause, follows some words.
+    fn ends_clause(&self, ahead: usize) -> bool {
+        let next = self.tokens.get(self.at + ahead);
+        next.is_none_or(|next| {
+            matches!(next.kind, Kind::Comma | Kind::Semicolon) || next.lower == "and"
+        })
     }
 
     /// Whether it is said when or how nearly a formula holds.

@@ -40,6 +40,24 @@ pub(crate) enum Class {
     Where,
 }
 
+impl Class {
+    /// All of them.
+    pub(crate) const ALL: [Self; 12] = [
+        Self::Preposition,
+        Self::Noun,
+        Self::Place,
+        Self::Thing,
+        Self::Adjective,
+        Self::Adverb,
+        Self::Verb,
+        Self::Passive,
+        Self::Mark,
+        Self::Custom,
+        Self::Meaning,
+        Self::Where,
+    ];
+}
+
 /// How a form of an entry is inflected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Inflection {

@@ -70,7 +70,10 @@ impl<'a> Reader<'a> {
 
     /// Whether another member of a list could begin behind a comma or "and".
     fn goes_on(&self) -> bool {
-        self.starts_term() && !self.at_gap() && self.find(&[Class::Adverb]).is_none()
+        self.starts_term()
+            && !self.at_gap()
+            && !self.at_renaming()
+            && self.find(&[Class::Adverb]).is_none()
     }
 
     /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
@@ -290,17 +293,14 @@ impl<'a> Reader<'a> {
     fn apposition(&mut self, phrase: &mut NounPhrase, many: bool) -> Read<()> {
         let mut which = vec![];
         if self.take_sign(Kind::Open) {
-            which = self.terms()?;
-            if !self.take_sign(Kind::Close) {
-                return Err(self.unexpected("closing bracket", "close the bracket", &[]));
-            }
-            let number = |term: &Term| match term {
-                Term::Numbers(numbers) => numbers.first().copied(),
-                _ => None,
-            };
-            let numbers: Vec<usize> = which.iter().filter_map(number).collect();
-            if numbers.len() == which.len() {
-                which = vec![Term::Numbers(numbers)];
+            which = self.in_brackets()?;
+            loop {
+                let start = self.at;
+                if !many || !self.take_separator() || !self.take_sign(Kind::Open) {
+                    self.at = start;
+                    break;
+                }
+                which.extend(self.in_brackets()?);
             }
         } else if self.at_index() {
             self.term(&mut which)?;
@@ -320,6 +320,23 @@ impl<'a> Reader<'a> {
             .slots
             .extend(which.into_iter().map(|term| (Slot::Which, term)));
         Ok(())
+    }
+
+    /// "2, 3)" behind its bracket: the numbers of one entry, or a list.
+    fn in_brackets(&mut self) -> Read<Vec<Term>> {
+        let which = self.terms()?;
+        if !self.take_sign(Kind::Close) {
+            return Err(self.unexpected("closing bracket", "close the bracket", &[]));
+        }
+        let number = |term: &Term| match term {
+            Term::Numbers(numbers) => numbers.first().copied(),
+            _ => None,
+        };
+        let numbers: Vec<usize> = which.iter().filter_map(number).collect();
+        Ok(match numbers.len() == which.len() {
+            true => vec![Term::Numbers(numbers)],
+            false => which,
+        })
     }
 
     /// Whether a formula, a number or a name comes next.

@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
     fn noun_next(&self) -> bool {
         let article = usize::from(ARTICLES.contains(&self.word()));
         let noun = [Class::Noun, Class::Place, Class::Adjective];
-        self.lexicon.find(self.following(article), &noun).is_some()
+        !self.at_renaming() && self.lexicon.find(self.following(article), &noun).is_some()
     }
 
     /// "`$p$` is `$m v$`", "`$u$` is `$0$` at `$t = 0$`", behind "is".

@@ -26,7 +26,7 @@ impl Builder<'_> {
                     verb: "consist",
                     slots,
                 } => {
-                    self.bodies_of_parts(subjects, slots);
+                    self.bodies_of_parts(subjects, slots, declaration);
                 }
                 Statement::Does {
                     subjects,
@@ -106,9 +106,21 @@ impl Builder<'_> {
     }
 
     /// "The spacecraft consists of the hub and the wheels."
-    fn bodies_of_parts(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
+    fn bodies_of_parts(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
         let [subject] = subjects else { return };
         let Some(name) = name_of(subject) else { return };
+        let parts = slots.iter().filter(|(slot, _)| *slot == Slot::Of);
+        let particles = |term: &Term| matches!(term, Term::Name(part) if part == "particles");
+        if parts.clone().count() > 1 && parts.clone().any(|(_, term)| particles(term)) {
+            // Particles beside other parts move on their own: they make up no rigid body with these.
+            self.add_family("particle", None);
+            return self.say_unused(declaration);
+        }
         let whole = self.add_named_body(&name);
         let (mut parts, mut families) = (vec![], 0);
         for (slot, term) in slots {

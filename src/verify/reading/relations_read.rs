@@ -90,9 +90,15 @@ impl Builder<'_> {
             .and_then(|term| self.frame(term))
             .or(of.frame());
         let on = on.unwrap_or(self.reading.letters.component_frame);
+        let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
         for (place, formula) in formulas(subjects).enumerate() {
-            let [row, column] = labelled_entry(formula).or(ENTRIES.get(place).copied())?;
-            let integral = self.reading.letters.customs.integrals && is_tensor(&of);
+            // By its numbers it is the entry itself; the letters of a tensor follow the convention of signs.
+            let told = numbered.get(place).copied();
+            let [row, column] = told
+                .or_else(|| labelled_entry(formula))
+                .or(ENTRIES.get(place).copied())?;
+            let integral =
+                told.is_none() && self.reading.letters.customs.integrals && is_tensor(&of);
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),
                 row,
@@ -177,5 +183,16 @@ fn is_tensor(quantity: &Quantity) -> bool {
         Quantity::Inertia { .. } => true,
         Quantity::On(of, _) => is_tensor(of),
         _ => false,
+    }
+}
+
+/// The numbers of "entry (2, 3)", counted from 0.
+fn entry_numbers(term: &Term) -> Option<[usize; 2]> {
+    match term {
+        Term::Numbers(numbers) => match numbers.as_slice() {
+            &[row @ 1..=3, column @ 1..=3] => Some([row - 1, column - 1]),
+            _ => None,
+        },
+        _ => None,
     }
 }

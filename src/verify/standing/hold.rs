@@ -140,7 +140,7 @@ impl Judge<'_> {
             Err((Trouble::IllTyped(_), _)) if !self.doubled(link).is_empty() => {
                 self.hold_by_types(link)
             }
-            worked_out => self.hold_sides(worked_out),
+            worked_out => self.hold_sides(link, worked_out),
         }
     }
 
@@ -156,7 +156,7 @@ impl Judge<'_> {
         let mut fitting = choices.iter().map(|choice| self.sides(link, choice));
         let fitting: Vec<_> = fitting.by_ref().filter(Result::is_ok).take(2).collect();
         match <[_; 1]>::try_from(fitting) {
-            Ok([only]) => self.hold_sides(only),
+            Ok([only]) => self.hold_sides(link, only),
             Err(_) => Held::open("the types do not tell which of its meanings a letter has"),
         }
     }
@@ -170,16 +170,12 @@ impl Judge<'_> {
         symbols.into_iter().filter(has).collect()
     }
 
-    fn hold_sides(&mut self, sides: WorkedOut) -> Held {
+    fn hold_sides(&mut self, link: &Link, sides: WorkedOut) -> Held {
         match sides {
-            Ok(Sides {
-                sides,
-                unknown,
-                settles,
-            }) => self.weigh(sides, unknown, settles),
+            Ok(sides) => self.weigh(link, sides),
             Err((Trouble::IllTyped(message), unknown))
                 if unknown.is_empty()
-                    && self.reading.unused_at(&self.at).is_none()
+                    && self.unused_of([&link.left, &link.right]).is_none()
                     && self.reading.system.dimensions() == 3 =>
             {
                 let mut held = Held::open(message);
@@ -247,12 +243,12 @@ impl Judge<'_> {
     }
 
     /// What a link is worth whose sides are worked out.
-    fn weigh(
-        &mut self,
-        sides: Vec<(Fraction, Fraction)>,
-        unknown: Vec<String>,
-        settles: Option<(String, Value, Value)>,
-    ) -> Held {
+    fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+        let Sides {
+            sides,
+            unknown,
+            settles,
+        } = worked_out;
         let Ok(residuals) = self.residuals(&sides) else {
             let mut held = Held::open("this grew beyond what is worked out");
             held.proof = self.proof_by_few_premises(&sides);
@@ -287,7 +283,7 @@ impl Judge<'_> {
             (false, _) => Standing::Denied,
         };
         if held.standing == Standing::Denied {
-            self.deny(&mut held, &residuals);
+            self.deny(link, &mut held, &residuals);
         } else {
             held.reason = Some("letters of which nothing is told leave it open".into());
         }
@@ -323,8 +319,8 @@ impl Judge<'_> {
     }
 
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
-    fn deny(&mut self, held: &mut Held, residuals: &[Fraction]) {
-        if let Some(sentence) = self.reading.unused_at(&self.at) {
+    fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
+        if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
             held.doubt = Some(format!("nothing was made of the sentence \"{sentence}\""));
             return;
         }

@@ -1,7 +1,7 @@
 //! Goes through a document from top to bottom and judges each line by the facts.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Line, Relation};
+use crate::notation::ast::{Line, Node, Relation};
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
 use crate::source::Span;
 use crate::verify::Role;
@@ -15,8 +15,10 @@ use crate::verify::standing::hold::Held;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
-use crate::verify::standing::written::{has_open_brackets, without_number, written_symbols};
-use crate::verify::term::letters::{At, Reach};
+use crate::verify::standing::written::{
+    has_open_brackets, names_an_instant, without_number, written_symbols,
+};
+use crate::verify::term::letters::{At, Reach, letter_names};
 use crate::verify::term::value::Shape;
 use std::collections::HashMap;
 
@@ -139,6 +141,7 @@ impl<'a> Judge<'a> {
         for row in &formula.rows {
             match row {
                 Row::Line(_) if !formula.display && self.is_only_named() => {}
+                Row::Line(line) if !formula.display && names_an_instant(line) => {}
                 Row::Line(line) => self.line(line),
                 Row::Expression(_) => self.sentence.push_str(" ⟨⟩ "),
                 Row::Unreadable { .. } => {}
@@ -285,7 +288,7 @@ impl<'a> Judge<'a> {
 
     /// One verdict from what the links came to: the worst of them.
     fn conclude(&mut self, line: &Line, purpose: Purpose, held: Vec<Held>) {
-        let derived = purpose.derived || self.reading.unused_at(&self.at).is_some();
+        let derived = purpose.derived || self.unused_of(&line.sides).is_some();
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
             (Standing::Denied | Standing::Free, _) if purpose.relates => Standing::Open,
@@ -323,6 +326,12 @@ impl<'a> Judge<'a> {
             shown: chosen.shown,
             sides: chosen.sides,
         });
+    }
+
+    /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
+    pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
+        let letters = nodes.into_iter().flat_map(letter_names).collect();
+        self.reading.unused_of(&letters, &self.at)
     }
 
     /// Takes what an accepted line says into the facts.

@@ -41,6 +41,12 @@ fn is_number_of_line(node: &Node) -> bool {
     }
 }
 
+/// "at `t = 0`": when something is so, and no claim of its own.
+pub(super) fn names_an_instant(line: &Line) -> bool {
+    let time = |node: &Node| matches!(&node.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty());
+    line.sides.len() == 2 && line.sides.first().is_some_and(time)
+}
+
 /// The symbols of formulas, spelled, and which occurrence of that writing each is.
 pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
     fn collect(node: &Node, found: &mut Vec<(String, usize)>) {

@@ -395,3 +395,13 @@ impl Letters {
                 .any(|l| l.spelled.contains(['\\', '{', ' ', '[']))
     }
 }
+
+/// The letters of a formula without marks and labels.
+pub(crate) fn letter_names(node: &Node) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    if let Kind::Symbol(symbol) = &node.kind {
+        names.insert(symbol.name.clone());
+    }
+    names.extend(node.children().flat_map(letter_names));
+    names
+}
