@@ -126,6 +126,9 @@ pub(crate) fn whole(number: i64) -> Fraction {
     Fraction::from_ratio(number, 1)
 }
 
+/// A rate is made of no more products of terms.
+const MOST_PRODUCTS: usize = 200_000;
+
 impl Atoms {
     /// The variable with this key, made free where there is none yet.
     pub(crate) fn variable(&mut self, key: Key, place: Place, motion: Motion) -> Variable {
@@ -224,6 +227,15 @@ impl Atoms {
         fraction(rate)
     }
 
+    /// The rate of a fraction; `None` where it has too many terms.
+    pub(crate) fn short_derivative(&mut self, of: &Fraction) -> Option<Fraction> {
+        let size = |f: &Fraction| f.numerator().len() * f.denominator().len();
+        let own = size(of);
+        let rates = of.variables().into_iter().map(|v| size(&self.rate(v)));
+        let products: usize = rates.map(|rate| own.saturating_mul(rate)).sum();
+        (products <= MOST_PRODUCTS).then(|| self.derivative(of))
+    }
+
     /// The rate of a fraction.
     pub(crate) fn derivative(&mut self, of: &Fraction) -> Fraction {
         let mut sum = Fraction::zero();
@@ -234,6 +246,14 @@ impl Atoms {
             }
         }
         sum
+    }
+
+    /// The angle of which a variable is the sine or cosine.
+    pub(crate) fn angle_of(&self, variable: Variable) -> Option<&Fraction> {
+        match &self.atom(variable).nature {
+            Nature::Sine(angle) | Nature::Cosine(angle) => Some(angle),
+            _ => None,
+        }
     }
 
     /// Whether nothing is told of a variable, or of what it is a function of.

@@ -47,6 +47,12 @@ impl Builder<'_> {
                 self.reading.system.bodies[body].frame = Some(frame);
             }
         }
+        for (name, &body) in &self.bodies {
+            let known = self.reading.system.bodies[body].frame.is_some();
+            if let Some(&frame) = self.frames.get(name).filter(|_| !known) {
+                self.reading.system.bodies[body].frame = Some(frame);
+            }
+        }
         for (whole, hub) in self.hubs.clone() {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }

@@ -252,6 +252,15 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether sentences tell what a formula is: its letters, or angles and rates by which something turns.
+    pub(super) fn is_told(&mut self, formula: &Formula, declaration: &Declaration) -> bool {
+        let quantity = self.quantity_of(formula, declaration);
+        let value = self.mentioned_value(formula, declaration);
+        let atoms = &self.reading.system.atoms;
+        let told = |entry: &Fraction| !entry.variables().iter().any(|&v| atoms.is_unknown(v));
+        quantity.is_some() || value.is_some_and(|value| value.entries.iter().all(told))
+    }
+
     /// What a letter stands for at the place of a declaration.
     pub(super) fn quantity_of(
         &self,

@@ -8,7 +8,7 @@ use crate::verify::reading::names::name_of;
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The names of the axes of a frame that has none of its own.
 pub(super) const CUSTOMARY: [[&str; 3]; 3] = [["x", "y", "z"], ["X", "Y", "Z"], ["1", "2", "3"]];
@@ -47,6 +47,10 @@ impl Builder<'_> {
             self.frames.insert(other, root);
         }
         let parents = turned_against(declarations);
+        // What turns has axes of its own, and so has what others turn against.
+        let carried: BTreeSet<String> = declarations.iter().flat_map(carried_by_frames).collect();
+        let turning = parents.iter().flat_map(|(name, parent)| [name, parent]);
+        names.extend(turning.filter(|name| !carried.contains(*name)).cloned());
         for name in &names {
             self.add_named_frame(name, &parents, &names, 0);
         }
@@ -116,6 +120,12 @@ impl Builder<'_> {
         let declarations = self.declarations;
         self.read_axes();
         self.choose_work_frame();
+        let (chains, angles): (Vec<_>, Vec<_>) = declarations
+            .iter()
+            .partition(|declaration| self.is_untold(declaration));
+        for declaration in chains {
+            self.read_euler_angles(declaration);
+        }
         for declaration in declarations {
             let Statement::Does {
                 subjects,
@@ -138,9 +148,21 @@ impl Builder<'_> {
             }
         }
         for declaration in declarations {
-            self.read_euler_angles(declaration);
             self.read_turning_frame(declaration);
         }
+        for declaration in angles {
+            self.read_euler_angles(declaration);
+        }
+    }
+
+    /// Whether a sentence gives Euler angles of a frame that no sentence turns by an angle.
+    fn is_untold(&self, declaration: &Declaration) -> bool {
+        let Some((of, relative)) = of_euler_angles(declaration) else {
+            return false;
+        };
+        let [of, relative] = [of, relative].map(|name| self.frames.get(&name).copied());
+        let parent = of.and_then(|of| self.reading.system.frames[of].parent);
+        parent.is_some() && parent == relative
     }
 
     pub(super) fn turn_frame(&mut self, frame: FrameId, said: &Said<'_>) {
@@ -148,8 +170,10 @@ impl Builder<'_> {
         let relative = said
             .relative
             .as_ref()
-            .and_then(|name| self.frames.get(name))
-            .copied();
+            .and_then(|name| self.frame(&Term::Name(name.clone())));
+        if relative.is_none() && said.relative.is_some() {
+            return self.say_unused(said.declaration);
+        }
         let relative = relative.unwrap_or(system.ground);
         let Some(about) = slot(said.slots, Slot::About).cloned() else {
             return;
@@ -228,8 +252,16 @@ impl Builder<'_> {
                 };
                 (named.peek().is_none() || named.any(same)).then_some(axis)
             }
-            Some(_) => None,
-            None => CUSTOMARY
+            // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
+            Some(_)
+                if self
+                    .axes
+                    .values()
+                    .any(|&(of, _)| of == frame || of == relative) =>
+            {
+                None
+            }
+            _ => CUSTOMARY
                 .iter()
                 .find_map(|names| names.iter().position(|n| *n == name)),
         }
@@ -280,13 +312,22 @@ impl Builder<'_> {
 /// What is said to turn against what.
 fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
     let mut parents = BTreeMap::new();
+    let angles = declarations.iter().filter_map(of_euler_angles);
+    let angles: BTreeMap<String, String> = angles.collect();
     for declaration in declarations {
         let (subjects, relative) = match &declaration.statement {
             Statement::Does {
                 subjects,
                 verb: "turn",
                 slots,
-            } => (subjects, slot(slots, Slot::RelativeTo)),
+            } => {
+                // A rate tells less than angles do, and is a premise beside them.
+                let by_angles = |term| name_of(term).is_some_and(|name| angles.contains_key(&name));
+                if slot(slots, Slot::By).is_none() && subjects.iter().any(by_angles) {
+                    continue;
+                }
+                (subjects, slot(slots, Slot::RelativeTo))
+            }
             Statement::Is { subjects, what } if what.head == "frame" => {
                 (subjects, what.slot(Slot::RelativeTo))
             }
@@ -299,7 +340,31 @@ fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
             parents.entry(name).or_insert_with(|| relative.clone());
         }
     }
+    for (name, relative) in angles {
+        parents.entry(name).or_insert(relative);
+    }
     parents
+}
+
+/// The bodies in which a sentence says that a frame is fixed.
+fn carried_by_frames(declaration: &Declaration) -> Option<String> {
+    match &declaration.statement {
+        Statement::Is { what, .. } if what.head == "frame" => {
+            what.slot(Slot::FixedIn).and_then(name_of)
+        }
+        _ => None,
+    }
+}
+
+/// The frame whose Euler angles a sentence names, and the one that they are relative to.
+fn of_euler_angles(declaration: &Declaration) -> Option<(String, String)> {
+    match &declaration.statement {
+        Statement::Is { what, .. } if what.head == "Euler angles" => {
+            let name = |slot| what.slot(slot).and_then(name_of);
+            Some((name(Slot::Of)?, name(Slot::RelativeTo)?))
+        }
+        _ => None,
+    }
 }
 
 /// The first term in a slot.

@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -201,12 +201,29 @@ impl Builder<'_> {
                 continue;
             }
             match subject {
-                Term::Formula(formula) => {
-                    self.denote(formula, Meaning::Quantity(quantity.clone()), declaration);
-                }
+                Term::Formula(formula) => match self.told_there(formula, declaration) {
+                    // What two sentences say of one letter holds both.
+                    Some(told) => self.hold_quantities(&told, &quantity, declaration),
+                    None => self.denote(formula, Meaning::Quantity(quantity.clone()), declaration),
+                },
                 Term::Phrase(phrase) => self.read_phrase_is(phrase, &quantity, declaration),
                 _ => {}
             }
+        }
+    }
+
+    /// The quantity that another sentence gives a letter for the same part of the document, if this one may be the same.
+    fn told_there(&mut self, formula: &Formula, declaration: &Declaration) -> Option<Quantity> {
+        if matches!(&declaration.statement, Statement::Is { what, .. } if what.is("also")) {
+            return None;
+        }
+        let writing = spelled(node_of(formula)?);
+        let reach = reach_of(&declaration.extent);
+        let mut letters = self.reading.letters.letters.iter().rev();
+        let told = letters.find(|l| l.spelled == writing && l.reach == reach && !l.besides)?;
+        match &told.meaning {
+            Meaning::Quantity(quantity @ Quantity::Scalar { .. }) => Some(quantity.clone()),
+            _ => None,
         }
     }
 
@@ -340,7 +357,7 @@ impl Builder<'_> {
                 continue;
             };
             // A letter that is told already is equal to the other there, or another thing if it is of another kind.
-            if self.quantity_of(subject, declaration).is_some() {
+            if self.is_told(subject, declaration) {
                 let left = self.formula_value(subject, declaration);
                 let right = self.formula_value(other, declaration);
                 let size = |value: &Value| (value.rows, value.columns);
@@ -350,7 +367,10 @@ impl Builder<'_> {
                         continue;
                     }
                     (Some(_), Some(_)) => {}
-                    _ => continue,
+                    _ => {
+                        self.say_unused(declaration);
+                        continue;
+                    }
                 }
             }
             if let Some(node) = node_of(other) {
@@ -364,7 +384,7 @@ impl Builder<'_> {
             return;
         };
         if let (Some(written), Some(meaning)) = (node_of(written), node_of(meaning)) {
-            let reach = crate::verify::reading::names::reach_of(&declaration.extent);
+            let reach = reach_of(&declaration.extent);
             self.reading
                 .letters
                 .means

@@ -36,13 +36,32 @@ impl Builder<'_> {
             };
             angles.extend(self.scalar(&formula.clone(), declaration));
         }
-        if order.len() != 3
-            || angles.len() != 3
-            || self.reading.system.frames[frame].parent != Some(relative)
-        {
+        let turned = &self.reading.system.frames[frame];
+        if order.len() != 3 || angles.len() != 3 {
             return self.say_unused(declaration);
         }
-        self.chain_of_angles(frame, relative, &order, &angles);
+        if turned.parent == Some(relative) && turned.turn == Turn::Free {
+            return self.chain_of_angles(frame, relative, &order, &angles);
+        }
+        let said: Vec<(usize, Fraction)> = order.into_iter().zip(angles).collect();
+        if self.turns_between(frame, relative) != Some(said) {
+            self.say_unused(declaration);
+        }
+    }
+
+    /// The turns about axes by angles that lead from a frame to another, which is above it.
+    fn turns_between(&self, frame: FrameId, above: FrameId) -> Option<Vec<(usize, Fraction)>> {
+        let (mut turns, mut at) = (vec![], frame);
+        while at != above {
+            let turned = &self.reading.system.frames[at];
+            let Turn::Angle(axis, angle) = &turned.turn else {
+                return None;
+            };
+            turns.push((*axis, (**angle).clone()));
+            at = turned.parent?;
+        }
+        turns.reverse();
+        Some(turns)
     }
 
     pub(super) fn chain_of_angles(

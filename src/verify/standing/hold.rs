@@ -1,6 +1,6 @@
 //! What one link of a line is worth by the facts.
 
-use crate::algebra::{Fraction, Proof};
+use crate::algebra::{Fraction, Proof, Variable};
 use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Facts, OutOfBudget};
@@ -328,6 +328,16 @@ impl Judge<'_> {
             held.doubt = Some(format!(
                 "this premise is beyond what is worked out: {premise}"
             ));
+            return;
+        }
+        let told = |v: &Variable| self.facts.rule(*v).is_some();
+        let angles = residuals.iter().flat_map(Fraction::variables);
+        let angles = angles.filter_map(|v| self.reading.system.atoms.angle_of(v));
+        if angles
+            .into_iter()
+            .any(|angle| angle.variables().iter().any(told))
+        {
+            held.doubt = Some("a premise tells an angle, and its sine is not put in".into());
             return;
         }
         let atoms = &mut self.reading.system.atoms;

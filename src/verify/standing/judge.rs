@@ -142,7 +142,7 @@ impl<'a> Judge<'a> {
             match row {
                 Row::Line(_) if !formula.display && self.is_only_named() => {}
                 Row::Line(line) if !formula.display && names_an_instant(line) => {}
-                Row::Line(line) => self.line(line),
+                Row::Line(line) => self.line(line, formula.display),
                 Row::Expression(_) => self.sentence.push_str(" ⟨⟩ "),
                 Row::Unreadable { .. } => {}
             }
@@ -150,7 +150,7 @@ impl<'a> Judge<'a> {
         self.sentence.push_str(" ⟨=⟩ ");
     }
 
-    fn line(&mut self, line: &Line) {
+    fn line(&mut self, line: &Line, display: bool) {
         let line = &without_number(line);
         let place = self.document.place(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
@@ -163,6 +163,9 @@ impl<'a> Judge<'a> {
         self.take_premises();
         self.enter_space();
         let mut purpose = purpose(&self.sentence).on(line.continues, &links);
+        if !display {
+            purpose = purpose.in_text(&links);
+        }
         if let Some(role) = self.reading.role(&self.at) {
             purpose = Purpose {
                 role,
@@ -291,7 +294,7 @@ impl<'a> Judge<'a> {
         let derived = purpose.derived || self.unused_of(&line.sides).is_some();
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
-            (Standing::Denied | Standing::Free, _) if purpose.relates => Standing::Open,
+            (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
             (standing, _) => standing,
         };
         let answers: Vec<Answer> = held

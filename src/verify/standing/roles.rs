@@ -11,8 +11,9 @@ pub(crate) struct Purpose {
     pub(crate) role: Role,
     /// "hence", "we find": it is said to follow.
     pub(crate) derived: bool,
-    /// It is led in as an assumption, but relates several quantities: words alone do not make a law of it.
-    pub(crate) relates: bool,
+    /// Words alone do not say that it holds: it is led in as an assumption but relates several quantities, or it is a
+    /// value in running text, which may be spoken of as a case.
+    pub(crate) doubtful: bool,
 }
 
 impl Default for Purpose {
@@ -20,7 +21,7 @@ impl Default for Purpose {
         Self {
             role: Role::Claim,
             derived: false,
-            relates: false,
+            doubtful: false,
         }
     }
 }
@@ -42,10 +43,26 @@ impl Purpose {
         if assumed && !links.iter().all(told) {
             match continues {
                 true => self.role = Role::Claim,
-                false => self.relates = true,
+                false => self.doubtful = true,
             }
         }
         self
+    }
+
+    /// The purpose of a line in running text.
+    pub(crate) fn in_text(mut self, links: &[Link]) -> Self {
+        let value = |link: &Link| is_quantity(&link.left) && is_value(&link.right);
+        self.doubtful |= !self.derived && links.iter().all(value);
+        self
+    }
+}
+
+/// Whether a formula is a number.
+fn is_value(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Number(_) => true,
+        Kind::Symbol(symbol) => symbol.name == "pi",
+        _ => node.children().next().is_some() && node.children().all(is_value),
     }
 }
 

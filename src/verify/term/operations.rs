@@ -147,11 +147,11 @@ impl System {
 
     /// The rate of a value: of an array and of a list entry by entry, of a thing itself as seen from a frame.
     pub(crate) fn rate_of_value(&mut self, value: &Value, seen: FrameId) -> Valued {
-        let entries: Vec<Fraction> = value
-            .entries
-            .iter()
-            .map(|e| self.atoms.derivative(e))
-            .collect();
+        let entries = value.entries.iter();
+        let rates = entries.map(|e| self.atoms.short_derivative(e));
+        let Some(entries) = rates.collect::<Option<Vec<Fraction>>>() else {
+            return beyond("a rate that grows beyond what is worked out");
+        };
         let mut rate = Value {
             entries,
             ..value.clone()
