@@ -28,8 +28,8 @@ pub use lexicon::Lexicon;
 pub use manual::manual;
 pub use print::sentence;
 
-/// Whether an entry of the lexicon is a quantity or a value, and no thing or place.
-pub(crate) fn is_quantity(name: &str) -> bool {
-    let entry = Lexicon::shared().entry(name, &[lexicon::Class::Noun]);
-    entry.is_some()
+/// Whether a noun says what quantity a letter is, and no more than that.
+pub(crate) fn only_names(noun: &str) -> bool {
+    let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
+    entry.is_some_and(|entry| !entry.tells)
 }

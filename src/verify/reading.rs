@@ -12,6 +12,7 @@ pub(crate) mod premises_read;
 pub(crate) mod quantities_read;
 pub(crate) mod relations_read;
 pub(crate) mod turns_read;
+pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
 
 use crate::algebra::{Fraction, Variable};

@@ -337,3 +337,145 @@ $$ a^\frac42 = a^2 \quad~Eq. (7) $$
 ";
     assert_eq!(judged(sentences, text), "prppp");
 }
+
+#[test]
+fn a_line_is_no_premise_of_itself() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$R$ takes components on B to components on N.
+$W$ is the cross-product matrix of $\\omega$.
+$\\omega$ is the angular velocity of B relative to N in components on B.
+";
+    let text = r"
+We define
+$$ K = k\,R W R^T $$
+$$ K = 2 k\,R W R^T. $$
+
+Here $k$ is a number.
+";
+    let verdicts = judged(sentences, text);
+    assert!(!verdicts[1..].starts_with('p'), "{verdicts}");
+}
+
+#[test]
+fn an_assumption_says_what_one_quantity_is() {
+    let text = r"
+When it is written out,
+$$ \vec\omega\times\vec L = \vec L\times\vec\omega $$
+Suppose that
+$$ \vec M = 0 $$
+";
+    assert_eq!(judged(BODY, text), "ua");
+}
+
+#[test]
+fn a_partial_derivative_takes_a_function_of_what_is_said() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\\phi$, $\\theta$, $\\psi$ are the Euler angles of B relative to N in the order 3, 1, 3.
+$T$ is the kinetic energy of rotation of the body relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components on B of the angular velocity of B relative to N.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.
+$i$ numbers the axes of B.
+A repeated axis index is summed.
+$\\frac{\\partial}{\\partial\\omega_i}$ takes functions of $\\omega_1$, $\\omega_2$, $\\omega_3$.
+";
+    let text = r"
+$$ \frac{\partial T}{\partial\omega_1} = I_1\omega_1 $$
+$$ \frac{\partial T}{\partial\omega_i}\frac{\partial\omega_i}{\partial\psi} = (I_1 - I_2)\omega_1\omega_2 $$
+$$ \frac{\partial T}{\partial\omega_i}\frac{\partial\omega_i}{\partial\psi} = 0 $$
+$$ \frac{\partial T}{\partial\eta} = 0 $$
+";
+    assert_eq!(judged(sentences, text), "ppru");
+}
+
+#[test]
+fn an_entry_by_its_numbers_is_the_entry_itself() {
+    let sentences = format!(
+        "{BODY}The products of inertia are integrals.
+$j_{{xx}}$, $j_{{xy}}$, $j_{{xz}}$ are entries (1, 1), (1, 2), (1, 3) of $\\mathbf J$ on B.
+$k$ is entry (1, 3) of $\\mathbf J$ on B, also written $k'$.
+"
+    );
+    let text = r"
+$$ j_{xz} = k $$
+$$ k' = k $$
+$$ j_{xz} = -k $$
+";
+    assert_eq!(judged(&sentences, text), "ppr");
+}
+
+#[test]
+fn what_two_sentences_say_of_one_thing_holds_both() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the top.
+O is a point fixed in N and in B.
+$\\phi$, $\\theta$, $\\psi$ are the Euler angles of B relative to N in the order Z, x, z.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components on B of the angular velocity of B relative to N.
+On lines 2 to 5 $\\theta$ is the same as $\\theta_0$.
+$\\theta_0$, $\\omega_p$ are constant.
+$\\omega_p$ is the rate of $\\phi$.
+";
+    let text = r"
+$$ \dot\theta = 0 $$
+$$ \omega_1 = \omega_p\sin\theta\sin\psi $$
+$$ \omega_1 = \omega_p\sin\theta\cos\psi $$
+
+$$ \dot\theta = 0 $$
+";
+    let verdicts = judged(sentences, text);
+    assert!(verdicts.starts_with("pp"), "{verdicts}");
+    assert!(!verdicts[2..].contains('p'), "{verdicts}");
+}
+
+#[test]
+fn turns_one_after_another_may_name_axes_of_the_last_frame() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+$a$, $b$, $c$ are the Euler angles of B relative to N in the order z, y, x.
+F is turned relative to N about z by the angle $a$.
+K is turned relative to F about y by the angle $b$.
+B is turned relative to K about x by the angle $c$.
+$p$, $q$, $r$ are the components on B of the angular velocity of B relative to N.
+";
+    let text = r"
+$$ r = -\sin c\,\dot b + \cos c\cos b\,\dot a $$
+$$ r = -\sin c\,\dot b + \cos c\sin b\,\dot a $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn particles_beside_a_rigid_part_are_no_rotors_of_it() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the hub.
+O is a point fixed in B.
+The ship consists of the hub and of particles.
+$j$ numbers the particles.
+G is the mass centre of the hub.
+$\\vec r$ is the position of G from O.
+$\\vec r_j$ is the position of particle $j$ from O.
+$m$ is the mass of the hub.
+$m_j$ is the mass of particle $j$.
+$\\mathbf I_G$ is the inertia tensor of the hub about G.
+$\\mathbf I_O$ is the inertia tensor of the ship about O.
+A tilde means the cross-product matrix.
+";
+    let text = r"
+$$ \mathbf I_O = \mathbf I_G + m \tilde{\vec r}\tilde{\vec r}^T + \sum_j m_j \tilde{\vec r}_j \tilde{\vec r}_j^T $$
+";
+    assert!(!judged(sentences, text).contains('r'));
+}
+
+#[test]
+fn an_unused_sentence_withholds_what_its_letters_stand_in() {
+    let sentences =
+        format!("{BODY}$e$ is the coefficient of restitution between the body and the floor.\n");
+    let text = r"
+$$ \vec L = 2\,\mathbf J\vec\omega $$
+$$ e\,\vec L = \mathbf J\vec\omega $$
+";
+    assert_eq!(judged(&sentences, text), "ru");
+}

@@ -138,7 +138,10 @@ impl<'a> Reader<'a> {
                 self.slots(lie, slots)?;
             }
             let start = self.at;
-            self.take_sign(Kind::Comma);
+            if self.take_sign(Kind::Comma) && self.find(&[Class::Meaning]).is_some() {
+                self.at = start;
+                return Ok(());
+            }
             if let Some(adverb) = self.take_entry(&[Class::Adverb]) {
                 let mut phrase = NounPhrase::new(adverb.entry.name, vec![]);
                 if let Some(slot) = adverb.entry.slot("object") {

@@ -92,6 +92,8 @@ pub(crate) struct Entry {
     pub(crate) one: bool,
     /// It is a part of something: "an element of the rod".
     pub(crate) part: bool,
+    /// Whether it tells more than what a letter is: that something vanishes, has a length or does not change.
+    pub(crate) tells: bool,
 }
 
 /// A way to write an entry.
@@ -264,6 +266,7 @@ impl Lexicon {
             operator: flags.contains("operator"),
             one: flags.contains("one"),
             part: flags.contains("part"),
+            tells: flags.contains("tells"),
         };
         self.entries.push(entry);
         for form in parted(forms).into_iter().flat_map(alternatives) {

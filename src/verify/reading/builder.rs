@@ -1,16 +1,15 @@
 //! Goes through the statements and builds the reading: things first, then letters, then what holds.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::source::Source as Text;
 use crate::verify::facts::Source;
-use crate::verify::language::is_quantity;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::names::{index_letter, name_of, node_of, reach_of};
-use crate::verify::reading::{Premise, Reading, Unused};
-use crate::verify::term::letters::{At, Letter, Meaning, Reach, letter_names, loosely, spelled};
+use crate::verify::reading::{Premise, Reading};
+use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::Value;
@@ -278,76 +277,6 @@ impl Builder<'_> {
             _ => None,
         }
     }
-
-    /// Verbs and nouns for which the model has no law yet.
-    fn say_unheard(&mut self) {
-        for declaration in self.declarations {
-            let heard = match &declaration.statement {
-                Statement::Does { verb, .. } => HEARD.contains(verb),
-                Statement::Is { what, .. } => what.head != "contact point",
-                _ => true,
-            };
-            if !heard {
-                self.say_unused(declaration);
-            }
-        }
-    }
-
-    pub(super) fn say_unused(&mut self, declaration: &Declaration) {
-        let sentence = declaration.text.trim_end_matches('.').to_owned();
-        let reach = reach_of(&declaration.extent);
-        if !self.reading.unused.iter().any(|u| u.sentence == sentence) {
-            let named = letters_named_by(&declaration.statement);
-            let letters = named.map(|nodes| nodes.into_iter().flat_map(letter_names).collect());
-            self.reading.unused.push(Unused {
-                sentence,
-                reach,
-                letters,
-            });
-        }
-    }
-
-    /// A sentence about a letter that another one tells of as well says more than what the letter is.
-    fn widen_unused(&mut self) {
-        for declaration in self.declarations {
-            let Some(nodes) = letters_named_by(&declaration.statement) else {
-                continue;
-            };
-            let mut known = self.reading.letters.letters.iter();
-            if known.any(|letter| nodes.iter().any(|node| spelled(node) == letter.spelled)) {
-                let sentence = declaration.text.trim_end_matches('.');
-                let own = self.reading.unused.iter_mut();
-                own.filter(|u| u.sentence == sentence)
-                    .for_each(|unused| unused.letters = None);
-            }
-        }
-    }
-}
-
-/// What tells of a letter that something vanishes, has a length or does not change.
-const TELLING: [&str; 7] = [
-    "principal moments",
-    "products of inertia",
-    "unit vector",
-    "constant",
-    "Euler angles",
-    "generalised coordinates",
-    "small disturbance",
-];
-
-/// The letters of a sentence that says what quantities letters are, and no more.
-fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
-    let Statement::Is { subjects, what } = statement else {
-        return None;
-    };
-    if !is_quantity(what.head) || TELLING.contains(&what.head) {
-        return None;
-    }
-    let nodes = subjects.iter().map(|subject| match subject {
-        Term::Formula(formula) => node_of(formula),
-        _ => None,
-    });
-    nodes.collect()
 }
 
 /// A place that a reach covers.
@@ -404,17 +333,6 @@ impl System {
 
 /// Words of a condition in time.
 const WHILES: [&str; 3] = ["before", "after", "during"];
-
-/// Verbs that build the system or name letters.
-const HEARD: [&str; 7] = [
-    "turn",
-    "take",
-    "have components",
-    "number",
-    "consist",
-    "lie",
-    "place",
-];
 
 /// Whether a sentence holds under a condition alone: "at `\theta = 0`".
 fn has_condition(declaration: &Declaration) -> bool {

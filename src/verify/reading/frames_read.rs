@@ -5,6 +5,7 @@ use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
+use crate::verify::reading::turns_read::EULER_ANGLES;
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
@@ -359,7 +360,7 @@ fn carried_by_frames(declaration: &Declaration) -> Option<String> {
 /// The frame whose Euler angles a sentence names, and the one that they are relative to.
 fn of_euler_angles(declaration: &Declaration) -> Option<(String, String)> {
     match &declaration.statement {
-        Statement::Is { what, .. } if what.head == "Euler angles" => {
+        Statement::Is { what, .. } if what.head == EULER_ANGLES => {
             let name = |slot| what.slot(slot).and_then(name_of);
             Some((name(Slot::Of)?, name(Slot::RelativeTo)?))
         }

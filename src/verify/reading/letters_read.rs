@@ -6,9 +6,9 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{node_of, reach_of};
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::reading::turns_read::EULER_ANGLES;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 20] = [
@@ -25,7 +25,7 @@ const THINGS: [&str; 20] = [
     "horizontal",
     "nonzero",
     "zero",
-    "Euler angles",
+    EULER_ANGLES,
     "contact point",
     "symmetric",
     "generalised coordinates",
@@ -346,59 +346,6 @@ impl Builder<'_> {
         if let (Ok(left), Ok(right)) = (left, right) {
             self.hold_equal(&left, &right, declaration);
         }
-    }
-
-    fn read_same(&mut self, declaration: &Declaration) {
-        let Statement::Same { subjects, others } = &declaration.statement else {
-            return;
-        };
-        for (subject, other) in subjects.iter().zip(others) {
-            let (Term::Formula(subject), Term::Formula(other)) = (subject, other) else {
-                continue;
-            };
-            // A letter that is told already is equal to the other there, or another thing if it is of another kind.
-            if self.is_told(subject, declaration) {
-                let left = self.formula_value(subject, declaration);
-                let right = self.formula_value(other, declaration);
-                let size = |value: &Value| (value.rows, value.columns);
-                match (left, right) {
-                    (Some(left), Some(right)) if size(&left) == size(&right) => {
-                        self.hold_equal(&left, &right, declaration);
-                        continue;
-                    }
-                    (Some(_), Some(_)) => {}
-                    _ => {
-                        self.say_unused(declaration);
-                        continue;
-                    }
-                }
-            }
-            if let Some(node) = node_of(other) {
-                self.denote(subject, Meaning::Same(Box::new(node.clone())), declaration);
-            }
-        }
-    }
-
-    fn read_means(&mut self, declaration: &Declaration) {
-        let Statement::Means { written, meaning } = &declaration.statement else {
-            return;
-        };
-        if let (Some(written), Some(meaning)) = (node_of(written), node_of(meaning)) {
-            let reach = reach_of(&declaration.extent);
-            self.reading
-                .letters
-                .means
-                .push((loosely_or_spelled(written), meaning.clone(), reach));
-        }
-    }
-}
-
-fn loosely_or_spelled(node: &Node) -> String {
-    let exact = spelled(node);
-    if exact.is_empty() {
-        loosely(node)
-    } else {
-        exact
     }
 }
 

@@ -60,19 +60,14 @@ impl Builder<'_> {
             self.reading.letters.customs.summed = *meaning == NotationMeaning::Fixed("summed");
             return;
         }
+        if let (Sign::Operator(_), NotationMeaning::FunctionsOf(letters)) = (sign, meaning) {
+            let letters = letters.iter().filter_map(node_of).cloned();
+            return self.reading.letters.arguments.push(letters.collect());
+        }
         // Of which coordinates a function is, its own law says; and a × b is the cross product anyhow.
-        let functions = match meaning {
-            NotationMeaning::FunctionsOf(_) => true,
-            NotationMeaning::Noun(phrase) => {
-                matches!(phrase.head, "function" | "cross product" | "dot product")
-            }
-            NotationMeaning::Fixed(_) => false,
-        };
-        if functions && matches!(sign, Sign::Operator(_)) {
-            if let NotationMeaning::FunctionsOf(letters) = meaning {
-                let letters = letters.iter().filter_map(node_of).cloned();
-                self.reading.letters.arguments.push(letters.collect());
-            }
+        if let (Sign::Operator(_), NotationMeaning::Noun(phrase)) = (sign, meaning)
+            && matches!(phrase.head, "function" | "cross product" | "dot product")
+        {
             return;
         }
         let Some(effect) = self.effect(meaning) else {

@@ -1,12 +1,12 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
-use crate::notation::ast::Kind;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::notation::ast::{Kind, Node};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::node_of;
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 
@@ -111,6 +111,50 @@ impl Builder<'_> {
         Some(())
     }
 
+    pub(super) fn read_same(&mut self, declaration: &Declaration) {
+        let Statement::Same { subjects, others } = &declaration.statement else {
+            return;
+        };
+        for (subject, other) in subjects.iter().zip(others) {
+            let (Term::Formula(subject), Term::Formula(other)) = (subject, other) else {
+                continue;
+            };
+            // A letter that is told already is equal to the other there, or another thing if it is of another kind.
+            if self.is_told(subject, declaration) {
+                let left = self.formula_value(subject, declaration);
+                let right = self.formula_value(other, declaration);
+                let size = |value: &Value| (value.rows, value.columns);
+                match (left, right) {
+                    (Some(left), Some(right)) if size(&left) == size(&right) => {
+                        self.hold_equal(&left, &right, declaration);
+                        continue;
+                    }
+                    (Some(_), Some(_)) => {}
+                    _ => {
+                        self.say_unused(declaration);
+                        continue;
+                    }
+                }
+            }
+            if let Some(node) = node_of(other) {
+                self.denote(subject, Meaning::Same(Box::new(node.clone())), declaration);
+            }
+        }
+    }
+
+    pub(super) fn read_means(&mut self, declaration: &Declaration) {
+        let Statement::Means { written, meaning } = &declaration.statement else {
+            return;
+        };
+        if let (Some(written), Some(meaning)) = (node_of(written), node_of(meaning)) {
+            let reach = reach_of(&declaration.extent);
+            self.reading
+                .letters
+                .means
+                .push((loosely_or_spelled(written), meaning.clone(), reach));
+        }
+    }
+
     /// A size of a body is a constant of its own.
     pub(super) fn read_size(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {
@@ -194,5 +238,14 @@ fn entry_numbers(term: &Term) -> Option<[usize; 2]> {
             _ => None,
         },
         _ => None,
+    }
+}
+
+fn loosely_or_spelled(node: &Node) -> String {
+    let exact = spelled(node);
+    if exact.is_empty() {
+        loosely(node)
+    } else {
+        exact
     }
 }

@@ -8,13 +8,16 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::Said;
 use crate::verify::reading::names::name_of;
 
+/// The noun of three angles in an order.
+pub(super) const EULER_ANGLES: &str = "Euler angles";
+
 impl Builder<'_> {
     /// Three angles in an order: two frames between, each turned about one axis.
     pub(super) fn read_euler_angles(&mut self, declaration: &Declaration) {
         let Statement::Is { subjects, what } = &declaration.statement else {
             return;
         };
-        if what.head != "Euler angles" {
+        if what.head != EULER_ANGLES {
             return;
         }
         let order: Option<Vec<usize>> = what

@@ -14,7 +14,7 @@ use crate::verify::standing::sides::{Both, both};
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::standing::written::symbols_of;
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Trouble, Value};
+use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -250,7 +250,7 @@ impl Judge<'_> {
             settles,
         } = worked_out;
         let Ok(residuals) = self.residuals(&sides) else {
-            let mut held = Held::open("this grew beyond what is worked out");
+            let mut held = Held::open(GROWN);
             held.proof = self.proof_by_few_premises(&sides);
             if held.proof.is_some() {
                 (held.standing, held.reason) = (Standing::Entailed, None);
@@ -333,15 +333,12 @@ impl Judge<'_> {
         let told = |v: &Variable| self.facts.rule(*v).is_some();
         let angles = residuals.iter().flat_map(Fraction::variables);
         let angles = angles.filter_map(|v| self.reading.system.atoms.angle_of(v));
-        if angles
+        // The sine of an angle that a premise tells is not put in.
+        let hidden = angles
             .into_iter()
-            .any(|angle| angle.variables().iter().any(told))
-        {
-            held.doubt = Some("a premise tells an angle, and its sine is not put in".into());
-            return;
-        }
+            .any(|angle| angle.variables().iter().any(told));
         let atoms = &mut self.reading.system.atoms;
-        match World::refuting(&self.facts, atoms, residuals) {
+        match World::refuting(&self.facts, atoms, residuals).filter(|_| !hidden) {
             Some(world) => {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
             }

@@ -3,7 +3,7 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::system::{FrameId, System};
-use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
+use crate::verify::term::value::{Basis, GROWN, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
 
 impl System {
@@ -150,7 +150,7 @@ impl System {
         let entries = value.entries.iter();
         let rates = entries.map(|e| self.atoms.short_derivative(e));
         let Some(entries) = rates.collect::<Option<Vec<Fraction>>>() else {
-            return beyond("a rate that grows beyond what is worked out");
+            return beyond(GROWN);
         };
         let mut rate = Value {
             entries,

@@ -7,6 +7,9 @@ use crate::verify::term::letters::{Effect, Mark, plain};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
+/// Why a partial derivative is not worked out.
+const NOT_FREE: &str = "a partial derivative in something that is no free variable";
+
 impl Lowering<'_> {
     /// A derivative in time.
     pub(super) fn time_derivative(
@@ -139,7 +142,7 @@ impl Lowering<'_> {
         for entry in &value.entries {
             match self.system.in_arguments(entry, &kept) {
                 Some(entry) => expanded.push(entry),
-                None => return beyond("a partial derivative of no function of what is said"),
+                None => return beyond(NOT_FREE),
             }
         }
         let mut entries = vec![];
@@ -147,10 +150,10 @@ impl Lowering<'_> {
             for variable in &by.entries {
                 let variable = self.system.expanded(variable, &kept);
                 let Some(variable) = variable.as_variable() else {
-                    return beyond("a partial derivative in something that is no free variable");
+                    return beyond(NOT_FREE);
                 };
                 if self.system.atoms.is_unknown(variable) {
-                    return beyond("a partial derivative in something of which nothing is told");
+                    return beyond(NOT_FREE);
                 }
                 entries.push(self.system.partial(entry, variable));
             }

@@ -74,6 +74,9 @@ pub(crate) fn ill_typed<T>(message: impl Into<String>) -> Result<T, Trouble> {
     Err(Trouble::IllTyped(message.into()))
 }
 
+/// Why something is not worked out that has too many terms.
+pub(crate) const GROWN: &str = "this grew beyond what is worked out";
+
 /// An answer that says what is not worked out.
 pub(crate) fn beyond<T>(message: impl Into<String>) -> Result<T, Trouble> {
     Err(Trouble::Beyond(message.into()))

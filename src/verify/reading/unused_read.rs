@@ -1,0 +1,81 @@
+//! Sentences of which nothing was made, and what they keep from being denied.
+
+use crate::notation::ast::Node;
+use crate::verify::language::only_names;
+use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::reading::Unused;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::term::letters::{letter_names, spelled};
+
+/// Verbs that build the system or name letters.
+const HEARD: [&str; 7] = [
+    "turn",
+    "take",
+    "have components",
+    "number",
+    "consist",
+    "lie",
+    "place",
+];
+
+impl Builder<'_> {
+    /// Verbs and nouns for which the model has no law yet.
+    pub(super) fn say_unheard(&mut self) {
+        for declaration in self.declarations {
+            let heard = match &declaration.statement {
+                Statement::Does { verb, .. } => HEARD.contains(verb),
+                Statement::Is { what, .. } => what.head != "contact point",
+                _ => true,
+            };
+            if !heard {
+                self.say_unused(declaration);
+            }
+        }
+    }
+
+    pub(super) fn say_unused(&mut self, declaration: &Declaration) {
+        let sentence = declaration.text.trim_end_matches('.').to_owned();
+        let reach = reach_of(&declaration.extent);
+        if !self.reading.unused.iter().any(|u| u.sentence == sentence) {
+            let named = letters_named_by(&declaration.statement);
+            let letters = named.map(|nodes| nodes.into_iter().flat_map(letter_names).collect());
+            self.reading.unused.push(Unused {
+                sentence,
+                reach,
+                letters,
+            });
+        }
+    }
+
+    /// A sentence about a letter that another one tells of as well says more than what the letter is.
+    pub(super) fn widen_unused(&mut self) {
+        for declaration in self.declarations {
+            let Some(nodes) = letters_named_by(&declaration.statement) else {
+                continue;
+            };
+            let mut known = self.reading.letters.letters.iter();
+            if known.any(|letter| nodes.iter().any(|node| spelled(node) == letter.spelled)) {
+                let sentence = declaration.text.trim_end_matches('.');
+                let own = self.reading.unused.iter_mut();
+                own.filter(|u| u.sentence == sentence)
+                    .for_each(|unused| unused.letters = None);
+            }
+        }
+    }
+}
+
+/// The letters of a sentence that says what quantities letters are, and no more.
+fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    if !only_names(what.head) {
+        return None;
+    }
+    let nodes = subjects.iter().map(|subject| match subject {
+        Term::Formula(formula) => node_of(formula),
+        _ => None,
+    });
+    nodes.collect()
+}
