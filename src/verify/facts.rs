@@ -19,8 +19,7 @@ impl Source {
     /// The words that `uses` and certificates show.
     pub(crate) fn text(&self) -> String {
         match self {
-            Self::Line(None, line) => format!("line {line}"),
-            Self::Line(Some(cell), line) => format!("line {line} of cell {cell}"),
+            Self::Line(_, line) => format!("line {line}"),
             Self::Declared(sentence) => format!("declared: {sentence}"),
         }
     }
