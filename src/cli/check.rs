@@ -24,8 +24,8 @@ Example:
 Sentences in the front matter, under `polhode:`, say what a document means; then its lines are judged by
 them alone. polhode help language has the sentences.
 
-Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input can't be read or
-a sentence that declares something is not understood, 3 nothing is refuted but a line is undecided or unreadable.
+Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input can't be read,
+3 nothing is refuted but a line is undecided or unreadable, or a sentence that declares something is not understood.
 
 What can be written, and what it is read as: polhode help notation")]
 pub(super) struct Options {
@@ -91,10 +91,11 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     if failures.is_empty() {
         for path in &options.files {
             match input::read(path) {
-                Ok(text) => match check(path, &text, options.kind, &sheets, color) {
-                    Ok(one) => checked.push(one),
-                    Err(wrong) => failures.extend(wrong),
-                },
+                Ok(text) => {
+                    let (one, wrong) = check(path, &text, options.kind, &sheets, color);
+                    checked.push(one);
+                    failures.extend(wrong);
+                }
                 Err(error) => failures.push(declare::failure(path, &error.to_string())),
             }
         }
@@ -114,9 +115,9 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         Err(error) => return output::failed(&error.to_string()),
     };
     match output::deliver(&text, options.out.as_deref(), color) {
-        0 if !failures.is_empty() => 2,
-        0 if options.meaning && options.format == Form::Text => 0,
-        0 => code(&checked),
+        0 if failures.iter().any(|failure| failure.place.is_none()) => 2,
+        0 if options.meaning && options.format == Form::Text => 3 * u8::from(!failures.is_empty()),
+        0 => code(&checked, &failures),
         failed => failed,
     }
 }
@@ -137,14 +138,15 @@ fn written(
     }
 }
 
-/// Checks one document: by what is declared of it, or as its words have it where nothing is.
+/// Checks one document: by what is declared of it, or as its words have it where nothing is. Also returns the sentences
+/// that were not understood.
 fn check(
     path: &Path,
     text: &str,
     kind: Option<Kind>,
     sheets: &[Sheet],
     color: ColorChoice,
-) -> Result<Checked, Vec<Failure>> {
+) -> (Checked, Vec<Failure>) {
     let format = match kind {
         Some(kind) => kind.format(),
         None if path.as_os_str() == "-" => Format::Markdown,
@@ -152,9 +154,7 @@ fn check(
     };
     let (document, diagnostics) = notation::read(&input::name(path), text, format);
     let declared = verify::declarations(&document, sheets);
-    if !declared.misunderstood.is_empty() {
-        return Err(declare::misunderstood(&document, sheets, &declared, color));
-    }
+    let misunderstood = declare::misunderstood(&document, sheets, &declared, color);
     let report = match declared.is_empty() {
         true => verify::check(&document),
         false => verify::check_declared(&document, &declared),
@@ -165,7 +165,7 @@ fn check(
         report,
     };
     declare::warn_of_unused(&mut checked, sheets, &declared, color);
-    Ok(checked)
+    (checked, misunderstood)
 }
 
 /// Whether two paths name one existing file.
@@ -176,14 +176,15 @@ fn same(one: &Path, other: &Path) -> bool {
     }
 }
 
-/// 1 where a line is refuted, 3 where one is open, 0 otherwise.
-fn code(checked: &[Checked]) -> u8 {
+/// 1 where a line is refuted, 3 where one is open or a sentence is not understood, 0 otherwise.
+fn code(checked: &[Checked], misunderstood: &[Failure]) -> u8 {
     let summaries: Vec<_> = checked.iter().map(|c| c.report.summary()).collect();
     let mut diagnostics = checked.iter().flat_map(|c| &c.diagnostics);
     if summaries.iter().any(|s| s.refuted > 0) {
         1
     } else if summaries.iter().any(|s| s.undecided + s.unreadable > 0)
         || diagnostics.any(|d| d.severity == Severity::Error)
+        || !misunderstood.is_empty()
     {
         3
     } else {

@@ -200,6 +200,7 @@ impl Declared {
     pub fn meaning(&self) -> Vec<Meant> {
         let lexicon = Lexicon::shared();
         let each = self.declarations.iter().zip(&self.of);
+        let each = each.filter(|(said, _)| !said.is_unread());
         let meant = each.map(|(declaration, &of)| Meant {
             sentence: sentence(declaration, lexicon),
             source: self

@@ -66,6 +66,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
             .reading
             .unused
             .iter()
+            .filter(|unused| unused.understood)
             .map(|unused| unused.sentence.clone())
             .collect(),
     }

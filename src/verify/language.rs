@@ -31,5 +31,5 @@ pub use print::sentence;
 /// Whether a noun says what quantity a letter is, and no more than that.
 pub(crate) fn only_names(noun: &str) -> bool {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
-    entry.is_some_and(|entry| !entry.tells)
+    entry.is_some_and(lexicon::Entry::only_names)
 }

@@ -61,9 +61,17 @@ pub(crate) struct Reading {
 #[derive(Clone, Debug)]
 pub(crate) struct Unused {
     pub(crate) sentence: String,
+    pub(crate) understood: bool,
     pub(crate) reach: Reach,
     /// The letters that it says something of, without marks and labels, where it says no more than what these are.
     pub(crate) letters: Option<BTreeSet<String>>,
+}
+
+impl Unused {
+    fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
+        let own = self.letters.as_ref();
+        own.is_none_or(|own| !own.is_disjoint(letters))
+    }
 }
 
 impl Reading {
@@ -90,11 +98,17 @@ impl Reading {
     /// A sentence of which nothing was made, and which may tell something of these letters at a place.
     pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
         let tells = |unused: &&Unused| {
-            let own = unused.letters.as_ref();
-            unused.reach.covers(at, 0) && own.is_none_or(|own| !own.is_disjoint(letters))
+            unused.reach.covers(at, 0) && (!unused.understood || unused.may_tell_of(letters))
         };
         let found = self.unused.iter().find(tells);
         found.map(|unused| unused.sentence.as_str())
+    }
+
+    /// A sentence that was not understood, without which nothing can be said of these letters at a place.
+    pub(crate) fn unread_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
+        let unread = self.unused.iter().filter(|unused| !unused.understood);
+        let mut telling = unread.filter(|u| u.reach.covers(at, 0) && u.may_tell_of(letters));
+        telling.next().map(|unused| unused.sentence.as_str())
     }
 
     /// The role that is declared of a line.

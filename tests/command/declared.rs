@@ -100,9 +100,9 @@ fn verdicts(document: &Value) -> Vec<String> {
         .collect()
 }
 
-fn refused(folder: &Path, arguments: &[&str]) -> (String, Value) {
+fn complained(folder: &Path, arguments: &[&str], code: i32) -> (String, Value) {
     let output: Output = polhode(folder, &[&["check"], arguments].concat());
-    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(output.status.code(), Some(code));
     let with_json = polhode(
         folder,
         &[&["check", "--format", "json"], arguments].concat(),
@@ -199,7 +199,7 @@ fn a_sentence_that_is_not_understood_is_an_error_at_its_word() {
         ("bare.md", LINES),
         ("wrong.declare", "# a remark\n- N is an inertial framme.\n"),
     ]);
-    let (shown, error) = refused(folder.path(), &["ring.md"]);
+    let (shown, error) = complained(folder.path(), &["ring.md"], 3);
     assert!(
         shown.contains("ring.md:5:16") && shown.contains("`spinn`"),
         "{shown}"
@@ -208,12 +208,12 @@ fn a_sentence_that_is_not_understood_is_an_error_at_its_word() {
         (&error["source_line"], &error["source_column"]),
         (&5.into(), &16.into())
     );
-    let (shown, _) = refused(folder.path(), &["ring.tex"]);
+    let (shown, _) = complained(folder.path(), &["ring.tex"], 3);
     assert!(
         shown.contains("ring.tex:1:20") && shown.contains("the settings are"),
         "{shown}"
     );
-    let (shown, error) = refused(folder.path(), &["bare.md", "--declare", "wrong.declare"]);
+    let (shown, error) = complained(folder.path(), &["bare.md", "--declare", "wrong.declare"], 3);
     assert!(
         shown.contains("wrong.declare:2:20") && shown.contains("did you mean `frame`?"),
         "{shown}"
@@ -222,8 +222,32 @@ fn a_sentence_that_is_not_understood_is_an_error_at_its_word() {
         (&error["path"], &error["help"]),
         (&"wrong.declare".into(), &"did you mean `frame`?".into())
     );
-    let (shown, _) = refused(folder.path(), &["bare.md", "--declare", "nowhere.declare"]);
+    let (shown, _) = complained(
+        folder.path(),
+        &["bare.md", "--declare", "nowhere.declare"],
+        2,
+    );
     assert!(shown.contains("there is no such file"), "{shown}");
+}
+
+#[test]
+fn beside_a_sentence_that_is_not_understood_lines_are_proved_and_none_is_refuted() {
+    let of_letter = RING.map(|s| s.replace("is the kinetic", "is the whole kinetic"));
+    let of_thing = RING.map(|s| s.replace("G is the mass centre", "G is the whole mass centre"));
+    let named = |sentences: &[String; 13]| sentences.each_ref().map(|s| s.as_str()).map_to_lines();
+    let folder = folder(&[
+        ("bare.md", LINES),
+        ("letter.declare", &named(&of_letter)),
+        ("thing.declare", &named(&of_thing)),
+    ]);
+    let told = |sheet| verdicts(&document(folder.path(), &["bare.md", "--declare", sheet]));
+    // Of the energy nothing is known, and what is denied may hold by what was not understood.
+    assert_eq!(
+        told("letter.declare"),
+        ["proved", "undecided", "undecided", "undecided"]
+    );
+    // What is said of a point may change the meaning of every letter.
+    assert_eq!(told("thing.declare"), ["undecided"; 4]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
-use super::reader::{COPULAS, Read, Reader};
+use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
@@ -53,6 +53,21 @@ impl<'a> Reader<'a> {
                 &[Class::Preposition],
             )),
         }
+    }
+
+    /// The letters of a sentence that only says what quantities they are: "`$s$` and `$t$` are … rates …".
+    pub(crate) fn letters_told(&mut self) -> Read<Vec<Formula>> {
+        let subjects = self.terms()?;
+        let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
+        if !self.take_any(&COPULAS) || !ARTICLES.contains(&self.word()) {
+            return Ok(vec![]);
+        }
+        let nouns = (self.at..self.tokens.len()).filter_map(|at| {
+            self.at = at;
+            self.find(&NOUNS)
+        });
+        let names = nouns.take(1).all(|noun| noun.entry.only_names());
+        Ok(formulas.filter(|_| names).unwrap_or_default())
     }
 
     /// Sentences of a form of their own.

@@ -3,7 +3,7 @@
 use super::bodies::introduced;
 use super::lexicon::Lexicon;
 use super::reader::Reader;
-use super::statement::{Declaration, Misread};
+use super::statement::{Declaration, Extent, Misread, Statement};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -11,7 +11,8 @@ use std::collections::BTreeSet;
 /// A sentence longer than this is not read.
 const LONGEST: usize = 10_000;
 
-/// Reads the sentences of a text, one a line. Lines that begin with `#` are remarks.
+/// Reads the sentences of a text, one a line. Lines that begin with `#` are remarks. A sentence that is not understood
+/// is among the declarations as such, beside what is wrong with it.
 pub fn read_declarations(
     text: &str,
     macros: &Macros,
@@ -36,7 +37,10 @@ pub fn read_declarations(
             tokens.and_then(|tokens| read(&tokens, sentence, line, macros, lexicon, &bodies));
         match said {
             Ok(said) => declarations.extend(said),
-            Err(error) => misread.push(error),
+            Err(error) => {
+                declarations.push(unread(sentence, line, macros, lexicon));
+                misread.push(error);
+            }
         }
     }
     (declarations, misread)
@@ -63,6 +67,26 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
             "say it in several",
         )),
         false => tokens(sentence, line),
+    }
+}
+
+/// A sentence that is not understood: of which part of the document, and of which letters it speaks.
+fn unread(sentence: &str, line: usize, macros: &Macros, lexicon: &Lexicon) -> Declaration {
+    let tokens = parted(sentence, line).unwrap_or_default();
+    let bodies = BTreeSet::new();
+    let mut reader = Reader::new(&tokens, (line, 1), lexicon, macros, &bodies);
+    let extents = reader.extents().unwrap_or_default();
+    let extent = match <[_; 1]>::try_from(extents) {
+        Ok([extent]) => extent,
+        Err(_) => Extent::Document,
+    };
+    Declaration {
+        statement: Statement::Unread {
+            letters: reader.letters_told().unwrap_or_default(),
+        },
+        extent,
+        text: sentence.trim().to_owned(),
+        line,
     }
 }
 

@@ -96,6 +96,13 @@ pub(crate) struct Entry {
     pub(crate) tells: bool,
 }
 
+impl Entry {
+    /// Whether it is a noun that says what quantity a letter is, and no more than that.
+    pub(crate) fn only_names(&self) -> bool {
+        self.class == Class::Noun && !self.tells
+    }
+}
+
 /// A way to write an entry.
 #[derive(Clone, Debug)]
 struct Form {

@@ -14,6 +14,9 @@ use phrases::Printer;
 /// Where a name inside a phrase could be taken with two nouns the sentence may read otherwise; none of the customary
 /// statements is of that kind.
 pub fn sentence(declaration: &Declaration, lexicon: &Lexicon) -> String {
+    if declaration.is_unread() {
+        return declaration.text.clone();
+    }
     let printer = Printer { lexicon };
     let text = printer.statement(&declaration.statement);
     let text = match extent(&declaration.extent) {
@@ -172,6 +175,7 @@ impl Printer<'_> {
             Statement::Notation { sign, meaning } => self.rule(sign, meaning),
             Statement::Role { lines, role } => self.role(lines, role),
             Statement::Premise(phrase) => self.premise(phrase),
+            Statement::Unread { .. } => String::new(),
         }
     }
 

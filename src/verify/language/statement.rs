@@ -19,6 +19,13 @@ pub struct Declaration {
     pub line: usize,
 }
 
+impl Declaration {
+    /// Whether the sentence was not understood.
+    pub fn is_unread(&self) -> bool {
+        matches!(self.statement, Statement::Unread { .. })
+    }
+}
+
 /// The part of a document that a sentence speaks of.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub enum Extent {
@@ -217,6 +224,11 @@ pub enum Statement {
     /// O are the only loads on the top", "the potential energy is zero at O", "the mass centre of wheel $i$ is fixed in B",
     /// "space has four dimensions": a premise by its head, with slots as in a phrase.
     Premise(NounPhrase),
+    /// A sentence that was not understood.
+    Unread {
+        /// The letters that it says something of, where it says no more than what these are; else none.
+        letters: Vec<Formula>,
+    },
 }
 
 /// What carries a meaning by a rule.

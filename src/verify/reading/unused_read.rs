@@ -2,7 +2,7 @@
 
 use crate::notation::ast::Node;
 use crate::verify::language::only_names;
-use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
 use crate::verify::reading::Unused;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{node_of, reach_of};
@@ -26,6 +26,7 @@ impl Builder<'_> {
             let heard = match &declaration.statement {
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { what, .. } => what.head != "contact point",
+                Statement::Unread { .. } => false,
                 _ => true,
             };
             if !heard {
@@ -42,6 +43,7 @@ impl Builder<'_> {
             let letters = named.map(|nodes| nodes.into_iter().flat_map(letter_names).collect());
             self.reading.unused.push(Unused {
                 sentence,
+                understood: !declaration.is_unread(),
                 reach,
                 letters,
             });
@@ -67,15 +69,19 @@ impl Builder<'_> {
 
 /// The letters of a sentence that says what quantities letters are, and no more.
 fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
-    let Statement::Is { subjects, what } = statement else {
-        return None;
+    let formulas: Vec<&Formula> = match statement {
+        Statement::Is { subjects, what } if only_names(what.head) => {
+            subjects.iter().map(in_formula).collect::<Option<_>>()?
+        }
+        Statement::Unread { letters } if !letters.is_empty() => letters.iter().collect(),
+        _ => return None,
     };
-    if !only_names(what.head) {
-        return None;
-    }
-    let nodes = subjects.iter().map(|subject| match subject {
-        Term::Formula(formula) => node_of(formula),
+    formulas.into_iter().map(node_of).collect()
+}
+
+fn in_formula(subject: &Term) -> Option<&Formula> {
+    match subject {
+        Term::Formula(formula) => Some(formula),
         _ => None,
-    });
-    nodes.collect()
+    }
 }

@@ -72,6 +72,9 @@ impl Held {
 impl Judge<'_> {
     /// What one link is worth.
     pub(super) fn hold(&mut self, link: &Link) -> Held {
+        if let Some(sentence) = self.unread_of([&link.left, &link.right]) {
+            return Held::open(format!("this sentence is not understood: {sentence}"));
+        }
         match link.relation {
             Relation::Equal | Relation::Defined => self.hold_equal(link),
             Relation::NotEqual => {

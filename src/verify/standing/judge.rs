@@ -305,7 +305,9 @@ impl<'a> Judge<'a> {
             return;
         };
         let mut verdict = worst;
-        if worst == Answer::Accepted {
+        if self.unread_of(&line.sides).is_some() {
+            verdict = Answer::Undecided;
+        } else if worst == Answer::Accepted {
             for held in &held {
                 verdict = verdict.max(self.settle(held, &self.source()));
             }
@@ -335,6 +337,12 @@ impl<'a> Judge<'a> {
     pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
         let letters = nodes.into_iter().flat_map(letter_names).collect();
         self.reading.unused_of(&letters, &self.at)
+    }
+
+    /// A sentence that was not understood, without which nothing can be said of formulas.
+    pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
+        let letters = nodes.into_iter().flat_map(letter_names).collect();
+        self.reading.unread_of(&letters, &self.at)
     }
 
     /// Takes what an accepted line says into the facts.
