@@ -59,16 +59,15 @@ impl<'a> Reader<'a> {
         if also {
             what.adjectives.insert(0, "also");
         }
-        self.tail(entry, &mut what.slots)?;
-        let start = self.at;
         if let Some(formulas) = &formulas
-            && self.take_sign(Kind::Comma)
+            && formulas
+                .iter()
+                .all(|formula| is_operator(formula, &what, entry))
+            && let Some(fixed) = self.fixed_behind()
         {
-            if let Some(fixed) = self.take_fixed() {
-                return Ok(operating(formulas.clone(), &NotationMeaning::Fixed(fixed)));
-            }
-            self.at = start;
+            return Ok(operating(formulas.clone(), &NotationMeaning::Fixed(fixed)));
         }
+        self.tail(entry, &mut what.slots)?;
         Ok(decide(subjects, formulas, what, entry))
     }
 

@@ -1,5 +1,6 @@
 //! What sentences say of lines: their roles, and where they hold.
 
+use super::clause::as_formula;
 use super::lexicon::Class;
 use super::reader::{Read, Reader};
 use super::statement::{DeclaredRole, Extent, NounPhrase, Slot, Statement, Term};
@@ -19,12 +20,15 @@ impl Reader<'_> {
             };
             return Ok(Some(lines.into_iter().map(one).collect()));
         }
-        let role = self.role()?;
-        let one = |lines| Statement::Role {
-            lines,
-            role: role.clone(),
+        let roles = self.roles()?;
+        let of_line = |lines: Extent| {
+            let one = move |role: &DeclaredRole| Statement::Role {
+                lines: lines.clone(),
+                role: role.clone(),
+            };
+            roles.iter().map(one)
         };
-        Ok(Some(lines.into_iter().map(one).collect()))
+        Ok(Some(lines.into_iter().flat_map(of_line).collect()))
     }
 
     /// The part of the document that a sentence speaks of: "lines 3 to 5", "cell 2", "the section "Tops"", "everything".
@@ -56,15 +60,19 @@ impl Reader<'_> {
         }
     }
 
-    fn role(&mut self) -> Read<DeclaredRole> {
-        if self.take_any(&["define", "defines"]) {
-            return match self.formulas().into_iter().next() {
-                Some(formula) => Ok(DeclaredRole::Define(Some(formula))),
-                None => {
-                    Err(self.unexpected("formula", "what the line defines could stand here", &[]))
-                }
-            };
+    fn roles(&mut self) -> Read<Vec<DeclaredRole>> {
+        if !self.take_any(&["define", "defines"]) {
+            return Ok(vec![self.role()?]);
         }
+        if !self.at_formula() {
+            return Err(self.unexpected("formula", "what the line defines could stand here", &[]));
+        }
+        let formulas = self.terms()?;
+        let formulas = formulas.iter().filter_map(as_formula);
+        Ok(formulas.map(|f| DeclaredRole::Define(Some(f))).collect())
+    }
+
+    fn role(&mut self) -> Read<DeclaredRole> {
         if self.take_any(&["is", "are"]) {
             self.take_any(&["a", "an"]);
             let start = self.at;

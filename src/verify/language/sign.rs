@@ -58,12 +58,8 @@ impl<'a> Reader<'a> {
             return Err(self.unexpected("verb", "`means` could stand here", &[Class::Verb]));
         }
         let mut meaning = self.meaning()?;
-        let start = self.at;
-        if self.take_sign(Kind::Comma) {
-            match self.take_fixed() {
-                Some(fixed) => meaning = NotationMeaning::Fixed(fixed),
-                None => self.at = start,
-            }
+        if let Some(fixed) = self.fixed_behind() {
+            meaning = NotationMeaning::Fixed(fixed);
         }
         Ok(Some(Statement::Notation { sign, meaning }))
     }
@@ -133,6 +129,17 @@ impl<'a> Reader<'a> {
                 None
             }
         }
+    }
+
+    /// Takes a fixed meaning behind a noun: "the rate, entry by entry".
+    pub(crate) fn fixed_behind(&mut self) -> Option<&'static str> {
+        let start = self.at;
+        self.take_sign(Kind::Comma);
+        let fixed = self.take_fixed();
+        if fixed.is_none() {
+            self.at = start;
+        }
+        fixed
     }
 
     /// "takes functions of `$\psi$` and `$\theta$`", "… of the coordinates and their rates".

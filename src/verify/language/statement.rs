@@ -305,6 +305,31 @@ impl fmt::Display for Misread {
 
 impl std::error::Error for Misread {}
 
+impl Statement {
+    /// All terms of a clause, those inside phrases as well.
+    pub(crate) fn terms(&self) -> Vec<&Term> {
+        let (first, slots): (Vec<&Term>, &[(Slot, Term)]) = match self {
+            Self::Is { subjects, what } => (subjects.iter().collect(), &what.slots),
+            Self::Same { subjects, others } => (subjects.iter().chain(others).collect(), &[]),
+            Self::Does {
+                subjects, slots, ..
+            } => (subjects.iter().collect(), slots),
+            Self::Premise(phrase) => (vec![], &phrase.slots),
+            _ => (vec![], &[]),
+        };
+        let mut terms = first;
+        terms.extend(slots.iter().map(|(_, term)| term));
+        let mut at = 0;
+        while let Some(&term) = terms.get(at) {
+            if let Term::Phrase(phrase) = term {
+                terms.extend(phrase.slots.iter().map(|(_, term)| term));
+            }
+            at += 1;
+        }
+        terms
+    }
+}
+
 impl NounPhrase {
     /// A noun with what hangs on it.
     pub(crate) fn new(head: &'static str, slots: Vec<(Slot, Term)>) -> Self {

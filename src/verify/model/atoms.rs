@@ -3,7 +3,7 @@
 //! A variable is free, or a law gives its value in variables that were there before it: a triangular set. A free
 //! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
 
-use crate::algebra::{Fraction, Place, Polynomial, Variable};
+use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use num_traits::Zero;
 use std::collections::HashMap;
 
@@ -80,8 +80,8 @@ pub(crate) enum Nature {
     Quantity,
     /// A letter of the document of which nothing is known.
     Unknown,
-    /// The sum over all members of a family of a product of powers of their variables.
-    Sum,
+    /// The sum over all members of a family of this product of powers of their variables.
+    Sum(Monomial),
     /// The sine of an angle.
     Sine(Fraction),
     /// The cosine of an angle.
@@ -260,10 +260,11 @@ impl Atoms {
     pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
         match &self.atom(variable).nature {
             Nature::Unknown => true,
-            Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of) => {
+            Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of) | Nature::UnitPart(of) => {
                 of.variables().into_iter().any(|v| self.is_unknown(v))
             }
-            _ => false,
+            Nature::Sum(of) => of.powers().iter().any(|&(v, _)| self.is_unknown(v)),
+            Nature::Quantity => false,
         }
     }
 

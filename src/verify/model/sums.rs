@@ -183,7 +183,7 @@ impl System {
             Motion::Free
         };
         let variable = self.atoms.variable(key, Place::Rate, motion);
-        self.atoms.atom_mut(variable).nature = Nature::Sum;
+        self.atoms.atom_mut(variable).nature = Nature::Sum(product.clone());
         match law {
             Some(law) => self.atoms.atom_mut(variable).law = Some(law),
             None if !constant => {

@@ -6,7 +6,7 @@ use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statemen
 use crate::verify::model::system::{BodyId, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{index_letter, name_of};
+use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::{Quantity, Whole};
 
@@ -36,6 +36,7 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        self.number_members();
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
@@ -65,7 +66,7 @@ impl Builder<'_> {
                     self.add_named_body(name);
                 }
             }
-            "mass centre" => {
+            MASS_CENTRE => {
                 if let Some(Term::Name(name)) = what.slot(Slot::Of) {
                     self.add_named_body(name);
                 }
@@ -187,18 +188,35 @@ impl Builder<'_> {
             return;
         };
         let name = singular(plural).unwrap_or(plural).to_owned();
-        let body = (!self.reading.system.bodies.is_empty()).then_some(0);
-        self.add_family(&name, body);
-        let family = self.families[&name];
         for subject in subjects {
-            let Term::Formula(formula) = subject else {
-                continue;
-            };
-            let letter = index_letter(formula);
-            let indices = &mut self.reading.system.families[family].indices;
-            if !indices.contains(&letter) {
-                indices.push(letter);
+            if let Term::Formula(formula) = subject {
+                self.number_with(&name, index_letter(formula));
             }
+        }
+    }
+
+    /// "particle `i`" says that `i` numbers the particles.
+    fn number_members(&mut self) {
+        for declaration in self.declarations {
+            for term in declaration.statement.terms() {
+                let Term::Member { family, index } = term else {
+                    continue;
+                };
+                let letter = index_letter(index);
+                if letter.chars().all(|c| c.is_ascii_lowercase()) && letter.len() == 1 {
+                    self.number_with(family, letter);
+                }
+            }
+        }
+    }
+
+    fn number_with(&mut self, family: &str, letter: String) {
+        let body = (!self.reading.system.bodies.is_empty()).then_some(0);
+        self.add_family(family, body);
+        let family = self.families[family];
+        let indices = &mut self.reading.system.families[family].indices;
+        if !indices.contains(&letter) {
+            indices.push(letter);
         }
     }
 

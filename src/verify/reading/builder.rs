@@ -7,7 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
-use crate::verify::reading::names::{index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::lower::Lowering;
@@ -205,7 +205,7 @@ impl Builder<'_> {
     /// The point that a term names.
     pub(super) fn point(&self, term: &Term) -> Option<PointId> {
         match term {
-            Term::Phrase(phrase) if phrase.head == "mass centre" => {
+            Term::Phrase(phrase) if phrase.head == MASS_CENTRE => {
                 let body = self.body(phrase.slot(Slot::Of)?)?;
                 Some(self.reading.system.bodies[body].centre)
             }
@@ -255,9 +255,7 @@ impl Builder<'_> {
     pub(super) fn is_told(&mut self, formula: &Formula, declaration: &Declaration) -> bool {
         let quantity = self.quantity_of(formula, declaration);
         let value = self.mentioned_value(formula, declaration);
-        let atoms = &self.reading.system.atoms;
-        let told = |entry: &Fraction| !entry.variables().iter().any(|&v| atoms.is_unknown(v));
-        quantity.is_some() || value.is_some_and(|value| value.entries.iter().all(told))
+        quantity.is_some() || value.is_some_and(|value| self.reading.system.is_told(&value))
     }
 
     /// What a letter stands for at the place of a declaration.
@@ -313,6 +311,12 @@ pub(crate) fn place_in(reach: &Reach) -> At {
 }
 
 impl System {
+    /// Whether no letter of which nothing is told stands in a value.
+    pub(super) fn is_told(&self, value: &Value) -> bool {
+        let variables = value.entries.iter().flat_map(Fraction::variables);
+        variables.into_iter().all(|v| !self.atoms.is_unknown(v))
+    }
+
     /// Letters that stand in a declaration are told by it.
     pub(super) fn trust(&mut self, value: &Value) {
         use crate::verify::model::atoms::Nature;

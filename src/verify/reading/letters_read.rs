@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::names::{MASS_CENTRE, node_of, reach_of};
 use crate::verify::reading::turns_read::EULER_ANGLES;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -15,7 +15,7 @@ const THINGS: [&str; 20] = [
     "products of inertia",
     "frame",
     "point",
-    "mass centre",
+    MASS_CENTRE,
     "axes",
     "axis",
     "vertical",
@@ -292,14 +292,17 @@ impl Builder<'_> {
         }
     }
 
+    fn is_scalar(&mut self, quantity: &Quantity) -> bool {
+        let value = self.system().value_of(quantity);
+        value.is_ok_and(|value| value.is_scalar())
+    }
+
     /// "P, Q, R are the components of ω on B."
     fn read_components(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
         let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
-        let Some(of) = what
-            .slot(Slot::Of)
-            .cloned()
-            .and_then(|term| self.operand(&term, declaration))
-        else {
+        let of = what.slot(Slot::Of).cloned();
+        let of = of.and_then(|term| self.operand(&term, declaration));
+        let Some(of) = of.filter(|of| !self.is_scalar(of)) else {
             return self.say_unused(declaration);
         };
         let frame = frame

@@ -5,6 +5,9 @@ use crate::notation::document::Row;
 use crate::verify::language::statement::{Extent, Formula, Term};
 use crate::verify::term::letters::Reach;
 
+/// The point of a body by which its mass moves.
+pub(crate) const MASS_CENTRE: &str = "mass centre";
+
 /// A name as it is looked up: a letter in dollars and the same letter in plain text are one name.
 pub(crate) fn name_of(term: &Term) -> Option<String> {
     match term {
@@ -88,5 +91,17 @@ pub(crate) fn reach_of(extent: &Extent) -> Reach {
             line: *line,
         },
         Extent::Both(a, b) => Reach::Both(Box::new(reach_of(a)), Box::new(reach_of(b))),
+    }
+}
+
+/// What a slot names; where nothing is said, what is customary. Nothing where it is said and not known.
+pub(crate) fn told<T>(
+    slot: Option<&Term>,
+    customary: T,
+    known: impl Fn(&Term) -> Option<T>,
+) -> Option<T> {
+    match slot {
+        Some(term) => known(term),
+        None => Some(customary),
     }
 }

@@ -64,10 +64,7 @@ impl Builder<'_> {
             let letters = letters.iter().filter_map(node_of).cloned();
             return self.reading.letters.arguments.push(letters.collect());
         }
-        // Of which coordinates a function is, its own law says; and a × b is the cross product anyhow.
-        if let (Sign::Operator(_), NotationMeaning::Noun(phrase)) = (sign, meaning)
-            && matches!(phrase.head, "function" | "cross product" | "dot product")
-        {
+        if is_custom(sign, meaning) {
             return;
         }
         let Some(effect) = self.effect(meaning) else {
@@ -155,6 +152,19 @@ impl Builder<'_> {
             NotationMeaning::Fixed(_) => Some(Effect::Itself),
             NotationMeaning::FunctionsOf(_) => None,
         }
+    }
+}
+
+/// Whether a rule says no more than what is custom: that a dot is a rate, that a × b is the cross product. Of which
+/// coordinates a function is, its own law says.
+fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
+    let NotationMeaning::Noun(phrase) = meaning else {
+        return false;
+    };
+    match sign {
+        Sign::Operator(_) => matches!(phrase.head, "function" | "cross product" | "dot product"),
+        Sign::Mark("dot") => phrase.head == "rate" && phrase.slots.is_empty(),
+        _ => false,
     }
 }
 

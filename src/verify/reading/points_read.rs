@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statemen
 use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{name_of, reach_of};
+use crate::verify::reading::names::{MASS_CENTRE, name_of, reach_of};
 use crate::verify::term::letters::Reach;
 
 /// What is said of a point, gathered from all sentences.
@@ -54,7 +54,7 @@ impl Builder<'_> {
             let whole = reach_of(&declaration.extent) == Reach::All;
             match &declaration.statement {
                 Statement::Is { subjects, what }
-                    if matches!(what.head, "point" | "mass centre" | "fixed" | "origin") =>
+                    if matches!(what.head, "point" | MASS_CENTRE | "fixed" | "origin") =>
                 {
                     for name in subjects.iter().filter_map(name_of) {
                         self.speak_of_point(&mut all, &name, what, whole);
@@ -68,7 +68,7 @@ impl Builder<'_> {
                     }
                 }
                 // "The mass centres of the gimbal and of the wheel are fixed in B."
-                Statement::Premise(p) if p.head == "mass centre" && p.is("fixed") => {
+                Statement::Premise(p) if p.head == MASS_CENTRE && p.is("fixed") => {
                     for body in p.all(Slot::Of).filter_map(|term| self.body(term)) {
                         let name = format!("centre of {}", self.reading.system.bodies[body].name);
                         self.speak_of_centre(&mut all, &name, body, p);
@@ -98,7 +98,7 @@ impl Builder<'_> {
         }
         let spoken = entry(all, name);
         spoken.fixed_in.extend(self.frames_fixed(what));
-        if what.head == "mass centre" {
+        if what.head == MASS_CENTRE {
             spoken.centre_of = what.slot(Slot::Of).and_then(|term| self.body(term));
         }
     }
@@ -234,7 +234,7 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if what.head != "mass centre" || reach_of(&declaration.extent) == Reach::All {
+            if what.head != MASS_CENTRE || reach_of(&declaration.extent) == Reach::All {
                 continue;
             }
             let Some(body) = what.slot(Slot::Of).and_then(|term| self.body(term)) else {

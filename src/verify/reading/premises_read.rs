@@ -8,7 +8,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::reach_of;
+use crate::verify::reading::names::{MASS_CENTRE, reach_of, told};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -80,7 +80,7 @@ impl Builder<'_> {
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),
-            "potential energy" | "mass centre" => Some(()),
+            "potential energy" | MASS_CENTRE => Some(()),
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
                     let reach = reach_of(&declaration.extent);
@@ -102,12 +102,13 @@ impl Builder<'_> {
     /// The products of inertia vanish on the axes of the frame.
     fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
         let of = self.whole_of(premise)?;
-        let about = self.about(premise, &of);
-        let frame = match premise.slot(Slot::With) {
-            Some(Term::Phrase(axes)) => axes.slot(Slot::Of).and_then(|term| self.frame(term)),
+        let about = self.about(premise, &of)?;
+        let axes = match premise.slot(Slot::With) {
+            Some(Term::Phrase(axes)) => axes.slot(Slot::Of),
             _ => None,
         };
-        let frame = frame.unwrap_or(self.reading.letters.component_frame);
+        let customary = self.reading.letters.component_frame;
+        let frame = told(axes, customary, |t| self.frame(t))?;
         let tensor = Quantity::Inertia { of, about };
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let of = tensor.clone().boxed();
@@ -125,7 +126,7 @@ impl Builder<'_> {
 
     fn no_moment(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
         let of = self.whole_of(premise)?;
-        let about = self.about(premise, &of);
+        let about = self.about(premise, &of)?;
         let body = self.body_of(premise)?;
         let moment = self.system().total_moment(body, about);
         self.hold_zero(&moment, declaration);
@@ -284,9 +285,17 @@ impl Builder<'_> {
                 source: crate::notation::print::latex(node),
                 row: Row::Expression(node.clone()),
             };
-            builder.formula_value(&formula, declaration)
+            builder.mentioned_value(&formula, declaration)
         };
         let values: Vec<Option<Value>> = sides.iter().map(|side| value(self, side)).collect();
+        // Of what a letter is tells a formula with a side on which all is known.
+        let system = &mut self.reading.system;
+        if values.iter().flatten().any(|value| system.is_told(value)) {
+            values
+                .iter()
+                .flatten()
+                .for_each(|value| system.trust(value));
+        }
         for pair in values.windows(2) {
             if let [Some(left), Some(right)] = pair {
                 self.hold_equal(&left.clone(), &right.clone(), declaration);

@@ -5,7 +5,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::name_of;
+use crate::verify::reading::names::{MASS_CENTRE, name_of, told};
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -27,13 +27,13 @@ impl Builder<'_> {
                 axis: along.boxed(),
             };
         }
-        if let Some(frame) = phrase.slot(Slot::On).and_then(|term| self.frame(term))
+        if let Some(on) = phrase.slot(Slot::On)
             && !matches!(
                 phrase.head,
                 "component" | "principal moments" | "products of inertia" | "entry"
             )
         {
-            quantity = Quantity::On(quantity.boxed(), frame);
+            quantity = Quantity::On(quantity.boxed(), self.frame(on)?);
         }
         Some(quantity)
     }
@@ -44,16 +44,20 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<Quantity> {
         let ground = self.reading.system.ground;
-        let relative = self.relative(phrase).unwrap_or(ground);
+        let relative = told(phrase.slot(Slot::RelativeTo), ground, |t| self.frame(t));
+        if matches!(phrase.head, "position" | "displacement") {
+            let of = self.spot(phrase.slot(Slot::Of)?)?;
+            let from = phrase.slot(Slot::RelativeTo);
+            let from = told(from.or_else(|| phrase.slot(Slot::From)), 0, |t| {
+                self.point(t)
+            })?;
+            return Some(Quantity::Position { of, from });
+        }
+        if phrase.head == "distance" {
+            return self.distance(phrase, declaration);
+        }
+        let relative = relative?;
         Some(match phrase.head {
-            "position" | "displacement" => {
-                let of = self.spot(phrase.slot(Slot::Of)?)?;
-                let from = phrase
-                    .slot(Slot::RelativeTo)
-                    .or_else(|| phrase.slot(Slot::From));
-                let from = from.and_then(|term| self.point(term)).unwrap_or(0);
-                Quantity::Position { of, from }
-            }
             "velocity" => {
                 let of = self.spot(phrase.slot(Slot::Of)?)?;
                 Quantity::Velocity { of, relative }
@@ -76,15 +80,11 @@ impl Builder<'_> {
             }
             "rate" => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-                let seen = phrase
-                    .slot(Slot::SeenFrom)
-                    .and_then(|term| self.frame(term));
                 Quantity::Rate {
                     of: of.boxed(),
-                    seen: seen.unwrap_or(ground),
+                    seen: told(phrase.slot(Slot::SeenFrom), ground, |t| self.frame(t))?,
                 }
             }
-            "distance" => self.distance(phrase, declaration)?,
             "magnitude" => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
@@ -108,7 +108,7 @@ impl Builder<'_> {
         Some(match phrase.head {
             "inertia tensor" => {
                 let of = self.whole_of(phrase)?;
-                let about = self.about(phrase, &of);
+                let about = self.about(phrase, &of)?;
                 Quantity::Inertia { of, about }
             }
             "moment of inertia" => self.moment_of_inertia(phrase, declaration)?,
@@ -118,10 +118,10 @@ impl Builder<'_> {
             },
             "angular momentum" => {
                 let of = self.whole_of(phrase)?;
-                let about = self.about(phrase, &of);
+                let about = self.about(phrase, &of)?;
                 let velocities = match phrase.slot(Slot::VelocitiesRelativeTo) {
-                    Some(term) if self.point(term).is_some() => Velocities::RelativeToPoint,
-                    _ => Velocities::Absolute,
+                    Some(term) => self.point(term).map(|_| Velocities::RelativeToPoint)?,
+                    None => Velocities::Absolute,
                 };
                 Quantity::AngularMomentum {
                     of,
@@ -176,27 +176,20 @@ impl Builder<'_> {
         }
     }
 
-    fn relative(&self, phrase: &NounPhrase) -> Option<FrameId> {
-        phrase
-            .slot(Slot::RelativeTo)
-            .and_then(|term| self.frame(term))
-    }
-
-    /// The point that a quantity is about; the mass centre where none is said.
-    pub(super) fn about(&self, phrase: &NounPhrase, of: &Whole) -> PointId {
+    /// The point that a quantity is about; the mass centre where none is said, as of an axis through none.
+    pub(super) fn about(&self, phrase: &NounPhrase, of: &Whole) -> Option<PointId> {
         let centre = match of {
             Whole::Body(body) => self.centre_of(*body),
             Whole::Member(..) => 0,
         };
         let about = phrase.slot(Slot::About);
-        let through = about.and_then(|term| match term {
-            Term::Phrase(axis) => axis.slot(Slot::Through).and_then(|t| self.point(t)),
-            _ => None,
-        });
-        about
-            .and_then(|term| self.point(term))
-            .or(through)
-            .unwrap_or(centre)
+        match about {
+            Some(Term::Phrase(axis)) if axis.head != MASS_CENTRE => {
+                told(axis.slot(Slot::Through), centre, |t| self.point(t))
+            }
+            Some(Term::Name(name)) if !self.axes.contains_key(name) => self.point(about?),
+            about => Some(about.and_then(|t| self.point(t)).unwrap_or(centre)),
+        }
     }
 
     pub(super) fn centre_of(&self, body: usize) -> PointId {
@@ -232,7 +225,7 @@ impl Builder<'_> {
         if let Some(rotors) = self.rotors_of(&of) {
             return Some(Quantity::Known(Value::scalar(rotors.inertia)));
         }
-        let about = self.about(phrase, &of);
+        let about = self.about(phrase, &of)?;
         let axis = phrase
             .slot(Slot::About)
             .or_else(|| phrase.slot(Slot::Along))?
@@ -280,10 +273,7 @@ impl Builder<'_> {
             .clone();
         match &from {
             Term::Phrase(axis) => {
-                let through = axis
-                    .slot(Slot::Through)
-                    .and_then(|term| self.point(term))
-                    .unwrap_or(0);
+                let through = told(axis.slot(Slot::Through), 0, |t| self.point(t))?;
                 let along = axis.slot(Slot::Along)?.clone();
                 let along = self.axis_quantity(&along, declaration)?;
                 Some(Quantity::Distance {
@@ -345,7 +335,7 @@ impl Builder<'_> {
             }
             _ => {
                 let of = self.whole_of(phrase)?;
-                let about = self.about(phrase, &of);
+                let about = self.about(phrase, &of)?;
                 match of {
                     Whole::Body(of) => Some(Quantity::Moment { of, about }),
                     Whole::Member(..) => None,

@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::names::{node_of, reach_of, told};
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -169,10 +169,7 @@ impl Builder<'_> {
     /// The height of a point above another.
     pub(super) fn height(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
         let of = self.spot(phrase.slot(Slot::Of)?)?;
-        let from = phrase
-            .slot(Slot::With)
-            .and_then(|term| self.point(term))
-            .unwrap_or(0);
+        let from = told(phrase.slot(Slot::With), 0, |t| self.point(t))?;
         let (frame, axis) = self.upward?;
         let way = Quantity::Position { of, from };
         Some(Quantity::Component {

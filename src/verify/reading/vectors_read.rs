@@ -4,7 +4,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::atoms::whole;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{node_of, told};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -176,14 +176,14 @@ impl Builder<'_> {
             Some(Term::Formula(formula)) => {
                 self.operand(&Term::Formula(formula.clone()), declaration)
             }
-            _ => self.whole_of(what).map(|of| {
-                let about = self.about(what, &of);
-                Quantity::Inertia { of, about }
+            _ => self.whole_of(what).and_then(|of| {
+                let about = self.about(what, &of)?;
+                Some(Quantity::Inertia { of, about })
             }),
         };
-        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
-        let frame = frame.unwrap_or(self.reading.letters.component_frame);
-        let Some(tensor) = tensor else {
+        let customary = self.reading.letters.component_frame;
+        let frame = told(what.slot(Slot::On), customary, |t| self.frame(t));
+        let (Some(tensor), Some(frame)) = (tensor, frame) else {
             return self.say_unused(declaration);
         };
         let entry = |row: usize, column: usize| Quantity::Entry {

@@ -73,7 +73,7 @@ impl Judge<'_> {
     /// What one link is worth.
     pub(super) fn hold(&mut self, link: &Link) -> Held {
         if let Some(sentence) = self.unread_of([&link.left, &link.right]) {
-            return Held::open(format!("this sentence is not understood: {sentence}"));
+            return Held::open(nothing_made_of(sentence));
         }
         match link.relation {
             Relation::Equal | Relation::Defined => self.hold_equal(link),
@@ -324,7 +324,7 @@ impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
     fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
-            held.doubt = Some(format!("nothing was made of the sentence \"{sentence}\""));
+            held.doubt = Some(nothing_made_of(sentence));
             return;
         }
         if let Some(premise) = self.facts.missing().map(Source::text) {
@@ -354,4 +354,8 @@ impl Judge<'_> {
 /// `const`, `\text{const.}`
 fn is_constant_word(node: &Node) -> bool {
     matches!(&node.kind, Kind::Symbol(s) if matches!(s.name.trim_end_matches('.'), "const" | "constant"))
+}
+
+fn nothing_made_of(sentence: &str) -> String {
+    format!("nothing was made of the sentence \"{sentence}\"")
 }
