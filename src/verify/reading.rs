@@ -104,6 +104,12 @@ impl Reading {
         found.map(|unused| unused.sentence.as_str())
     }
 
+    /// Whether a sentence of which nothing was made tells of one of these letters.
+    pub(crate) fn tells_unused(&self, letters: &BTreeSet<String>, at: &At) -> bool {
+        let mut naming = self.unused.iter().filter(|unused| unused.letters.is_some());
+        naming.any(|unused| unused.reach.covers(at, 0) && unused.may_tell_of(letters))
+    }
+
     /// A sentence that was not understood, without which nothing can be said of these letters at a place.
     pub(crate) fn unread_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
         let unread = self.unused.iter().filter(|unused| !unused.understood);

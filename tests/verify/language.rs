@@ -99,6 +99,61 @@ fn one_sentence_may_say_several_things() {
     assert!(matches!(&said[0].statement, Statement::Is { subjects, .. } if subjects.len() == 3));
 }
 
+/// What sentences are printed as that say several things in one.
+#[test]
+fn clauses_appositions_and_gaps_are_sentences_of_their_own() {
+    let printed = |text: &str| {
+        let said = read(text).expect("read");
+        let each = said.iter().map(|d| sentence(d, &Lexicon::default()));
+        each.collect::<Vec<_>>()
+    };
+    let pairs = [
+        (
+            "D is an inertial frame, and $z$ is the upward vertical.",
+            ["D is an inertial frame.", "$z$ is the upward vertical."],
+        ),
+        (
+            "$m$ is the mass of the ship and $g$ the acceleration of gravity.",
+            [
+                "$m$ is the mass of the ship.",
+                "$g$ is the acceleration of gravity.",
+            ],
+        ),
+        (
+            "O is the pivot, a point fixed in D.",
+            ["O is the pivot.", "O is a point fixed in D."],
+        ),
+        (
+            "Line 9 defines $p$ and $q$.",
+            ["Line 9 defines $p$.", "Line 9 defines $q$."],
+        ),
+    ];
+    for (text, expected) in pairs {
+        assert_eq!(printed(text), expected);
+    }
+    let single = [
+        (
+            "The frame K is fixed in the ship.",
+            "K is a frame fixed in the ship.",
+        ),
+        (
+            "The only loads on the ship are the weight and the force at O.",
+            "The weight and the force at O are the only loads on the ship.",
+        ),
+        (
+            "D is an inertial frame with the axes $i$, $j$, $k$.",
+            "D is an inertial frame with axes $i$, $j$ and $k$.",
+        ),
+        (
+            "A dot means the rate entry by entry.",
+            "A dot means entry by entry.",
+        ),
+    ];
+    for (text, expected) in single {
+        assert_eq!(printed(text), [expected]);
+    }
+}
+
 #[test]
 fn marks_have_rules() {
     let Statement::Notation { sign, meaning } = statement("An overdot means the rate seen from D.")

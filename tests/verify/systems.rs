@@ -479,3 +479,20 @@ $$ e\,\vec L = \mathbf J\vec\omega $$
 ";
     assert_eq!(judged(&sentences, text), "ru");
 }
+
+#[test]
+fn no_line_is_denied_by_what_is_named_and_not_introduced() {
+    // Without a sentence on C its position is not that from the origin.
+    let sentences = format!("{BODY}$\\vec c$ is the position of C from O.\n");
+    let text = r"
+$$ \vec c = 0 $$
+$$ \dot{\vec c} = \vec\omega\times\vec c $$
+";
+    assert!(!judged(&sentences, text).contains(['p', 'r']));
+    // Without a mass for each, the sum over particles may be anything.
+    let sentences = format!("{BODY}$\\vec r_i$ is the position of particle $i$ from G.\n");
+    assert_eq!(
+        judged(&sentences, r"$$ \sum_i m_i \vec r_i = \vec L $$"),
+        "u"
+    );
+}

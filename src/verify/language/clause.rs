@@ -10,6 +10,12 @@ use super::words::Kind;
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
 
+/// Things that are called by what they are before their name.
+const KINDS: [&str; 2] = ["frame", "point"];
+
+/// The subject of a clause behind another has no more words than this.
+const LONGEST_SUBJECT: usize = 12;
+
 /// What is said, and of which part of the document.
 pub(crate) type Said = (Extent, Statement);
 
@@ -18,17 +24,26 @@ impl<'a> Reader<'a> {
     pub(crate) fn sentence(&mut self) -> Read<Vec<Said>> {
         let mut extents = self.extents()?;
         let mut said = vec![];
+        let mut spoken_of: Vec<Term> = vec![];
         loop {
             let mut statements = vec![];
+            self.in_predicate = false;
             let before = self.conditions()?;
             match self.apart()? {
                 Some(several) => statements.extend(several),
                 None => {
+                    let kind = self.kind_of_subject();
                     let subjects = match self.occurrence(&mut extents)? {
                         Some(formula) => vec![Term::Formula(formula)],
                         None => self.terms()?,
                     };
+                    self.owner = match said.is_empty() {
+                        true => subjects.clone(),
+                        false => spoken_of,
+                    };
                     self.clause(&subjects, &mut statements)?;
+                    statements.iter_mut().for_each(|said| said.is_of(kind));
+                    spoken_of = subjects;
                 }
             }
             for statement in &mut statements {
@@ -41,7 +56,8 @@ impl<'a> Reader<'a> {
                         .map(|extent| (extent.clone(), statement.clone())),
                 );
             }
-            if !self.take_sign(Kind::Semicolon) || self.done() {
+            let next = self.take_sign(Kind::Semicolon) && !self.done() || self.take_clause();
+            if !next {
                 break;
             }
         }
@@ -68,6 +84,15 @@ impl<'a> Reader<'a> {
         });
         let names = nouns.take(1).all(|noun| noun.entry.only_names());
         Ok(formulas.filter(|_| names).unwrap_or_default())
+    }
+
+    /// What the subject is called before its name: "the frame B", "point C".
+    fn kind_of_subject(&self) -> Option<&'static str> {
+        let article = usize::from(ARTICLES.contains(&self.word()));
+        let noun = self
+            .lexicon
+            .find(self.following(article), &[Class::Place])?;
+        KINDS.contains(&noun.entry.name).then_some(noun.entry.name)
     }
 
     /// Sentences of a form of their own.
@@ -134,7 +159,6 @@ impl<'a> Reader<'a> {
 
     /// What is said of some subjects, verb after verb.
     fn clause(&mut self, subjects: &[Term], statements: &mut Vec<Statement>) -> Read<()> {
-        self.owner = subjects.to_vec();
         let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
         if self.done() || self.kind() == Some(Kind::Semicolon) {
             return match formulas {
@@ -153,6 +177,7 @@ impl<'a> Reader<'a> {
         }
         loop {
             statements.extend(self.said_of(subjects)?);
+            self.appositions(subjects, formulas.as_deref(), statements)?;
             self.renamed_behind(subjects, statements)?;
             let start = self.at;
             let separated = self.take_separator();
@@ -172,6 +197,56 @@ impl<'a> Reader<'a> {
                 return Ok(());
             }
         }
+    }
+
+    /// ", a point fixed in N" behind what something is said to be.
+    fn appositions(
+        &mut self,
+        subjects: &[Term],
+        formulas: Option<&[Formula]>,
+        statements: &mut Vec<Statement>,
+    ) -> Read<()> {
+        while matches!(statements.last(), Some(Statement::Is { .. })) {
+            let start = self.at;
+            let comma = self.take_sign(Kind::Comma);
+            let article = ["a", "an", "the"].contains(&self.word());
+            if !comma || !article || self.at_clause() {
+                self.at = start;
+                break;
+            }
+            statements.extend(self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?);
+        }
+        Ok(())
+    }
+
+    /// Takes "and" or a comma before another clause: "…, and `$H$` is its magnitude".
+    fn take_clause(&mut self) -> bool {
+        let start = self.at;
+        let next = self.take_separator() && {
+            self.take("where");
+            self.at_clause()
+        };
+        if !next {
+            self.at = start;
+        }
+        next
+    }
+
+    /// Whether a subject and its verb come next: names and letters with nothing that hangs on them.
+    pub(crate) fn at_clause(&self) -> bool {
+        for ahead in 0..LONGEST_SUBJECT {
+            let word = self.word_at(ahead);
+            if COPULAS.contains(&word) {
+                return ahead > 0;
+            }
+            let rest = self.following(ahead);
+            let hangs = self.lexicon.find(rest, &[Class::Preposition]).is_some();
+            let token = self.tokens.get(self.at + ahead);
+            if hangs || token.is_none_or(|t| t.kind == Kind::Semicolon) {
+                return false;
+            }
+        }
+        false
     }
 
     /// ", also written `$c$`" behind what is said of some subjects.
@@ -231,7 +306,8 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// "and `$p$` its small disturbance": the verb is the one before, and so is the owner. Says where it ends.
+    /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
+    /// whose it is. Says where it ends.
     fn gap(&mut self, start: usize, statements: &mut Vec<Statement>) -> Read<usize> {
         let Some(Statement::Is { what, .. }) = statements.last() else {
             return Ok(start);
@@ -239,8 +315,9 @@ impl<'a> Reader<'a> {
         let owner = what.slot(Slot::Of).cloned();
         let mut subjects = vec![];
         self.term(&mut subjects)?;
-        self.take_any(&["its"]);
+        let its = self.take_any(&["its"]);
         let mut what = self.phrase()?;
+        let owner = owner.filter(|_| its);
         what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
         statements.push(Statement::Is { subjects, what });
         Ok(self.at)
@@ -263,6 +340,7 @@ impl<'a> Reader<'a> {
                 return Ok(operating(formulas.clone(), &NotationMeaning::Fixed(fixed)));
             }
         }
+        self.in_predicate = true;
         if self.take("stands for") || self.take("stand for") || self.take_any(&COPULAS) {
             return self.predicate(subjects, formulas);
         }

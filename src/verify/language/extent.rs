@@ -192,6 +192,24 @@ impl Reader<'_> {
         }
     }
 
+    /// "(4)", "(4) and (7)", "(4) to (7)": the lines with these labels.
+    pub(crate) fn labels_from_to(&mut self) -> Read<Vec<Extent>> {
+        let mut extents = vec![];
+        loop {
+            let from = self.label()?;
+            let to = match self.take("to") {
+                true => self.label()?,
+                false => from.clone(),
+            };
+            extents.push(Extent::Between(from, to));
+            let start = self.at;
+            if !self.take_separator() || self.kind() != Some(Kind::Open) {
+                self.at = start;
+                return Ok(extents);
+            }
+        }
+    }
+
     /// A label in brackets: "(4)", "(eq:spin)".
     fn label(&mut self) -> Read<String> {
         let found = match self.tokens.get(self.at..self.at + 3) {

@@ -163,7 +163,10 @@ impl<'a> Reader<'a> {
                 .filter(|f| f.entry.name == "for any");
             let Some(any) = any else {
                 self.at = start;
-                self.take("respectively");
+                self.take_sign(Kind::Comma);
+                if !self.take("respectively") {
+                    self.at = start;
+                }
                 return Ok(());
             };
             self.at += any.length;

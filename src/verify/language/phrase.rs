@@ -12,6 +12,9 @@ pub(crate) const NOUNS: [Class; 3] = [Class::Noun, Class::Place, Class::Thing];
 /// Ordinals by which axes and entries are called.
 pub(crate) const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
 
+/// Nouns that add nothing to the name of what they are.
+const NAMED: [&str; 5] = ["frame", "point", "vector", "tensor", "matrix"];
+
 const WANTED: &str = "a name, a formula or a noun with its article could stand here";
 
 impl<'a> Reader<'a> {
@@ -73,12 +76,15 @@ impl<'a> Reader<'a> {
         self.starts_term()
             && !self.at_gap()
             && !self.at_renaming()
+            && self.word() != "respectively"
+            && !(self.in_predicate && self.at_clause())
             && self.find(&[Class::Adverb]).is_none()
     }
 
     /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
     pub(crate) fn at_gap(&self) -> bool {
-        self.word_at(1) == "its"
+        let letter = self.at_formula() && ["the", "a", "an"].contains(&self.word_at(1));
+        self.word_at(1) == "its" || letter
     }
 
     /// Whether two members of a list may stand in one slot: no quantity beside a thing.
@@ -153,7 +159,15 @@ impl<'a> Reader<'a> {
             return Err(self.error("it is not said whose", "name the thing"));
         }
         let phrase = self.phrase_of(owner)?;
-        Ok(Term::Phrase(Box::new(phrase)))
+        Ok(match phrase.slots.as_slice() {
+            // "frame B" is B.
+            [(Slot::Which, named @ (Term::Name(_) | Term::Formula(_)))]
+                if NAMED.contains(&phrase.head) && phrase.adjectives.is_empty() =>
+            {
+                named.clone()
+            }
+            _ => Term::Phrase(Box::new(phrase)),
+        })
     }
 
     /// A body that the text introduces, or a member of a family of such.

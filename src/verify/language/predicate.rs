@@ -49,6 +49,9 @@ impl<'a> Reader<'a> {
             let what = (**phrase).clone();
             return Ok(vec![Statement::Is { subjects, what }]);
         }
+        if let Some(statement) = self.the_only(&subjects)? {
+            return Ok(vec![statement]);
+        }
         if let Some(statements) = self.one_noun(&subjects)? {
             return Ok(statements);
         }
@@ -69,6 +72,21 @@ impl<'a> Reader<'a> {
         }
         self.tail(entry, &mut what.slots)?;
         Ok(decide(subjects, formulas, what, entry))
+    }
+
+    /// "The only loads on the top are the weight and the force at O", behind "are".
+    fn the_only(&mut self, subjects: &[Term]) -> Read<Option<Statement>> {
+        let [Term::Phrase(phrase)] = subjects else {
+            return Ok(None);
+        };
+        if !phrase.is("only") {
+            return Ok(None);
+        }
+        let mut premise = (**phrase).clone();
+        let terms = self.terms()?;
+        let those = terms.into_iter().map(|term| (Slot::With, term));
+        premise.slots.extend(those);
+        Ok(Some(Statement::Premise(premise)))
     }
 
     /// "the same as `$b$`", "`$m v$`", "written `$c$`", "between `$0$` and `$1$`": what puts one thing for another.

@@ -47,6 +47,8 @@ pub(crate) struct Reader<'a> {
     pub(crate) owner: Vec<Term>,
     /// Whether bodies are being spoken of "as particles"; inside that it is not said again.
     pub(crate) particles: bool,
+    /// Whether the verb of the clause is read.
+    pub(crate) in_predicate: bool,
     macros: &'a Macros,
     named: &'a BTreeSet<String>,
     lower: Vec<&'a str>,
@@ -71,6 +73,7 @@ impl<'a> Reader<'a> {
             lexicon,
             owner: vec![],
             particles: false,
+            in_predicate: false,
             macros,
             named,
             lower: tokens.iter().map(|t| t.lower.as_str()).collect(),

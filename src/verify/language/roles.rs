@@ -42,6 +42,10 @@ impl Reader<'_> {
                 self.at += 1;
                 Ok(Some(vec![Extent::Cells(self.numbers()?)]))
             }
+            "equation" | "equations" if next == Some(Kind::Open) => {
+                self.at += 1;
+                self.labels_from_to().map(Some)
+            }
             "the" if self.word_at(1) == "section" && self.word_at(2).is_empty() => {
                 self.at += 2;
                 match self.kind() {
@@ -74,7 +78,7 @@ impl Reader<'_> {
 
     fn role(&mut self) -> Read<DeclaredRole> {
         if self.take_any(&["is", "are"]) {
-            self.take_any(&["a", "an"]);
+            self.take_any(&["a", "an", "the"]);
             let start = self.at;
             self.at += 1;
             match self.tokens.get(start).map_or("", |t| t.lower.as_str()) {
@@ -82,7 +86,12 @@ impl Reader<'_> {
                 "assumed" | "assumption" | "assumptions" | "premise" | "premises" => {
                     return Ok(DeclaredRole::Assume);
                 }
-                "claim" | "claims" | "claimed" => return Ok(DeclaredRole::Claim),
+                "claim" | "claims" | "claimed" | "consequence" | "consequences" | "result"
+                | "results" => return Ok(DeclaredRole::Claim),
+                "definition" | "definitions" if self.take("of") => {
+                    let formula = self.terms()?.first().and_then(as_formula);
+                    return Ok(DeclaredRole::Define(formula));
+                }
                 "definition" | "definitions" => return Ok(DeclaredRole::Define(None)),
                 "left" if self.take("out") => return Ok(DeclaredRole::LeftOut),
                 _ => self.at = start,

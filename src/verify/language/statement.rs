@@ -306,6 +306,15 @@ impl fmt::Display for Misread {
 impl std::error::Error for Misread {}
 
 impl Statement {
+    /// "The frame B is fixed in the body": it is a frame that is.
+    pub(crate) fn is_of(&mut self, kind: Option<&'static str>) {
+        if let (Self::Is { what, .. }, Some(kind)) = (self, kind)
+            && what.head == "fixed"
+        {
+            what.head = kind;
+        }
+    }
+
     /// All terms of a clause, those inside phrases as well.
     pub(crate) fn terms(&self) -> Vec<&Term> {
         let (first, slots): (Vec<&Term>, &[(Slot, Term)]) = match self {

@@ -20,7 +20,7 @@ use crate::verify::standing::written::{
 };
 use crate::verify::term::letters::{At, Reach, letter_names};
 use crate::verify::term::value::Shape;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -305,7 +305,12 @@ impl<'a> Judge<'a> {
             return;
         };
         let mut verdict = worst;
-        if self.unread_of(&line.sides).is_some() {
+        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
+        let letters = letters_in(&line.sides);
+        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
+            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
+        let told = told && purpose.role == Role::Define;
+        if told || self.unread_of(&line.sides).is_some() {
             verdict = Answer::Undecided;
         } else if worst == Answer::Accepted {
             for held in &held {
@@ -335,14 +340,12 @@ impl<'a> Judge<'a> {
 
     /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
     pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        let letters = nodes.into_iter().flat_map(letter_names).collect();
-        self.reading.unused_of(&letters, &self.at)
+        self.reading.unused_of(&letters_in(nodes), &self.at)
     }
 
     /// A sentence that was not understood, without which nothing can be said of formulas.
     pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        let letters = nodes.into_iter().flat_map(letter_names).collect();
-        self.reading.unread_of(&letters, &self.at)
+        self.reading.unread_of(&letters_in(nodes), &self.at)
     }
 
     /// Takes what an accepted line says into the facts.
@@ -386,4 +389,8 @@ impl<'a> Judge<'a> {
         }
         Answer::Accepted
     }
+}
+
+fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
+    nodes.into_iter().flat_map(letter_names).collect()
 }
