@@ -146,7 +146,7 @@ fn clauses_appositions_and_gaps_are_sentences_of_their_own() {
         ),
         (
             "A dot means the rate entry by entry.",
-            "A dot means entry by entry.",
+            "A dot is entry by entry.",
         ),
     ];
     for (text, expected) in single {
