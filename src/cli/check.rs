@@ -116,7 +116,8 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     };
     match output::deliver(&text, options.out.as_deref(), color) {
         0 if failures.iter().any(|failure| failure.place.is_none()) => 2,
-        0 if options.meaning && options.format == Form::Text => 3 * u8::from(!failures.is_empty()),
+        0 if options.meaning && options.format == Form::Text && failures.is_empty() => 0,
+        0 if options.meaning && options.format == Form::Text => 3,
         0 => code(&checked, &failures),
         failed => failed,
     }

@@ -98,16 +98,20 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
     if origins.is_empty() {
         return declared;
     }
-    if let Some(beyond) = origins.get(MOST) {
+    if let Some(beyond) = origins.get(MOST).cloned() {
         let misread = Misread {
             line: 1,
             column: 1,
             message: format!("more than {MOST} sentences are not read"),
             help: Some("keep to those that the document needs".to_owned()),
         };
-        let place = placed(document, sheets, beyond, misread);
+        let place = placed(document, sheets, &beyond, misread);
         declared.misunderstood.push(place);
         origins.truncate(MOST);
+        declared.of.push(MOST);
+        declared
+            .declarations
+            .push(Declaration::unread(beyond.text.clone()));
     }
     if document.front_matter.products.as_deref() == Some("entries") {
         origins.push(Origin {

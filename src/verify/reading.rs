@@ -95,26 +95,30 @@ impl Reading {
         )
     }
 
+    /// The sentences of which nothing was made, and that speak of a place.
+    fn unused_at(&self, at: &At) -> impl Iterator<Item = &Unused> {
+        let all = self.unused.iter();
+        all.filter(move |unused| unused.reach.covers(at, 0))
+    }
+
     /// A sentence of which nothing was made, and which may tell something of these letters at a place.
     pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let tells = |unused: &&Unused| {
-            unused.reach.covers(at, 0) && (!unused.understood || unused.may_tell_of(letters))
-        };
-        let found = self.unused.iter().find(tells);
+        let tells = |unused: &&Unused| !unused.understood || unused.may_tell_of(letters);
+        let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }
 
     /// Whether a sentence of which nothing was made tells of one of these letters.
     pub(crate) fn tells_unused(&self, letters: &BTreeSet<String>, at: &At) -> bool {
-        let mut naming = self.unused.iter().filter(|unused| unused.letters.is_some());
-        naming.any(|unused| unused.reach.covers(at, 0) && unused.may_tell_of(letters))
+        let mut all = self.unused_at(at);
+        all.any(|unused| unused.letters.is_some() && unused.may_tell_of(letters))
     }
 
     /// A sentence that was not understood, without which nothing can be said of these letters at a place.
     pub(crate) fn unread_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let unread = self.unused.iter().filter(|unused| !unused.understood);
-        let mut telling = unread.filter(|u| u.reach.covers(at, 0) && u.may_tell_of(letters));
-        telling.next().map(|unused| unused.sentence.as_str())
+        let tells = |unused: &&Unused| !unused.understood && unused.may_tell_of(letters);
+        let found = self.unused_at(at).find(tells);
+        found.map(|unused| unused.sentence.as_str())
     }
 
     /// The role that is declared of a line.

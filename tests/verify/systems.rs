@@ -496,3 +496,15 @@ $$ \dot{\vec c} = \vec\omega\times\vec c $$
         "u"
     );
 }
+
+#[test]
+fn a_noun_may_name_the_point_that_something_is_about() {
+    let sentences = format!(
+        "{BODY}The pivot is a point fixed in N and in B.\n$\\vec K$ is the angular momentum of the body about the pivot relative to N.\n$\\vec r$ is the position of G from the pivot.\n$m$ is the mass of the body.\n"
+    );
+    let text = r"
+$$ \vec K = \vec L + m \vec r\times\dot{\vec r} $$
+$$ \vec K = \vec L $$
+";
+    assert_eq!(judged(&sentences, text), "pr");
+}

@@ -317,8 +317,9 @@ impl<'a> Reader<'a> {
         self.term(&mut subjects)?;
         let its = self.take_any(&["its"]);
         let mut what = self.phrase()?;
-        let owner = owner.filter(|_| its);
-        what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
+        if its {
+            what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
+        }
         statements.push(Statement::Is { subjects, what });
         Ok(self.at)
     }

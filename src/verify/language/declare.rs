@@ -33,12 +33,15 @@ pub fn read_declarations(
     let bodies = introduced(understood, lexicon);
     let (mut declarations, mut misread) = (vec![], vec![]);
     for (line, sentence, tokens) in parted {
-        let said =
-            tokens.and_then(|tokens| read(&tokens, sentence, line, macros, lexicon, &bodies));
+        let said = match &tokens {
+            Ok(tokens) => read(tokens, sentence, line, macros, lexicon, &bodies),
+            Err(error) => Err(error.clone()),
+        };
         match said {
             Ok(said) => declarations.extend(said),
             Err(error) => {
-                declarations.push(unread(sentence, line, macros, lexicon));
+                let tokens = tokens.unwrap_or_default();
+                declarations.push(unread(&tokens, sentence, line, macros, lexicon));
                 misread.push(error);
             }
         }
@@ -71,10 +74,15 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
 }
 
 /// A sentence that is not understood: of which part of the document, and of which letters it speaks.
-fn unread(sentence: &str, line: usize, macros: &Macros, lexicon: &Lexicon) -> Declaration {
-    let tokens = parted(sentence, line).unwrap_or_default();
+fn unread(
+    tokens: &[Token],
+    sentence: &str,
+    line: usize,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> Declaration {
     let bodies = BTreeSet::new();
-    let mut reader = Reader::new(&tokens, (line, 1), lexicon, macros, &bodies);
+    let mut reader = Reader::new(tokens, (line, 1), lexicon, macros, &bodies);
     let extents = reader.extents().unwrap_or_default();
     let extent = match <[_; 1]>::try_from(extents) {
         Ok([extent]) => extent,

@@ -13,7 +13,7 @@ pub(crate) const NOUNS: [Class; 3] = [Class::Noun, Class::Place, Class::Thing];
 pub(crate) const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
 
 /// Nouns that add nothing to the name of what they are.
-const NAMED: [&str; 5] = ["frame", "point", "vector", "tensor", "matrix"];
+const NAMED: [&str; 6] = ["frame", "point", "vector", "tensor", "matrix", "index"];
 
 const WANTED: &str = "a name, a formula or a noun with its article could stand here";
 

@@ -20,6 +20,16 @@ pub struct Declaration {
 }
 
 impl Declaration {
+    /// A sentence that was not read, and may tell of anything.
+    pub(crate) fn unread(text: String) -> Self {
+        Self {
+            statement: Statement::Unread { letters: vec![] },
+            extent: Extent::Document,
+            text,
+            line: 0,
+        }
+    }
+
     /// Whether the sentence was not understood.
     pub fn is_unread(&self) -> bool {
         matches!(self.statement, Statement::Unread { .. })

@@ -13,6 +13,9 @@ use crate::verify::term::quantity::{Quantity, Whole};
 /// Nouns of bodies that say no more than that there is one.
 pub(super) const WHOLES: [&str; 4] = ["body", "rigid body", "particle", "system"];
 
+/// Members that any body has.
+const PARTICLES: [&str; 2] = ["particle", "element"];
+
 impl Builder<'_> {
     /// Gives each body its place, in the order in which they are named.
     pub(super) fn name_bodies(&mut self) {
@@ -202,6 +205,10 @@ impl Builder<'_> {
                 let Term::Member { family, index } = term else {
                     continue;
                 };
+                let known = self.families.contains_key(family);
+                if !known && !PARTICLES.contains(&family.as_str()) {
+                    continue;
+                }
                 let letter = index_letter(index);
                 if letter.chars().all(|c| c.is_ascii_lowercase()) && letter.len() == 1 {
                     self.number_with(family, letter);

@@ -182,14 +182,15 @@ impl Builder<'_> {
             Whole::Body(body) => self.centre_of(*body),
             Whole::Member(..) => 0,
         };
-        let about = phrase.slot(Slot::About);
-        match about {
-            Some(Term::Phrase(axis)) if axis.head != MASS_CENTRE => {
-                told(axis.slot(Slot::Through), centre, |t| self.point(t))
-            }
-            Some(Term::Name(name)) if !self.axes.contains_key(name) => self.point(about?),
-            about => Some(about.and_then(|t| self.point(t)).unwrap_or(centre)),
-        }
+        let Some(term) = phrase.slot(Slot::About) else {
+            return Some(centre);
+        };
+        self.point(term).or_else(|| match term {
+            Term::Phrase(point) if point.head == MASS_CENTRE => None,
+            Term::Phrase(axis) => told(axis.slot(Slot::Through), centre, |t| self.point(t)),
+            Term::Name(name) if !self.axes.contains_key(name) => None,
+            _ => Some(centre),
+        })
     }
 
     pub(super) fn centre_of(&self, body: usize) -> PointId {

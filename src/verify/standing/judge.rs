@@ -305,12 +305,7 @@ impl<'a> Judge<'a> {
             return;
         };
         let mut verdict = worst;
-        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
-        let letters = letters_in(&line.sides);
-        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
-            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
-        let told = told && purpose.role == Role::Define;
-        if told || self.unread_of(&line.sides).is_some() {
+        if self.waits_for_sentence(line, purpose, &held) {
             verdict = Answer::Undecided;
         } else if worst == Answer::Accepted {
             for held in &held {
@@ -336,6 +331,18 @@ impl<'a> Judge<'a> {
             shown: chosen.shown,
             sides: chosen.sides,
         });
+    }
+
+    /// Whether a line says of letters what a sentence may tell of which nothing was made.
+    fn waits_for_sentence(&self, line: &Line, purpose: Purpose, held: &[Held]) -> bool {
+        if self.reading.unused.is_empty() {
+            return false;
+        }
+        let letters = letters_in(&line.sides);
+        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
+        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
+            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
+        told && purpose.role == Role::Define || self.reading.unread_of(&letters, &self.at).is_some()
     }
 
     /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
