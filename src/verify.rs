@@ -18,6 +18,7 @@
 //! false one should have been.
 
 mod check;
+pub(crate) mod correction;
 mod declarations;
 mod declared;
 pub(crate) mod facts;

@@ -5,6 +5,7 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
+use crate::verify::correction::search::corrections;
 use crate::verify::declarations::Declared;
 use crate::verify::declared::own::OwnLetters;
 use crate::verify::facts::proof::uses;
@@ -15,7 +16,7 @@ use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::Answer;
 use crate::verify::term::letters::At;
 use crate::verify::verdict::{
-    Convention, Counterexample, Finding, Passed, Question, Report, Role, Verdict,
+    Convention, Counterexample, Diagnosis, Finding, Passed, Question, Report, Role, Verdict,
 };
 use std::collections::{BTreeMap, HashMap};
 
@@ -35,6 +36,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     let declarations = declared.declarations.as_slice();
     let mut judge = Judge::new(document, declarations);
     judge.run();
+    let corrections = corrections(&mut judge);
     let own = OwnLetters::of(document, &mut judge.reading);
     let each = judge.judged.iter();
     let mut rows = Rows {
@@ -42,6 +44,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
         reading: &judge.reading,
         own: &own,
         judged: each.map(|judged| (judged.span, judged)).collect(),
+        corrections: &corrections,
         written: HashMap::new(),
         headings: Headings::default(),
         findings: vec![],
@@ -97,6 +100,8 @@ struct Rows<'a> {
     reading: &'a Reading,
     own: &'a OwnLetters,
     judged: BTreeMap<Span, &'a Judged>,
+    /// What would put refuted lines right.
+    corrections: &'a HashMap<Span, Diagnosis>,
     /// Letters as they are printed, and as the author writes them first.
     written: HashMap<String, String>,
     headings: Headings,
@@ -201,6 +206,7 @@ impl Rows<'_> {
             }
             (Answer::Accepted, _) => Verdict::Accepted,
             (Answer::Refuted, _) => {
+                finding.diagnosis = self.corrections.get(&judged.span).cloned();
                 let reason = judged.reason.clone();
                 finding.reason = Some(reason.unwrap_or_else(|| DIFFER.to_owned()));
                 if let Some(shown) = &judged.shown {

@@ -65,9 +65,16 @@ pub(crate) struct Unused {
     pub(crate) reach: Reach,
     /// The letters that it says something of, without marks and labels, where it says no more than what these are.
     pub(crate) letters: Option<BTreeSet<String>>,
+    /// The letters whose meaning it may change; `None` for those of all lines that it reaches.
+    pub(crate) mentions: Option<BTreeSet<String>>,
 }
 
 impl Unused {
+    fn may_change(&self, letters: &BTreeSet<String>) -> bool {
+        let own = self.mentions.as_ref();
+        self.may_tell_of(letters) && own.is_none_or(|own| !own.is_disjoint(letters))
+    }
+
     fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
         let own = self.letters.as_ref();
         own.is_none_or(|own| !own.is_disjoint(letters))
@@ -116,7 +123,7 @@ impl Reading {
 
     /// A sentence that was not understood, without which nothing can be said of these letters at a place.
     pub(crate) fn unread_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let tells = |unused: &&Unused| !unused.understood && unused.may_tell_of(letters);
+        let tells = |unused: &&Unused| !unused.understood && unused.may_change(letters);
         let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }

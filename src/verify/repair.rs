@@ -3,7 +3,6 @@
 pub(super) mod axis_slips;
 pub(super) mod carried;
 pub(super) mod convention_slips;
-pub(super) mod edit;
 pub(super) mod hollow;
 pub(super) mod lost_factors;
 pub(super) mod lost_terms;
@@ -22,8 +21,8 @@ use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::{Frame, labels};
-use crate::verify::repair::edit::Edit;
 use crate::verify::repair::slips::Slips;
 use crate::verify::repair::trial::Search;
 use crate::verify::verdict::{Diagnosis, Finding};

@@ -7,5 +7,6 @@ pub(crate) mod judge;
 pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;
+pub(crate) mod trial;
 pub(crate) mod verdicts;
 pub(crate) mod written;

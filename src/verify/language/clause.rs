@@ -86,6 +86,25 @@ impl<'a> Reader<'a> {
         Ok(formulas.filter(|_| names).unwrap_or_default())
     }
 
+    /// The formulas of a sentence; `None` if it may be a rule of notation, which any letter may obey.
+    pub(crate) fn mentioned(&mut self) -> Option<Vec<Formula>> {
+        let start = self.at;
+        let mut formulas = vec![];
+        let mut rule = false;
+        self.at = 0;
+        while !self.done() {
+            match self.at_formula() {
+                true => formulas.extend(self.formulas()),
+                false => {
+                    rule |= self.at_rule();
+                    self.at += 1;
+                }
+            }
+        }
+        self.at = start;
+        (!rule).then_some(formulas)
+    }
+
     /// What the subject is called before its name: "the frame B", "point C".
     fn kind_of_subject(&self) -> Option<&'static str> {
         let article = usize::from(ARTICLES.contains(&self.word()));

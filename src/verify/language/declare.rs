@@ -88,9 +88,14 @@ fn unread(
         Ok([extent]) => extent,
         Err(_) => Extent::Document,
     };
+    let mentions = match extent {
+        Extent::Document => reader.mentioned(),
+        _ => None,
+    };
     Declaration {
         statement: Statement::Unread {
             letters: reader.letters_told().unwrap_or_default(),
+            mentions,
         },
         extent,
         text: sentence.trim().to_owned(),

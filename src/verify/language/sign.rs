@@ -25,6 +25,9 @@ const LABELS: [&str; 6] = [
     "superscripts",
 ];
 
+/// Nouns of which a sentence may say how they are written everywhere.
+const CONVENTIONS: [&str; 4] = ["products of inertia", "component", "time", "dimension"];
+
 impl<'a> Reader<'a> {
     /// "A tilde means …", "the label `$b$` means …"; none if the sentence does not begin so.
     pub(crate) fn rule(&mut self) -> Read<Option<Statement>> {
@@ -62,6 +65,16 @@ impl<'a> Reader<'a> {
             meaning = NotationMeaning::Fixed(fixed);
         }
         Ok(Some(Statement::Notation { sign, meaning }))
+    }
+
+    /// Whether a word comes next that rules of notation are made of, or conventions.
+    pub(crate) fn at_rule(&self) -> bool {
+        let convention = self.find(&[Class::Noun]);
+        LABELS.contains(&self.word())
+            || self
+                .find(&[Class::Mark, Class::Custom, Class::Meaning])
+                .is_some_and(|sign| !self.speaks_of_body(sign.length))
+            || convention.is_some_and(|noun| CONVENTIONS.contains(&noun.entry.name))
     }
 
     /// Whether the word for a mark is one for a body here: "the bar is a uniform rod".

@@ -23,7 +23,10 @@ impl Declaration {
     /// A sentence that was not read, and may tell of anything.
     pub(crate) fn unread(text: String) -> Self {
         Self {
-            statement: Statement::Unread { letters: vec![] },
+            statement: Statement::Unread {
+                letters: vec![],
+                mentions: None,
+            },
             extent: Extent::Document,
             text,
             line: 0,
@@ -238,6 +241,9 @@ pub enum Statement {
     Unread {
         /// The letters that it says something of, where it says no more than what these are; else none.
         letters: Vec<Formula>,
+        /// All formulas in it, where it can change the meaning of their letters alone; `None` where it may be a rule for
+        /// all letters.
+        mentions: Option<Vec<Formula>>,
     },
 }
 

@@ -11,9 +11,9 @@ use crate::notation::document::Row;
 use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::edited;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
-use crate::verify::repair::edit::edited;
 use crate::verify::repair::lines;
 use crate::verify::repair::slips::Slips;
 use crate::verify::theory::decide::passes_filter;
@@ -268,7 +268,7 @@ impl Checker<'_> {
             let labels = self.frame_labels();
             let slips = Slips::new(&self.document.source, &self.reading, labels);
             let right = component.line.sides.last()?.span;
-            let inside = |edit: &crate::verify::repair::edit::Edit| {
+            let inside = |edit: &crate::verify::correction::edit::Edit| {
                 right.start <= edit.span.start && edit.span.end <= right.end
             };
             let edits = slips.of(&component.line.sides).into_iter();

@@ -1,12 +1,14 @@
 //! Sentences of which nothing was made, and what they keep from being denied.
 
 use crate::notation::ast::Node;
+use crate::notation::document::Row;
 use crate::verify::language::only_names;
 use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
 use crate::verify::reading::Unused;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{letter_names, spelled};
+use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
 const HEARD: [&str; 7] = [
@@ -46,6 +48,7 @@ impl Builder<'_> {
                 understood: !declaration.is_unread(),
                 reach,
                 letters,
+                mentions: letters_mentioned_by(&declaration.statement),
             });
         }
     }
@@ -73,10 +76,24 @@ fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
         Statement::Is { subjects, what } if only_names(what.head) => {
             subjects.iter().map(in_formula).collect::<Option<_>>()?
         }
-        Statement::Unread { letters } if !letters.is_empty() => letters.iter().collect(),
+        Statement::Unread { letters, .. } if !letters.is_empty() => letters.iter().collect(),
         _ => return None,
     };
     formulas.into_iter().map(node_of).collect()
+}
+
+/// The letters whose meaning a sentence that was not read may change; `None` for all.
+fn letters_mentioned_by(statement: &Statement) -> Option<BTreeSet<String>> {
+    let Statement::Unread { mentions, .. } = statement else {
+        return None;
+    };
+    let in_row = |formula: &Formula| match &formula.row {
+        Row::Expression(node) => Some(letter_names(node)),
+        Row::Line(line) => Some(line.sides.iter().flat_map(letter_names).collect()),
+        Row::Unreadable { .. } => None,
+    };
+    let each: Option<Vec<BTreeSet<String>>> = mentions.as_ref()?.iter().map(in_row).collect();
+    Some(each?.into_iter().flatten().collect())
 }
 
 fn in_formula(subject: &Term) -> Option<&Formula> {

@@ -1,8 +1,8 @@
 //! Slips in the axis: an index, a difference of moments of inertia.
 
 use crate::notation::ast::{Kind, Node, Symbol, Term};
+use crate::verify::correction::edit::{other_axis, replaced_index};
 use crate::verify::letters::usage::{Letter, axes, axis, symbols};
-use crate::verify::repair::edit::{other_axis, replaced_index};
 use crate::verify::repair::slips::Slips;
 use crate::verify::values::quantity::Quantity;
 

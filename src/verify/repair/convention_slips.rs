@@ -3,9 +3,9 @@
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::Edit;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes};
-use crate::verify::repair::edit::Edit;
 use crate::verify::repair::trial::Search;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::verdict::{Diagnosis, Finding};

@@ -3,9 +3,9 @@
 use crate::notation::ast::{Kind, Line, Node, Operator};
 use crate::source::Span;
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
-use crate::verify::repair::edit::Edit;
 use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::latex_name;

@@ -2,9 +2,9 @@
 
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::{Edit, dotted, undotted};
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::names;
-use crate::verify::repair::edit::{Edit, dotted, undotted};
 use crate::verify::repair::first_symbol;
 use crate::verify::repair::lost_vectors::added;
 use crate::verify::repair::trial::Search;

@@ -1,9 +1,9 @@
 //! Factors whose order counts, written the other way round, and matrices that are to be transposed.
 
 use crate::notation::ast::{Factor, Kind, Node, Operator};
+use crate::verify::correction::edit::Edit;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner, undotted};
-use crate::verify::repair::edit::Edit;
 use crate::verify::repair::slips::Slips;
 use crate::verify::values::quantity::{Quantity, Shape};
 

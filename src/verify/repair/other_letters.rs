@@ -2,8 +2,8 @@
 
 use crate::notation::ast::{Kind, Line, Node};
 use crate::verify::check::Checker;
+use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::Frame;
-use crate::verify::repair::edit::Edit;
 use crate::verify::repair::lines;
 use crate::verify::repair::wanted::Wanted;
 

@@ -2,10 +2,10 @@
 
 use crate::notation::ast::{FrameLabel, Kind, Node, Symbol, Term};
 use crate::source::{Source, Span};
+use crate::verify::correction::edit::{Edit, dotted, undotted};
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::Letter;
-use crate::verify::repair::edit::{Edit, dotted, undotted};
 use crate::verify::values::quantity::Quantity;
 
 /// What the edits of a line are made from.

@@ -1,7 +1,7 @@
 //! A product, or two, that a sum has lost: found by their value in one world of the prime field.
 
 use crate::scalar::Prime;
-use crate::verify::repair::edit::Edit;
+use crate::verify::correction::edit::Edit;
 use crate::verify::repair::wanted::Wanted;
 use std::collections::HashMap;
 

@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{Line, Node, Relation};
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
-use crate::source::Span;
+use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
@@ -26,6 +26,8 @@ use std::collections::{BTreeSet, HashMap};
 #[derive(Clone, Debug)]
 pub(crate) struct Judged {
     pub(crate) span: Span,
+    /// The side that its links begin with; a row that goes on has it from the rows before.
+    pub(crate) head: Span,
     pub(crate) at: At,
     pub(crate) role: Role,
     pub(crate) answer: Answer,
@@ -52,11 +54,13 @@ struct Waiting {
 
 /// A document under way.
 pub(crate) struct Judge<'a> {
-    pub(super) document: &'a Document,
+    pub(crate) document: &'a Document,
     pub(crate) reading: Reading,
     pub(crate) facts: Facts,
     /// Shapes of letters that lines have settled.
     pub(super) shapes: HashMap<String, Shape>,
+    /// The text of a line that is tried and does not stand in the document.
+    pub(super) trial: Option<source::Source>,
     chain: Chain,
     pub(super) at: At,
     sentence: String,
@@ -80,6 +84,7 @@ impl<'a> Judge<'a> {
             reading,
             facts: Facts::default(),
             shapes,
+            trial: None,
             chain: Chain::default(),
             at: At::default(),
             sentence: String::new(),
@@ -183,7 +188,7 @@ impl<'a> Judge<'a> {
         let unknown = held.iter().any(|h| !h.unknown.is_empty());
         let defines = held.iter().any(|h| h.standing == Standing::Settles);
         let before = self.judged.len();
-        self.conclude(line, purpose, held);
+        self.conclude(line, head_of(&links), purpose, held);
         let Some(answer) = self.judged.get(before).map(|judged| judged.answer) else {
             return;
         };
@@ -202,7 +207,7 @@ impl<'a> Judge<'a> {
     }
 
     /// In a space of another number of dimensions every letter is another variable, and is defined there anew.
-    fn enter_space(&mut self) {
+    pub(super) fn enter_space(&mut self) {
         let dimensions = self.reading.letters.dimensions_at(&self.at);
         if dimensions == self.reading.system.dimensions() {
             return;
@@ -241,7 +246,7 @@ impl<'a> Judge<'a> {
             let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
             if held.iter().all(told) {
                 let end = self.judged.len();
-                self.conclude(line, purpose, held);
+                self.conclude(line, head_of(links), purpose, held);
                 if let Some(last) = self.judged.get(end).cloned() {
                     self.judged.truncate(end);
                     self.judged[place] = last;
@@ -255,7 +260,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The line that is looked at, as one who says that something holds.
-    fn source(&self) -> Source {
+    pub(super) fn source(&self) -> Source {
         Source::Line(self.at.cell, self.at.line)
     }
 
@@ -265,7 +270,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The same without what one source says.
-    fn take_premises_but(&mut self, own: Option<&Source>) {
+    pub(super) fn take_premises_but(&mut self, own: Option<&Source>) {
         let active = self.reading.active_premises(&self.at);
         let reaching = |p: &Premise| p.reach.covers(&self.at, 0) && Some(&p.source) != own;
         let settled: Vec<usize> = (0..self.reading.settled.len())
@@ -290,7 +295,7 @@ impl<'a> Judge<'a> {
     }
 
     /// One verdict from what the links came to: the worst of them.
-    fn conclude(&mut self, line: &Line, purpose: Purpose, held: Vec<Held>) {
+    fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
         let derived = purpose.derived || self.unused_of(&line.sides).is_some();
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
@@ -322,6 +327,7 @@ impl<'a> Judge<'a> {
         let Some(chosen) = chosen else { return };
         self.judged.push(Judged {
             span: line.span,
+            head,
             at: self.at.clone(),
             role: purpose.role,
             answer: verdict,
@@ -396,6 +402,11 @@ impl<'a> Judge<'a> {
         }
         Answer::Accepted
     }
+}
+
+/// Where the first side of some links stands.
+fn head_of(links: &[Link]) -> Span {
+    links.first().map_or(Span::default(), |link| link.left.span)
 }
 
 fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {

@@ -1,0 +1,115 @@
+//! Tries the changes of a false line by the facts in force where it stands, until one of them makes it provable.
+
+use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::document::{Document, Formula, Item, Row};
+use crate::source::Span;
+use crate::verify::correction::edit::{Edit, edited};
+use crate::verify::correction::slips::slips;
+use crate::verify::standing::judge::{Judge, Judged};
+use crate::verify::standing::verdicts::Answer;
+use crate::verify::verdict::Diagnosis;
+use std::collections::{BTreeSet, HashMap};
+
+/// A line longer than this is not put right.
+const LONGEST: u32 = 2_000;
+
+/// No more texts are tried for one line.
+const MOST_TRIED: usize = 600;
+
+/// No more false lines of a document are put right.
+const MOST_LINES: usize = 200;
+
+/// What would put the refuted lines of a document right, by the place of the line.
+pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
+    let document = judge.document;
+    let refuted = judge.judged.iter().filter(|j| j.answer == Answer::Refuted);
+    let refuted: HashMap<Span, Judged> = refuted.map(|j| (j.span, j.clone())).collect();
+    let short = |line: &&Line| line.span.end - line.span.start <= LONGEST;
+    let each = lines(document).filter(|line| refuted.contains_key(&line.span));
+    let each: Vec<&Line> = each.filter(short).take(MOST_LINES).collect();
+    let mut found = HashMap::new();
+    for line in each {
+        if let Some(diagnosis) = correction(judge, line, &refuted[&line.span]) {
+            found.insert(line.span, diagnosis);
+        }
+    }
+    found
+}
+
+/// The likeliest single change that makes a line provable.
+fn correction(judge: &mut Judge<'_>, line: &Line, judged: &Judged) -> Option<Diagnosis> {
+    let document = judge.document;
+    let letters = letters(document, line);
+    let edits = slips(&document.source, line, &letters);
+    let before = judge.stand_at(&judged.at);
+    let mut tried = BTreeSet::new();
+    let found = edits.into_iter().find_map(|edit| {
+        if tried.len() == MOST_TRIED {
+            return None;
+        }
+        let text = edited(document.source.slice(line.span), line.span.start, &[&edit])?;
+        let new = tried.insert(text.clone());
+        (new && !says_nothing(&text) && judge.follows_as(&text, judged.head, line))
+            .then(|| diagnosis(edit, &text))
+    });
+    judge.stand_at(&before);
+    found
+}
+
+fn diagnosis(edit: Edit, text: &str) -> Diagnosis {
+    // Marks of alignment mean nothing outside the environment that the line stands in.
+    let text = match text.contains("\\begin") {
+        true => text.to_owned(),
+        false => text.replace('&', ""),
+    };
+    Diagnosis {
+        kind: edit.kind,
+        message: edit.message,
+        suggestion: Some(text.trim().to_owned()),
+        place: Some(edit.span),
+    }
+}
+
+/// Two sides that are written alike say nothing.
+fn says_nothing(text: &str) -> bool {
+    let plain = |side: &str| -> String {
+        let characters = side.chars();
+        characters
+            .filter(|c| !c.is_whitespace() && *c != '&')
+            .collect()
+    };
+    let sides: Vec<String> = text.split('=').map(plain).collect();
+    sides.windows(2).any(|pair| pair[0] == pair[1])
+}
+
+/// The symbols that a document writes, those of the line first.
+fn letters<'d>(document: &'d Document, line: &Line) -> Vec<&'d str> {
+    fn collect<'d>(document: &'d Document, node: &Node, found: &mut Vec<&'d str>) {
+        if matches!(&node.kind, Kind::Symbol(symbol) if !symbol.resultant) {
+            let text = document.source.slice(node.span).trim();
+            if !text.is_empty() && !found.contains(&text) {
+                found.push(text);
+            }
+        }
+        let children = node.children();
+        children.for_each(|child| collect(document, child, found));
+    }
+    let mut found = vec![];
+    let own = line.sides.iter();
+    let all = lines(document).flat_map(|line| &line.sides);
+    for side in own.chain(all) {
+        collect(document, side, &mut found);
+    }
+    found
+}
+
+fn lines(document: &Document) -> impl Iterator<Item = &Line> {
+    let formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(Formula { rows, .. }) => Some(rows),
+        _ => None,
+    });
+    formulas.flatten().filter_map(|row| match row {
+        Row::Line(line) => Some(line),
+        _ => None,
+    })
+}

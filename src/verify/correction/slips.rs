@@ -1,0 +1,301 @@
+//! The slips that people make, undone one at a time: changes to the text of a line.
+
+use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol, Term};
+use crate::source::{Source, Span};
+use crate::verify::correction::edit::{Edit, dotted, other_axis, replaced_index, undotted};
+
+/// Letters that are tried in the place of one.
+const MOST_LETTERS: usize = 40;
+
+/// All single changes to a line, the likeliest first. `letters` are the symbols that its document writes.
+pub(super) fn slips(source: &Source, line: &Line, letters: &[&str]) -> Vec<Edit> {
+    let written = source.slice(line.span);
+    let mut slips = Slips {
+        source,
+        letters,
+        unicode: !written.is_ascii() && !written.contains('\\'),
+        edits: vec![],
+    };
+    for (place, side) in line.sides.iter().enumerate() {
+        slips.side(side, place + 1 == line.sides.len());
+        slips.node(side);
+    }
+    let inside = |edit: &Edit| line.span.start <= edit.span.start && edit.span.end <= line.span.end;
+    let mut edits = slips.edits;
+    edits.retain(inside);
+    edits.sort_by_key(|edit| (edit.cost, edit.span));
+    edits
+}
+
+struct Slips<'a> {
+    source: &'a Source,
+    letters: &'a [&'a str],
+    /// Whether the line is written in Unicode and not in LaTeX.
+    unicode: bool,
+    edits: Vec<Edit>,
+}
+
+impl<'a> Slips<'a> {
+    fn push(
+        &mut self,
+        span: Span,
+        text: impl Into<String>,
+        kind: &'static str,
+        cost: u32,
+        message: impl Into<String>,
+    ) {
+        self.edits.push(Edit {
+            span,
+            text: text.into(),
+            kind,
+            message: message.into(),
+            cost,
+        });
+    }
+
+    fn slice(&self, node: &Node) -> &'a str {
+        self.source.slice(node.span)
+    }
+
+    /// A slip of a side as a whole: its sign, a factor on all of it.
+    fn side(&mut self, node: &Node, last: bool) {
+        let text = self.slice(node);
+        if text.is_empty() || matches!(node.kind, Kind::Number(_)) {
+            return;
+        }
+        let sum = matches!(node.kind, Kind::Sum(_) | Kind::Negate(_));
+        let whole = match (sum, self.unicode) {
+            (true, true) => format!("({text})"),
+            (true, false) => format!("\\left({text}\\right)"),
+            _ => text.to_owned(),
+        };
+        let half = if self.unicode {
+            "½ "
+        } else {
+            "\\tfrac{1}{2} "
+        };
+        self.push(
+            node.span,
+            format!("{half}{whole}"),
+            "factor",
+            14,
+            "a factor ½ is missing",
+        );
+        self.push(
+            node.span,
+            format!("2 {whole}"),
+            "factor",
+            17,
+            "a factor 2 is missing",
+        );
+        if last {
+            self.push(
+                node.span,
+                format!("-{whole}"),
+                "sign",
+                13,
+                "the sign is wrong",
+            );
+        }
+    }
+
+    fn node(&mut self, node: &Node) {
+        match &node.kind {
+            Kind::Sum(terms) => self.sum(terms),
+            Kind::Negate(inside) => {
+                let text = self.slice(inside);
+                self.push(node.span, text, "sign", 10, "the sign is wrong");
+            }
+            Kind::Product(factors) => self.product(factors),
+            Kind::Symbol(symbol) => self.symbol(node, symbol),
+            Kind::TimeDerivative {
+                order, frame: None, ..
+            } => self.rate(node, *order),
+            Kind::Power(base, exponent) => self.power(node, base, exponent),
+            Kind::Transpose(inside) => {
+                let text = self.slice(inside);
+                self.push(node.span, text, "transpose", 16, "a transpose too many");
+            }
+            Kind::Function(function, _) => self.function(node, *function),
+            Kind::Number(_) => self.number(node),
+            Kind::Quotient(top, bottom) => self.quotient(node, top, bottom),
+            _ => {}
+        }
+        node.children().for_each(|child| self.node(child));
+    }
+
+    fn sum(&mut self, terms: &[Term]) {
+        for (place, term) in terms.iter().enumerate() {
+            let written = term.sign.start < term.sign.end;
+            match (written, term.negative) {
+                (false, _) => self.push(
+                    term.node.span.before(),
+                    "-",
+                    "sign",
+                    11,
+                    "the sign is wrong",
+                ),
+                (true, false) => self.push(term.sign, "-", "sign", 10, "the sign is wrong"),
+                (true, true) => {
+                    let plus = if place == 0 { "" } else { "+" };
+                    self.push(term.sign, plus, "sign", 10, "the sign is wrong");
+                }
+            }
+            let half = if self.unicode {
+                "½ "
+            } else {
+                "\\tfrac{1}{2} "
+            };
+            let before = term.node.span.before();
+            self.push(before, half, "factor", 19, "a factor ½ is missing");
+            self.push(before, "2 ", "factor", 19, "a factor 2 is missing");
+            if written {
+                let whole = term.sign.to(term.node.span);
+                let message = "this term does not belong here";
+                self.push(whole, "", "extra-term", 30, message);
+            }
+        }
+    }
+
+    fn product(&mut self, factors: &[Factor]) {
+        for pair in factors.windows(2) {
+            let [first, second] = [&pair[0].node, &pair[1].node];
+            let (kind, cost, message) = match pair[1].operator {
+                Operator::Cross => ("cross-order", 11, "the factors of × are swapped"),
+                Operator::Tensor => ("factor-order", 11, "the factors are swapped"),
+                Operator::Juxtaposed => ("factor-order", 18, "the factors are swapped"),
+                Operator::Dot => continue,
+            };
+            let sign = self.source.slice(pair[1].sign).trim();
+            let [a, b] = [first, second].map(|node| self.slice(node).trim());
+            let text = format!("{b} {sign} {a}");
+            self.push(first.span.to(second.span), text, kind, cost, message);
+        }
+    }
+
+    fn symbol(&mut self, node: &Node, symbol: &Symbol) {
+        let text = self.slice(node);
+        if text.trim().is_empty() {
+            return;
+        }
+        self.push(
+            node.span,
+            dotted(text),
+            "missing-dot",
+            10,
+            "a dot is missing",
+        );
+        let square = if self.unicode { "²" } else { "^2" };
+        let squared = format!("{text}{square}");
+        self.push(node.span, squared, "factor", 22, "a square is missing");
+        let transpose = if self.unicode { "ᵀ" } else { "^T" };
+        let transposed = format!("{text}{transpose}");
+        self.push(
+            node.span,
+            transposed,
+            "transpose",
+            24,
+            "a transpose is missing",
+        );
+        for index in &symbol.subscripts {
+            self.index(node, text, index);
+        }
+        if !symbol.resultant {
+            self.other_letters(node, text.trim());
+        }
+    }
+
+    /// Another axis for each letter of an index.
+    fn index(&mut self, node: &Node, text: &str, index: &str) {
+        let characters: Vec<char> = index.chars().collect();
+        if characters.len() > 2 {
+            return;
+        }
+        for (place, &c) in characters.iter().enumerate() {
+            for other in (0..3).filter_map(|to| other_axis(c, to)) {
+                let mut new = characters.clone();
+                new[place] = other;
+                let new: String = new.into_iter().collect();
+                if let Some(text) = replaced_index(text, index, &new).filter(|_| other != c) {
+                    let message = format!("the index should be {new}");
+                    self.push(node.span, text, "index", 12, message);
+                }
+            }
+        }
+    }
+
+    fn other_letters(&mut self, node: &Node, text: &str) {
+        let others = self.letters.iter().filter(|other| **other != text);
+        for other in others.take(MOST_LETTERS) {
+            let message = format!("{text} should be {other}");
+            self.push(node.span, *other, "symbol", 26, message);
+        }
+    }
+
+    fn rate(&mut self, node: &Node, order: u8) {
+        let text = self.slice(node);
+        if order == 1
+            && let Some(text) = undotted(text)
+        {
+            self.push(node.span, text, "extra-dot", 13, "a dot too many");
+        }
+        for (from, to, kind, message) in [
+            ("\\ddot", "\\dot", "extra-dot", "a dot too many"),
+            ("\\dot", "\\ddot", "missing-dot", "a dot is missing"),
+        ] {
+            if text.starts_with(from) {
+                let text = text.replacen(from, to, 1);
+                self.push(node.span, text, kind, 13, message);
+            }
+        }
+    }
+
+    fn power(&mut self, node: &Node, base: &Node, exponent: &Node) {
+        let text = self.slice(base);
+        match self.slice(exponent).trim_matches(['{', '}', ' ']) {
+            "2" => self.push(node.span, text, "factor", 20, "a square too many"),
+            "-1" => self.push(node.span, text, "inverse", 16, "an inverse too many"),
+            _ => {}
+        }
+    }
+
+    fn function(&mut self, node: &Node, function: Function) {
+        let (from, to) = match function {
+            Function::Sin => ("sin", "cos"),
+            Function::Cos => ("cos", "sin"),
+            _ => return,
+        };
+        let text = self.slice(node);
+        if text.contains(from) {
+            let message = format!("{from} should be {to}");
+            self.push(
+                node.span,
+                text.replacen(from, to, 1),
+                "function",
+                15,
+                message,
+            );
+        }
+    }
+
+    fn number(&mut self, node: &Node) {
+        let Ok(number) = self.slice(node).trim().parse::<u32>() else {
+            return;
+        };
+        if number > 1 && number.is_multiple_of(2) {
+            let half = (number / 2).to_string();
+            self.push(node.span, half, "factor", 18, "a factor 2 too many");
+        }
+        if let Some(double) = number.checked_mul(2).filter(|_| number > 0) {
+            let double = double.to_string();
+            self.push(node.span, double, "factor", 18, "a factor ½ too many");
+        }
+    }
+
+    fn quotient(&mut self, node: &Node, top: &Node, bottom: &Node) {
+        let [above, below] = [top, bottom].map(|node| self.slice(node).trim());
+        if above == "1" && below == "2" {
+            self.push(node.span, "", "factor", 15, "a factor ½ too many");
+        }
+    }
+}
