@@ -149,6 +149,15 @@ impl Macros {
                 at = after;
                 continue;
             }
+            // A definition states nothing, and what stands in it is no call.
+            if depth == 0
+                && let Some(after) = definition_end(text, at, &braces)
+            {
+                out.push(' ');
+                origin.push(Span::new(at, after));
+                at = after;
+                continue;
+            }
             let command = rest.strip_prefix('\\').map_or(0, |r| {
                 1 + r.bytes().take_while(u8::is_ascii_alphabetic).count()
             });
@@ -166,6 +175,7 @@ impl Macros {
 
     /// A macro called at an offset: where the call ends, and what it stands for.
     fn call(&self, text: &str, at: usize, braces: &[usize]) -> Option<(usize, String)> {
+        let is_script = text[..at].trim_end().ends_with(['^', '_']);
         let rest = text[at..].strip_prefix('\\')?;
         let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
         let found = self.defined.get(rest.get(..length)?)?;
@@ -196,9 +206,11 @@ impl Macros {
         if body.len() > LONGEST {
             return Some((at, "\\undefined".into()));
         }
-        // A name must not run into the letter that follows it; an exponent must reach what stands before it.
-        let script = body.trim_start().starts_with(['^', '_']);
-        let closed = if script {
+        // A name must not run into the letter that follows it; an exponent must reach what stands before it, and a
+        // derivative what stands behind it.
+        let reaches_out =
+            body.trim_start().starts_with(['^', '_']) || !is_script && self.begins_fraction(&body);
+        let closed = if reaches_out {
             format!("{body} ")
         } else if arguments.is_empty() {
             format!("{{{body}}}")
@@ -206,6 +218,20 @@ impl Macros {
             body
         };
         Some((at, closed))
+    }
+}
+
+impl Macros {
+    /// Whether a text begins with a fraction, or with a macro that stands for one.
+    fn begins_fraction(&self, text: &str) -> bool {
+        let mut text = text.trim_start();
+        for _ in 0..20 {
+            match self.defined.get(name(text)) {
+                Some(called) => text = called.body.trim_start(),
+                None => break,
+            }
+        }
+        text.starts_with("\\frac")
     }
 }
 
@@ -242,6 +268,44 @@ fn name(text: &str) -> &str {
     };
     &rest[..rest.bytes().take_while(u8::is_ascii_alphabetic).count()]
 }
+
+/// Where a definition with a body in braces ends that begins at an offset.
+fn definition_end(text: &str, at: usize, braces: &[usize]) -> Option<usize> {
+    let defines = name(&text[at..]);
+    if !DEFINES.contains(&defines) {
+        return None;
+    }
+    let behind = |brace: usize| {
+        braces
+            .get(brace)
+            .filter(|&&end| end < text.len())
+            .map(|end| end + 1)
+    };
+    let skip = |at: usize, what: fn(char) -> bool| {
+        let rest = &text[at..];
+        at + rest.len() - rest.trim_start_matches(what).len()
+    };
+    let mut at = skip(at + 1 + defines.len(), |c| c.is_whitespace() || c == '*');
+    at = match text[at..].starts_with('{') {
+        true => behind(at)?,
+        false => at + text[at..].find(['{', '['])?,
+    };
+    while text[skip(at, char::is_whitespace)..].starts_with('[') {
+        at += text[at..].find(']')? + 1;
+    }
+    at = skip(at, char::is_whitespace);
+    behind(at).filter(|_| text[at..].starts_with('{'))
+}
+
+/// Commands that define another one, with a body in braces.
+const DEFINES: [&str; 6] = [
+    "newcommand",
+    "renewcommand",
+    "providecommand",
+    "DeclareMathOperator",
+    "def",
+    "gdef",
+];
 
 /// For each opening brace of a text the offset of the one that closes it; the length of the text elsewhere.
 fn braces(text: &str) -> Vec<usize> {

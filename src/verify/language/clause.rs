@@ -37,6 +37,7 @@ impl<'a> Reader<'a> {
                         Some(formula) => vec![Term::Formula(formula)],
                         None => self.terms()?,
                     };
+                    self.thing = said.last().and_then(|(_, said)| owner_in(said));
                     self.owner = match said.is_empty() {
                         true => subjects.clone(),
                         false => spoken_of,
@@ -395,6 +396,17 @@ impl<'a> Reader<'a> {
             verb: verb.entry.name,
             slots,
         }])
+    }
+}
+
+/// The thing whose quantity a statement says a letter to be.
+fn owner_in(statement: &Statement) -> Option<Term> {
+    match statement {
+        Statement::Is { what, .. } => {
+            let of = what.slot(Slot::Of).or(what.slot(Slot::Upon))?;
+            (!matches!(of, Term::Formula(_))).then(|| of.clone())
+        }
+        _ => None,
     }
 }
 

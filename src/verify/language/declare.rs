@@ -1,8 +1,13 @@
 //! Declarations: sentences that an author writes, one a line.
 
 use super::bodies::introduced;
+use super::clause::Said;
+use super::ellipsis::{
+    axes, described_first, joint_weakness, parted_at, possessives, without_brackets,
+};
 use super::lexicon::Lexicon;
 use super::reader::Reader;
+use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
@@ -115,7 +120,8 @@ fn read(
         line,
         sentence.trim_end().trim_end_matches('.').chars().count() + 1,
     );
-    let said = Reader::new(tokens, end, lexicon, macros, bodies).sentence()?;
+    let strictly = |tokens: &[Token]| Reader::new(tokens, end, lexicon, macros, bodies).sentence();
+    let said = understood(tokens, lexicon, &strictly)?;
     let declaration = |(extent, statement)| Declaration {
         statement,
         extent,
@@ -123,4 +129,70 @@ fn read(
         line,
     };
     Ok(said.into_iter().map(declaration).collect())
+}
+
+/// A sentence is read in so many ways at most.
+const MOST_READINGS: usize = 150;
+
+/// What a sentence says: as it stands, in plainer words, or parted where it joins clauses. Each step has to bring the
+/// reader further along than the one before.
+fn understood(
+    tokens: &[Token],
+    lexicon: &Lexicon,
+    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Misread>,
+) -> Result<Vec<Said>, Misread> {
+    let first = match strictly(tokens) {
+        Ok(said) => return Ok(said),
+        Err(error) => error,
+    };
+    let reached = |tokens: &[Token], error: &Misread| {
+        let before = tokens.iter().position(|t| t.column >= error.column);
+        before.unwrap_or(tokens.len())
+    };
+    let mut left = MOST_READINGS;
+    let mut now = plainly(&possessives(&axes(tokens), lexicon));
+    let mut error = match strictly(&now) {
+        Ok(said) => return Ok(said),
+        Err(error) => error,
+    };
+    let others = [Some(without_brackets(&now)), described_first(&now, lexicon)];
+    for other in others.into_iter().flatten() {
+        let other = plainly(&other);
+        match strictly(&other) {
+            Ok(said) => return Ok(said),
+            Err(later) if later.column > error.column => (now, error) = (other, later),
+            Err(_) => {}
+        }
+    }
+    loop {
+        let end = reached(&now, &error);
+        let mut joints: Vec<usize> = (0..now.len().min(end + 1)).rev().collect();
+        // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
+        joints.sort_by_key(|&at| joint_weakness(&now, at));
+        let parted = joints
+            .into_iter()
+            .flat_map(|at| parted_at(&now, at, lexicon));
+        let mut further = None;
+        for candidate in parted {
+            if left == 0 {
+                return Err(first);
+            }
+            left -= 1;
+            let candidate = plainly(&candidate);
+            match strictly(&candidate) {
+                Ok(said) if said.iter().all(|(_, statement)| statement.says_something()) => {
+                    return Ok(said);
+                }
+                Ok(_) => {}
+                Err(other) if other.column > error.column && further.is_none() => {
+                    further = Some((candidate, other));
+                }
+                Err(_) => {}
+            }
+        }
+        match further {
+            Some(next) => (now, error) = next,
+            None => return Err(first),
+        }
+    }
 }

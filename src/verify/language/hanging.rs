@@ -54,12 +54,11 @@ impl<'a> Reader<'a> {
             let name = found.entry.name;
             let again =
                 last.filter(|(before, _)| *before == name || before.ends_with(&format!(" {name}")));
+            about_first(entry, name, slots);
             let slot = match again {
                 Some((_, slot)) if and || comma => Some(slot),
                 _ if and => None,
-                _ => entry
-                    .slot(name)
-                    .filter(|slot| slots.iter().all(|(s, _)| s != slot)),
+                _ => entry.slot(name).and_then(|slot| free(slot, slots)),
             };
             let Some(slot) = slot else {
                 self.at = start;
@@ -73,7 +72,7 @@ impl<'a> Reader<'a> {
             let sized = entry.class == Class::Thing;
             let of = slots
                 .iter()
-                .filter(|(s, term)| *s == Slot::Of && !(sized && size(term)));
+                .filter(|(s, term)| matches!(s, Slot::Of | Slot::Upon) && !(sized && size(term)));
             self.owner = of.map(|(_, term)| term.clone()).collect();
             if self.owner.is_empty() {
                 self.owner.clone_from(&outer);
@@ -224,5 +223,29 @@ impl<'a> Reader<'a> {
             }
         }
         Ok(())
+    }
+}
+
+/// The slot that a preposition fills if another term stands in its own: "the moment on the body about G, on B".
+fn free(slot: Slot, slots: &[(Slot, Term)]) -> Option<Slot> {
+    let taken = |slot: Slot| slots.iter().any(|(s, _)| *s == slot);
+    match slot {
+        _ if !taken(slot) => Some(slot),
+        Slot::Upon if !taken(Slot::On) => Some(Slot::On),
+        _ => None,
+    }
+}
+
+/// "with respect to O, as seen from N": of two, the first says about which point.
+fn about_first(entry: &Entry, preposition: &str, slots: &mut [(Slot, Term)]) {
+    let about = entry
+        .slot("about")
+        .filter(|about| slots.iter().all(|(s, _)| s != about));
+    let relative = Some(Slot::RelativeTo);
+    if let Some(about) = about
+        && entry.slot(preposition) == relative
+        && let Some((slot, _)) = slots.iter_mut().find(|(s, _)| Some(*s) == relative)
+    {
+        *slot = about;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::bodies::singular;
 use super::lexicon::{Class, Entry, Inflection};
-use super::reader::{ARTICLES, Read, Reader};
+use super::reader::{ARTICLES, Read, Reader, is_glue};
 use super::statement::{Formula, NounPhrase, Slot, Term};
 use super::words::Kind;
 
@@ -14,6 +14,30 @@ pub(crate) const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "f
 
 /// Nouns that add nothing to the name of what they are.
 const NAMED: [&str; 6] = ["frame", "point", "vector", "tensor", "matrix", "index"];
+
+/// Words before a noun that nobody knows, at most.
+const MOST_UNKNOWN: usize = 2;
+
+/// Nouns for what belongs to a letter, and not to the thing whose quantity it is.
+const OF_LETTERS: [&str; 10] = [
+    "rate",
+    "second rate",
+    "component",
+    "magnitude",
+    "direction",
+    "value",
+    "reference value",
+    "disturbance",
+    "first-order change",
+    "entry",
+];
+
+/// Places that belong to the body that a sentence speaks of, where it says no other: "the moment on the hub about the mass
+/// centre".
+const OWNED: [&str; 3] = ["mass centre", "symmetry axis", "spin axis"];
+
+/// Nouns whose letter says which one is meant.
+const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
 
 const WANTED: &str = "a name, a formula or a noun with its article could stand here";
 
@@ -141,7 +165,8 @@ impl<'a> Reader<'a> {
         let thing = self
             .find(&NOUNS)
             .filter(|found| found.entry.class == Class::Thing);
-        if let Some(found) = thing.filter(|_| !owned) {
+        let qualifier = thing.filter(|found| self.qualifies(found.length));
+        if let Some(found) = thing.filter(|_| !owned && qualifier.is_none()) {
             let whole = found.entry.part && self.word_at(found.length) == "of";
             if !whole {
                 self.at += found.length;
@@ -155,19 +180,72 @@ impl<'a> Reader<'a> {
             "their" => {}
             _ => owner.clear(),
         }
+        if let Some(found) = qualifier.filter(|_| !owned) {
+            self.take_any(&ARTICLES);
+            self.at += found.length;
+            owner.push(Term::Name(found.entry.name.to_owned()));
+        }
         if owned && owner.is_empty() {
             return Err(self.error("it is not said whose", "name the thing"));
         }
-        let phrase = self.phrase_of(owner)?;
+        let mut phrase = self.phrase_of(owner)?;
+        self.belongs_to_thing(&mut phrase, owned);
+        if self.hangs() && OWNED.contains(&phrase.head) && phrase.slot(Slot::Of).is_none() {
+            let whose = self.owner.first().cloned();
+            phrase.slots.extend(whose.map(|whose| (Slot::Of, whose)));
+        }
         Ok(match phrase.slots.as_slice() {
-            // "frame B" is B.
+            // "frame B" is B, and so is "the inertial frame B" where it hangs on something.
+            [(Slot::Of, _), (Slot::Which, named @ Term::Name(_))]
+                if qualifier.is_some() && NAMED.contains(&phrase.head) =>
+            {
+                named.clone()
+            }
             [(Slot::Which, named @ (Term::Name(_) | Term::Formula(_)))]
-                if NAMED.contains(&phrase.head) && phrase.adjectives.is_empty() =>
+                if self.hangs() && self.is_named(&phrase)
+                    || NAMED.contains(&phrase.head) && phrase.adjectives.is_empty() =>
             {
                 named.clone()
             }
             _ => Term::Phrase(Box::new(phrase)),
         })
+    }
+
+    /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
+    fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) {
+        let Some(thing) = self.thing.as_ref().filter(|_| owned) else {
+            return;
+        };
+        let of_letters = self
+            .lexicon
+            .entry(phrase.head, &[Class::Noun])
+            .is_none_or(|noun| {
+                noun.slot("in components on").is_none()
+                    && noun.slot("at").is_none()
+                    && noun.name != "mass"
+            });
+        if of_letters || OF_LETTERS.contains(&phrase.head) {
+            return;
+        }
+        for (slot, term) in &mut phrase.slots {
+            if *slot == Slot::Of && matches!(term, Term::Formula(_)) {
+                *term = thing.clone();
+            }
+        }
+    }
+
+    /// Whether a body is named only to say which noun is meant: "the string tension", "the ship frame B".
+    fn qualifies(&self, ahead: usize) -> bool {
+        let rest = self.following(ahead);
+        let noun = self.lexicon.find(rest, &[Class::Noun, Class::Place]);
+        let verb = self.lexicon.find(rest, &[Class::Verb]);
+        noun.is_some_and(|noun| verb.is_none_or(|verb| verb.length < noun.length))
+    }
+
+    /// Whether a noun only says what kind of thing a name or a letter is: "the pivot O", "the speed `$u$`".
+    fn is_named(&self, phrase: &NounPhrase) -> bool {
+        let kinds = [Class::Noun, Class::Place];
+        self.lexicon.entry(phrase.head, &kinds).is_some() && !INDEXED.contains(&phrase.head)
     }
 
     /// A body that the text introduces, or a member of a family of such.
@@ -271,6 +349,8 @@ impl<'a> Reader<'a> {
             if let Some(adjective) = adjective {
                 self.at += adjective.length;
                 adjectives.push(adjective.entry);
+            } else if let Some(skipped) = self.unknown_before_name() {
+                self.at += skipped;
             } else if let Some(n) = ORDINALS.iter().position(|o| *o == self.word()) {
                 self.at += 1;
                 slots.push((Slot::Which, Term::Numbers(vec![n + 1])));
@@ -294,6 +374,27 @@ impl<'a> Reader<'a> {
             self.apposition(&mut phrase, many)?;
         }
         Ok((phrase, entry))
+    }
+
+    /// How many words that nobody knows stand before a noun with its name: "the stability axes S". The name says enough.
+    fn unknown_before_name(&self) -> Option<usize> {
+        let unknown = |ahead: usize| {
+            let word = self.word_at(ahead);
+            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word)
+        };
+        let skipped = (0..MOST_UNKNOWN)
+            .take_while(|&ahead| unknown(ahead))
+            .count();
+        let noun = self
+            .lexicon
+            .find(self.following(skipped), &[Class::Noun, Class::Place])?;
+        let named = self.tokens.get(self.at + skipped + noun.length)?;
+        let name = match named.kind {
+            Kind::Formula | Kind::Plain => true,
+            Kind::Word => named.text.starts_with(char::is_uppercase),
+            _ => false,
+        };
+        (skipped > 0 && name).then_some(skipped)
     }
 
     /// Whether a noun or an adjective follows behind some words.

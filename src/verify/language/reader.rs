@@ -45,6 +45,8 @@ pub(crate) struct Reader<'a> {
     pub(crate) lexicon: &'a Lexicon,
     /// What "its" and "their" mean here.
     pub(crate) owner: Vec<Term>,
+    /// The thing of which the clause before said what a letter is.
+    pub(crate) thing: Option<Term>,
     /// Whether bodies are being spoken of "as particles"; inside that it is not said again.
     pub(crate) particles: bool,
     /// Whether the verb of the clause is read.
@@ -72,6 +74,7 @@ impl<'a> Reader<'a> {
             at: 0,
             lexicon,
             owner: vec![],
+            thing: None,
             particles: false,
             in_predicate: false,
             macros,
@@ -232,6 +235,11 @@ impl<'a> Reader<'a> {
         let result = read(self);
         self.depth -= 1;
         result
+    }
+
+    /// Whether a phrase is read that hangs on another, or on a verb.
+    pub(crate) fn hangs(&self) -> bool {
+        self.depth > 1
     }
 
     /// An error at the next piece.

@@ -10,9 +10,9 @@ use crate::notation::ast::Kind as Tree;
 use crate::notation::document::Row;
 
 /// The verbs of a rule.
-const MEANS: [&str; 13] = [
+const MEANS: [&str; 19] = [
     "means", "mean", "is", "are", "has", "have", "hold", "holds", "denotes", "denote", "takes",
-    "take", "gives",
+    "take", "gives", "give", "enclose", "encloses", "contain", "contains", "stands",
 ];
 
 /// How a label is called.

@@ -331,6 +331,11 @@ impl Statement {
         }
     }
 
+    /// Whether it is more than a formula that relates nothing.
+    pub(crate) fn says_something(&self) -> bool {
+        !matches!(self, Self::Holds(formula) if matches!(formula.row, Row::Expression(_)))
+    }
+
     /// All terms of a clause, those inside phrases as well.
     pub(crate) fn terms(&self) -> Vec<&Term> {
         let (first, slots): (Vec<&Term>, &[(Slot, Term)]) = match self {

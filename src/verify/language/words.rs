@@ -89,7 +89,8 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
 fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {
     let single = |kind| Ok((kind, &text[..1], 1));
     match first {
-        ',' => single(Kind::Comma),
+        ',' | ':' => single(Kind::Comma),
+        '—' | '–' => Ok((Kind::Comma, &text[..first.len_utf8()], first.len_utf8())),
         ';' => single(Kind::Semicolon),
         '(' => single(Kind::Open),
         ')' => single(Kind::Close),
@@ -133,6 +134,13 @@ fn enclosed(
 }
 
 fn word(text: &str) -> (Kind, &str, usize) {
+    let short = |short: &&&str| {
+        text.get(..short.len())
+            .is_some_and(|t| t.eq_ignore_ascii_case(short))
+    };
+    if let Some(short) = SHORT.iter().find(short) {
+        return (Kind::Word, &text[..short.len()], short.len());
+    }
     let inside = |c: char| c.is_alphanumeric() || "*_'′’-{}^".contains(c);
     let goes_on = |rest: &str| rest.chars().nth(1).is_some_and(char::is_alphanumeric);
     let ends =
@@ -154,6 +162,9 @@ fn unmarked(word: &str) -> Cow<'_, str> {
         false => Cow::Borrowed(bare),
     }
 }
+
+/// Short forms that end in a stop.
+const SHORT: [&str; 5] = ["w.r.t.", "i.e.", "e.g.", "resp.", "approx."];
 
 /// An error at a place.
 pub(crate) fn wrong(line: usize, column: usize, message: &str, help: &str) -> Misread {

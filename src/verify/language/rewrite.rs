@@ -1,0 +1,273 @@
+//! Other ways to say a sentence, brought to the plain one before the grammar reads it.
+//!
+//! The rules are data (`rewrites.txt`): a pattern, what it becomes, and a sentence that shows it. They move and replace
+//! words, and know nothing of what a sentence means.
+
+use super::reader::{ARTICLES, COPULAS};
+use super::words::{Kind, Token};
+use std::sync::LazyLock;
+
+/// The rules that come with the crate.
+const RULES: &str = include_str!("rewrites.txt");
+
+/// A sentence is rewritten no more often.
+const MOST_TIMES: usize = 24;
+
+/// A piece of a pattern, or of what it becomes.
+#[derive(Clone, Debug, PartialEq)]
+enum Piece {
+    /// One of some words.
+    Words(Vec<String>),
+    /// One of some words, or nothing.
+    Maybe(Vec<String>),
+    /// One piece or more, as few as fit.
+    Any(char),
+    /// A list of formulas.
+    Formulas(char),
+    /// One piece or more that begin with an article or another word that belongs to a noun.
+    Phrase(char),
+    /// A sign.
+    Sign(Kind),
+}
+
+/// A way to say something, and the plain one.
+#[derive(Clone, Debug)]
+struct Rule {
+    pattern: Vec<Piece>,
+    plain: Vec<Piece>,
+    /// Whether it is said of a whole clause, and not of words inside of one.
+    whole: bool,
+}
+
+/// The rules, in the order in which they are tried.
+fn rules() -> &'static [Rule] {
+    static READ: LazyLock<Vec<Rule>> = LazyLock::new(|| RULES.lines().filter_map(rule).collect());
+    &READ
+}
+
+/// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause.
+fn rule(line: &str) -> Option<Rule> {
+    let line = line.split("##").next()?.trim();
+    if line.starts_with('#') {
+        return None;
+    }
+    let inside = line.strip_prefix('~');
+    let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
+    let pieces = |text: &str| -> Vec<Piece> { text.split_whitespace().map(piece).collect() };
+    Some(Rule {
+        whole: inside.is_none(),
+        pattern: pieces(pattern),
+        plain: pieces(plain),
+    })
+}
+
+fn piece(text: &str) -> Piece {
+    let mut letters = text.chars();
+    match (letters.next(), letters.next()) {
+        (Some(','), None) => return Piece::Sign(Kind::Comma),
+        (Some(';'), None) => return Piece::Sign(Kind::Semicolon),
+        (Some('('), None) => return Piece::Sign(Kind::Open),
+        (Some(')'), None) => return Piece::Sign(Kind::Close),
+        (Some(c @ ('F' | 'G')), None) => return Piece::Formulas(c),
+        (Some(c @ ('N' | 'M')), None) => return Piece::Phrase(c),
+        (Some(c), None) if c.is_ascii_uppercase() => return Piece::Any(c),
+        _ => {}
+    }
+    let words = |text: &str| text.split('|').map(str::to_owned).collect();
+    match text.strip_suffix('?') {
+        Some(text) => Piece::Maybe(words(text)),
+        None => Piece::Words(words(text)),
+    }
+}
+
+/// The sentence in plainer words.
+pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
+    let mut tokens = tokens.to_vec();
+    for _ in 0..MOST_TIMES {
+        let Some(next) = rules().iter().find_map(|rule| rule.applied(&tokens)) else {
+            break;
+        };
+        if next == tokens {
+            break;
+        }
+        tokens = next;
+    }
+    tokens
+}
+
+/// What the letters of a pattern stand for.
+type Bound<'t> = Vec<(char, &'t [Token])>;
+
+impl Rule {
+    fn applied(&self, tokens: &[Token]) -> Option<Vec<Token>> {
+        if self.whole {
+            return self.applied_to_clause(tokens);
+        }
+        (0..tokens.len()).find_map(|at| {
+            let (length, bound) = matched(&self.pattern, &tokens[at..], false)?;
+            let mut new = tokens[..at].to_vec();
+            new.extend(self.written(&bound, &tokens[at]));
+            new.extend_from_slice(&tokens[at + length..]);
+            Some(new)
+        })
+    }
+
+    /// Applied to the first clause that it fits; clauses end at semicolons.
+    fn applied_to_clause(&self, tokens: &[Token]) -> Option<Vec<Token>> {
+        let mut start = 0;
+        for clause in tokens.split(|t| t.kind == Kind::Semicolon) {
+            let end = start + clause.len();
+            if let Some(first) = clause.first()
+                && let Some((_, bound)) = matched(&self.pattern, clause, true)
+            {
+                let mut new = tokens[..start].to_vec();
+                new.extend(self.written(&bound, first));
+                new.extend_from_slice(&tokens[end..]);
+                return Some(new);
+            }
+            start = end + 1;
+        }
+        None
+    }
+
+    /// What the pattern becomes; words that are put in stand where `near` stands.
+    fn written(&self, bound: &Bound<'_>, near: &Token) -> Vec<Token> {
+        let mut new: Vec<Token> = vec![];
+        for piece in &self.plain {
+            match piece {
+                Piece::Any(c) | Piece::Formulas(c) | Piece::Phrase(c) => {
+                    let found = bound.iter().find(|(letter, _)| letter == c);
+                    new.extend(found.iter().flat_map(|(_, tokens)| tokens.iter().cloned()));
+                }
+                Piece::Words(words) | Piece::Maybe(words) => {
+                    let place = new.last().unwrap_or(near);
+                    new.extend(words.first().map(|word| put_in(Kind::Word, word, place)));
+                }
+                Piece::Sign(kind) => {
+                    let place = new.last().unwrap_or(near);
+                    new.push(put_in(*kind, "", place));
+                }
+            }
+        }
+        new
+    }
+}
+
+/// A piece that the author did not write, at the place of another.
+pub(crate) fn put_in(kind: Kind, text: &str, near: &Token) -> Token {
+    Token {
+        kind,
+        text: text.to_owned(),
+        lower: text.to_owned(),
+        column: near.column,
+    }
+}
+
+/// How many pieces a pattern takes, all of them where `whole`, and what its letters stand for.
+fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(usize, Bound<'t>)> {
+    let Some((piece, rest)) = pattern.split_first() else {
+        return (!whole || tokens.is_empty()).then(|| (0, vec![]));
+    };
+    let behind = |length: usize| {
+        let (used, bound) = matched(rest, tokens.get(length..)?, whole)?;
+        Some((used + length, bound))
+    };
+    let one_of = |words: &[String]| {
+        let token = tokens.first()?;
+        (token.kind == Kind::Word && words.contains(&token.lower)).then_some(())
+    };
+    match piece {
+        Piece::Words(words) => one_of(words).and_then(|()| behind(1)),
+        Piece::Maybe(words) => one_of(words).and_then(|()| behind(1)).or_else(|| behind(0)),
+        Piece::Sign(kind) => (tokens.first()?.kind == *kind)
+            .then_some(())
+            .and_then(|()| behind(1)),
+        Piece::Any(c) | Piece::Phrase(c) => {
+            if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
+                return None;
+            }
+            // The last letter takes all that is left.
+            let shortest = if rest.is_empty() && whole {
+                tokens.len()
+            } else {
+                1
+            };
+            (shortest..=tokens.len()).find_map(|length| {
+                let (used, mut bound) = behind(length)?;
+                bound.push((*c, &tokens[..length]));
+                Some((used, bound))
+            })
+        }
+        Piece::Formulas(c) => {
+            let length = formulas(tokens);
+            let (used, mut bound) = (length > 0).then(|| behind(length))??;
+            bound.push((*c, &tokens[..length]));
+            Some((used, bound))
+        }
+    }
+}
+
+fn begins_phrase(token: &Token) -> bool {
+    token.kind == Kind::Word
+        && (ARTICLES.contains(&token.lower.as_str()) || token.lower.ends_with("'s"))
+        && !COPULAS.contains(&token.lower.as_str())
+}
+
+/// How many pieces a list of formulas takes.
+fn formulas(tokens: &[Token]) -> usize {
+    let is_formula = |token: &Token| matches!(token.kind, Kind::Formula | Kind::Plain);
+    let mut length = 0;
+    let mut end = 0;
+    while tokens.get(length).is_some_and(is_formula) {
+        end = length + 1;
+        length = end;
+        let comma = tokens.get(length).is_some_and(|t| t.kind == Kind::Comma);
+        length += usize::from(comma);
+        let and = tokens
+            .get(length)
+            .is_some_and(|t| matches!(t.lower.as_str(), "and" | "or"));
+        length += usize::from(and);
+        if !comma && !and {
+            break;
+        }
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::words::tokens;
+    use super::*;
+
+    /// The pieces as a text, formulas between dollar signs.
+    fn text(tokens: &[Token]) -> String {
+        let written = |t: &Token| match t.kind {
+            Kind::Formula => format!("${}$", t.text),
+            Kind::Comma => ",".into(),
+            Kind::Semicolon => ";".into(),
+            _ => t.text.clone(),
+        };
+        let words: Vec<String> = tokens.iter().map(written).collect();
+        words.join(" ")
+    }
+
+    #[test]
+    fn each_rule_changes_its_example() {
+        for line in RULES.lines().filter(|line| line.contains("=>")) {
+            let (_, example) = line
+                .split_once("##")
+                .expect("an example stands behind each rule");
+            let rule = rule(line).expect("a rule");
+            let before = tokens(example.trim(), 1).expect("a sentence");
+            assert!(rule.applied(&before).is_some(), "{line}");
+        }
+    }
+
+    #[test]
+    fn words_move_and_places_stay() {
+        let before = tokens("By $L$ we mean the momentum of B", 1).expect("a sentence");
+        let after = plainly(&before);
+        assert_eq!(text(&after), "$L$ is the momentum of B");
+        assert_eq!(after[0].column, 4);
+    }
+}
