@@ -12,7 +12,7 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::{Shown, shown};
 use crate::verify::standing::sides::{Both, both};
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::standing::written::symbols_of;
+use crate::verify::standing::written::{bounds_in, symbols_of};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
@@ -75,6 +75,9 @@ impl Judge<'_> {
         if let Some(sentence) = self.unread_of([&link.left, &link.right]) {
             return Held::open(nothing_made_of(sentence));
         }
+        if let Some(bound) = self.other_bound(link) {
+            return Held::open(format!("no sentence says how far a sum up to {bound} runs"));
+        }
         match link.relation {
             Relation::Equal | Relation::Defined => self.hold_equal(link),
             Relation::NotEqual => {
@@ -100,6 +103,14 @@ impl Judge<'_> {
             }
             _ => Held::open("this relation is not decided"),
         }
+    }
+
+    /// Up to where a sum runs on a link, if that is another letter than the document writes first.
+    fn other_bound(&self, link: &Link) -> Option<String> {
+        let nodes = [&link.left, &link.right].into_iter();
+        let mut all = nodes.flat_map(bounds_in);
+        let other = all.find(|(index, bound)| self.bounds.get(index).is_some_and(|b| b != bound));
+        other.map(|(_, bound)| format!("`{bound}`"))
     }
 
     /// "= const": the rate of the other side vanishes.

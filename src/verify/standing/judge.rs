@@ -16,11 +16,11 @@ use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{
-    has_open_brackets, names_an_instant, without_number, written_symbols,
+    bounds_of_sums, has_open_brackets, names_an_instant, without_number, written_symbols,
 };
 use crate::verify::term::letters::{At, Reach, letter_names};
 use crate::verify::term::value::Shape;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -59,6 +59,8 @@ pub(crate) struct Judge<'a> {
     pub(crate) facts: Facts,
     /// Shapes of letters that lines have settled.
     pub(super) shapes: HashMap<String, Shape>,
+    /// Up to where sums run over an index, as the document writes it first.
+    pub(super) bounds: BTreeMap<String, String>,
     /// The text of a line that is tried and does not stand in the document.
     pub(super) trial: Option<source::Source>,
     chain: Chain,
@@ -84,6 +86,7 @@ impl<'a> Judge<'a> {
             reading,
             facts: Facts::default(),
             shapes,
+            bounds: bounds_of_sums(document),
             trial: None,
             chain: Chain::default(),
             at: At::default(),
@@ -175,6 +178,7 @@ impl<'a> Judge<'a> {
             purpose = Purpose {
                 role,
                 derived: role == Role::Claim,
+                declared: true,
                 ..Purpose::default()
             };
         }
@@ -300,6 +304,10 @@ impl<'a> Judge<'a> {
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
             (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
+            // Words alone make no law of a relation in which no letter is new.
+            (Standing::Free, Role::Define) if !purpose.declared && h.unknown.is_empty() => {
+                Standing::Open
+            }
             (standing, _) => standing,
         };
         let answers: Vec<Answer> = held

@@ -14,6 +14,8 @@ pub(crate) struct Purpose {
     /// Words alone do not say that it holds: it is led in as an assumption but relates several quantities, or it is a
     /// value in running text, which may be spoken of as a case.
     pub(crate) doubtful: bool,
+    /// A sentence says what the line is for.
+    pub(crate) declared: bool,
 }
 
 impl Default for Purpose {
@@ -22,6 +24,7 @@ impl Default for Purpose {
             role: Role::Claim,
             derived: false,
             doubtful: false,
+            declared: false,
         }
     }
 }
@@ -36,8 +39,12 @@ impl Purpose {
     }
 
     /// The purpose of a line with these links. An assumption says what one quantity is; a row that goes on from one
-    /// with more than a quantity is worked out from it.
+    /// with more than a quantity is worked out from it, and so is one that goes on from a definition.
     pub(crate) fn on(mut self, continues: bool, links: &[Link]) -> Self {
+        // What a row goes on from is defined already.
+        if continues && self.role == Role::Define {
+            self.role = Role::Claim;
+        }
         let assumed = matches!(self.role, Role::Assume | Role::Given);
         let told = |link: &Link| is_quantity(&link.left) && !continues || is_quantity(&link.right);
         if assumed && !links.iter().all(told) {

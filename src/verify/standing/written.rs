@@ -2,8 +2,9 @@
 
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
 use crate::notation::document::{Document, Item, Row};
+use crate::notation::print::latex;
 use crate::verify::term::letters::spell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
 pub(super) fn without_number(line: &Line) -> Line {
@@ -84,6 +85,40 @@ pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
         }
     }
     found
+}
+
+/// Up to where sums over each index run, by the letter that a document writes there first.
+pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    for item in &document.items {
+        let Item::Formula(formula) = item else {
+            continue;
+        };
+        let nodes = formula.rows.iter().flat_map(|row| match row {
+            Row::Line(line) => line.sides.iter().collect(),
+            Row::Expression(node) => vec![node],
+            Row::Unreadable { .. } => vec![],
+        });
+        for (index, bound) in nodes.flat_map(bounds_in) {
+            found.entry(index).or_insert(bound);
+        }
+    }
+    found
+}
+
+/// The index of each sum in a tree that runs up to a letter, and that letter.
+pub(super) fn bounds_in(node: &Node) -> Vec<(String, String)> {
+    let own = match &node.kind {
+        Kind::IndexedSum {
+            index,
+            limits: Some((_, upper)),
+            ..
+        } if matches!(upper.kind, Kind::Symbol(_)) => Some((index.name.clone(), latex(upper))),
+        _ => None,
+    };
+    own.into_iter()
+        .chain(node.children().flat_map(bounds_in))
+        .collect()
 }
 
 /// Whether a bracket opens in a text that does not close: the formula was cut short.
