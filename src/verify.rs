@@ -20,6 +20,7 @@
 mod check;
 mod declarations;
 mod declared;
+pub mod derivation;
 pub(crate) mod facts;
 pub mod language;
 mod letters;

@@ -12,6 +12,7 @@ mod declare;
 mod extent;
 mod forms;
 mod hanging;
+pub(crate) mod heads;
 mod lexicon;
 mod manual;
 mod phrase;
