@@ -42,6 +42,8 @@ pub struct Wish {
 pub struct Derived {
     /// The noun of the one quantity that was asked for.
     pub sought: Option<String>,
+    /// The name of the frame on whose axes components are taken.
+    pub axes: String,
     /// Sentences that declare the letters which the author has not.
     pub sentences: Vec<String>,
     /// The frames, each body, and what else was asked for.
@@ -60,8 +62,8 @@ pub struct Part {
 /// What a part of a derivation is about.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// How the frames turn; components are taken on the axes of the frame with this name.
-    Frames(String),
+    /// How the frames turn.
+    Frames,
     /// A body, by its name with an article: "the top".
     Body(String),
     /// Motions in which the angles that the energy depends on do not change.
@@ -154,6 +156,27 @@ pub enum Refusal {
 }
 
 /// Derives what is declared.
+///
+/// ```
+/// use polhode::notation::{document::Format, read, sentences};
+/// use polhode::source::Source;
+/// use polhode::verify::derivation::{Law, Wish, derive_system};
+/// use polhode::verify::{Sheet, declarations};
+///
+/// let text = "N is an inertial frame.\nB is a frame fixed in the rotor.\n\
+///     x, y, z are the axes of B.\nO is a point fixed in N and in B.\n\
+///     B turns relative to N about z by the angle `\\theta`.\n\
+///     `C` is the moment of inertia of the rotor about the axis through O along z.\n\
+///     The axes of B are principal axes of the rotor about O.\n";
+/// let sheet = Sheet { source: Source::new("rotor", text), sentences: sentences(text) };
+/// let (document, _) = read("", "", Format::Markdown);
+/// let declared = declarations(&document, &[sheet]);
+/// let wish = Wish { find: Some("the moment on the rotor about O".into()), steady: false };
+/// let derived = derive_system(&declared, &wish).expect("a derivation");
+/// let last = derived.parts.last().and_then(|part| part.steps.last()).expect("a step");
+/// assert_eq!(last.law, Law::MomentPutIn);
+/// assert_eq!(last.rows[0].right.latex, "C \\ddot{\\theta}");
+/// ```
 ///
 /// # Errors
 /// Where the wish is not understood, or nothing is declared that could be derived.

@@ -186,3 +186,54 @@ fn a_system_that_says_nothing_has_no_derivation() {
     let refused = derive_system(&declared(&sheet), &Wish::default());
     assert_eq!(refused, Err(Refusal::NothingToDerive));
 }
+
+/// Systems in a few sentences, and how many rows each has at least.
+const SHORT: [(&str, usize); 3] = [
+    (
+        "N is an inertial frame.\nB is a frame fixed in the craft.\n\
+         The craft is a rigid body of mass $m$.\nG is the mass centre of the craft.\n\
+         $g$ is the acceleration of gravity.\n$z$ is the upward vertical.\n\
+         The weight is the only load on the craft.\n",
+        20,
+    ),
+    (
+        "N is an inertial frame.\nB is a frame fixed in the body.\n1, 2, 3 are the axes of B.\n\
+         G is the mass centre of the body.\n\
+         $I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.\n\
+         No moment acts on the body about G.\n",
+        20,
+    ),
+    (
+        "N is an inertial frame.\n$z$ is the upward vertical.\nO is a point fixed in N.\n\
+         P is a particle of mass $m$.\n$\\mathbf r$ is the position of P from O.\n\
+         $g$ is the acceleration of gravity.\nThe weight is the only load on P.\n",
+        14,
+    ),
+];
+
+#[test]
+fn letters_are_found_where_the_author_has_none() {
+    for (text, least) in SHORT {
+        let sheet = sheet(text);
+        let derived = derived(&sheet, None, false);
+        assert!(rows(&derived) >= least, "{derived:?}");
+        let page = of_system(&derived);
+        for (page, format) in [
+            (page.markdown(), Format::Markdown),
+            (page.unicode(), Format::Text),
+        ] {
+            assert_eq!(proved(&page, format, &sheet), rows(&derived));
+        }
+    }
+}
+
+#[test]
+fn a_whole_has_the_momentum_of_its_parts() {
+    let derived = derived(&example("platform"), None, false);
+    let momentum = told(&derived, Law::SumOfParts);
+    assert_eq!(
+        momentum.last().map(String::as_str),
+        Some("L_{s,z} = I_3 ω_{B,z} + J ω_{D,z}")
+    );
+    assert_eq!(told(&derived, Law::Equations).len(), 3);
+}

@@ -7,6 +7,10 @@ use crate::verify::derivation::{Derived, Law, Part, Step, Subject, Text};
 /// The page that tells the derivation of a system.
 pub fn of_system(derived: &Derived) -> Derivation {
     let mut blocks = vec![Block::Heading(1, title(derived))];
+    blocks.push(said(format!(
+        "Components are those on the axes of {}. A component that is zero has no line.",
+        derived.axes
+    )));
     let mut label = 0;
     for part in &derived.parts {
         blocks.extend(heading(part).map(|heading| Block::Heading(2, heading)));
@@ -40,7 +44,7 @@ fn title(derived: &Derived) -> String {
 
 fn heading(part: &Part) -> Option<String> {
     match &part.subject {
-        Subject::Frames(_) => Some("How the frames turn".to_owned()),
+        Subject::Frames => Some("How the frames turn".to_owned()),
         Subject::Body(name) if name.is_empty() => None,
         Subject::Body(name) => Some(capital(&with_article(name))),
         Subject::Steady { .. } => Some("Steady motion".to_owned()),
@@ -50,9 +54,6 @@ fn heading(part: &Part) -> Option<String> {
 /// What is said before the first step.
 fn opening(part: &Part) -> Option<String> {
     match &part.subject {
-        Subject::Frames(axes) => Some(format!(
-            "Components are those on the axes of {axes}. A component that is zero has no line."
-        )),
         Subject::Steady { held, .. } if held.is_empty() => Some(
             "No steady motion is found. It needs a body that turns by angles about a fixed point and whose loads are declared; some angle must not change its energy."
                 .to_owned(),
@@ -68,7 +69,7 @@ fn opening(part: &Part) -> Option<String> {
             };
             Some(format!("Here {keeps}, and {changes}."))
         }
-        Subject::Body(_) => None,
+        Subject::Frames | Subject::Body(_) => None,
     }
 }
 

@@ -15,10 +15,19 @@ impl Story {
             self.tell_momentum(subject);
             self.tell_force(subject);
         }
-        self.tell_angular_momentum(subject);
-        self.tell_moment(subject);
+        if self.turns(subject) {
+            self.tell_angular_momentum(subject);
+            self.tell_moment(subject);
+        }
         self.tell_loads(subject);
         self.tell_equations(subject);
+    }
+
+    /// Whether more than a particle is told of.
+    pub(super) fn turns(&self, subject: &Subject) -> bool {
+        let bodies = &self.letters.reading.system.bodies;
+        let body = &bodies[subject.body];
+        body.frame.is_some() || !body.parts.is_empty()
     }
 
     /// p = m v.
@@ -157,6 +166,9 @@ impl Story {
                 continue;
             }
             self.tell_vector(Law::Weight, Key::Load(subject.body, number));
+            if !self.turns(subject) {
+                continue;
+            }
             self.tell_vector(Law::MomentsOfLoads, Key::MomentOfLoad(subject.body, number));
         }
     }
@@ -218,7 +230,8 @@ impl Story {
             let claims = self.equations(&rate, &sum);
             self.step(Law::EquationsOfCentre, claims);
         }
-        if let Some(sum) = self.sum_of_loads(subject, true)
+        if self.turns(subject)
+            && let Some(sum) = self.sum_of_loads(subject, true)
             && let Some(momentum) = self.angular_momentum(subject)
         {
             let rate = self.rate(&momentum);

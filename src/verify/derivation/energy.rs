@@ -106,7 +106,8 @@ impl Story {
             true => Key::Total(subject.body),
             false => Key::Kinetic(subject.body),
         };
-        for key in [energy, Key::Upward(subject.body)] {
+        let upward = self.turns(subject).then_some(Key::Upward(subject.body));
+        for key in std::iter::once(energy).chain(upward) {
             let Some((_, quantity)) = self.nouns.of(key).cloned() else {
                 continue;
             };
@@ -132,6 +133,9 @@ impl Story {
 
     /// Components of the angular momentum that do not change; of a body without moment the length.
     fn kept_components(&mut self, subject: &Subject) -> Vec<Claim> {
+        if !self.turns(subject) {
+            return vec![];
+        }
         let Some(momentum) = self.vector(Key::AngularMomentum(subject.body)) else {
             return vec![];
         };

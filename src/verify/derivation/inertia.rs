@@ -186,6 +186,7 @@ impl Story {
                     let value = value.to_scalar().ok()?;
                     self.letters.take(&text.latex);
                     self.letters.name(value.as_variable()?, text.clone());
+                    self.letters.hold_constant(value.as_variable()?);
                     (text.latex, value)
                 }
             };
@@ -230,6 +231,7 @@ impl Story {
                 }
             };
             self.letters.name(letter, text);
+            self.letters.hold_constant(letter);
             let letter = crate::verify::model::atoms::fraction(letter);
             entries.push(if negative { -letter } else { letter });
         }

@@ -6,7 +6,6 @@ use crate::verify::derivation::nouns::Key;
 use crate::verify::derivation::plan::Subject;
 use crate::verify::derivation::story::Story;
 use crate::verify::derivation::{Law, Subject as About};
-use crate::verify::language::statement::Term;
 use crate::verify::model::system::{FrameId, Vector};
 use num_traits::Zero;
 
@@ -22,14 +21,7 @@ impl Story {
             }
         }
         self.step(Law::AngularVelocities, claims);
-        let axes = self.letters.reading.system.frames[self.plan.axes]
-            .name
-            .clone();
-        let named = self.plan.frames.iter().find(|(f, _)| *f == self.plan.axes);
-        let axes = named.map_or(axes, |(_, term): &(FrameId, Term)| {
-            super::story::called(term)
-        });
-        self.end(About::Frames(axes));
+        self.end(About::Frames);
     }
 
     /// The angular velocity of the frame of a body, in letters.

@@ -24,6 +24,8 @@ pub(super) struct Letters {
     /// Letters as they are printed, and as the author writes them.
     written: HashMap<String, String>,
     taken: BTreeSet<String>,
+    /// The labels of components.
+    labels: [&'static str; 3],
     /// Sentences about letters that the author has not.
     pub(super) sentences: Vec<String>,
 }
@@ -37,7 +39,11 @@ pub(super) struct Lettered {
 }
 
 impl Letters {
-    pub(super) fn new(mut reading: Reading, declarations: &[Declaration]) -> Self {
+    pub(super) fn new(
+        mut reading: Reading,
+        declarations: &[Declaration],
+        labels: [&'static str; 3],
+    ) -> Self {
         reading.system.set_dimensions(3);
         reading.taken = reading.active_premises(&At::default());
         let everywhere = reading.premises.iter().filter(|p| p.reach == Reach::All);
@@ -52,6 +58,7 @@ impl Letters {
             names: BTreeMap::new(),
             written: written_in(declarations),
             taken: BTreeSet::new(),
+            labels,
             sentences: vec![],
         };
         letters.name_author_letters();
@@ -82,9 +89,27 @@ impl Letters {
                 self.hold_constant(variable);
             }
         }
+        for letter in self.reading.letters.letters.clone() {
+            if let Meaning::Quantity(quantity) = &letter.meaning
+                && letter.reach == Reach::All
+                && let Ok(value) = self.system().value_of(quantity)
+                && value.is_vector()
+            {
+                self.name_components(&letter.latex, &value.entries);
+            }
+        }
         let pi = Writing::new("\\pi");
         if let Some(pi) = self.reading.system.atoms.find(&pi) {
             self.name(pi, Text::of_letter("\\pi"));
+        }
+    }
+
+    /// Names the components of a vector that are variables of their own.
+    fn name_components(&mut self, latex: &str, entries: &[Fraction]) {
+        for (entry, label) in entries.iter().zip(self.labels) {
+            if let Some(variable) = entry.as_variable() {
+                self.name(variable, Text::of_component(latex, label));
+            }
         }
     }
 
@@ -157,9 +182,12 @@ impl Letters {
         Some(Text::of_letter(written))
     }
 
-    /// Whether the facts prove that two values are equal.
+    /// Whether the laws, or else the facts, prove that two values are equal.
     pub(super) fn agree(&mut self, left: &Fraction, right: &Fraction) -> bool {
-        self.vanishes(&(left.clone() - right.clone()))
+        use num_traits::Zero;
+        let difference = left.clone() - right.clone();
+        let by_laws = Facts::default().normal(&mut self.reading.system.atoms, &difference);
+        by_laws.is_ok_and(|value| value.is_zero()) || self.vanishes(&difference)
     }
 
     /// Whether the facts prove that a value is zero.

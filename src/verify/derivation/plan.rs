@@ -82,6 +82,22 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// How the frame is called on whose axes components are taken.
+    pub(super) fn name_of_axes(&self) -> String {
+        let named = self.frames.iter().find(|(frame, _)| *frame == self.axes);
+        called(named.map_or(&self.ground, |(_, term)| term))
+    }
+}
+
+/// How a thing is called in a heading.
+pub(super) fn called(term: &Term) -> String {
+    match term {
+        Term::Formula(formula) => format!("${}$", formula.source),
+        term => name_of(term).unwrap_or_default(),
+    }
+}
+
 /// Finds the names by which an author calls things.
 struct Namer<'a> {
     declarations: &'a [Declaration],

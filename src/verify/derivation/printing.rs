@@ -160,9 +160,10 @@ fn written(sum: Option<&Polynomial>, of: &Fraction, signs: &Signs, style: Style)
         true => by_all,
         false => by_rates,
     };
+    let accelerates = others.iter().any(|v| place(v) == Some(Place::Acceleration));
     let (text, groups) = factored(&printer, sum, signs, &rates, style);
     let one = groups == 1 && text.len() <= collected.len() + 2;
-    match groups > 0 && (one || text.len() < collected.len()) {
+    match groups > 0 && (one || !accelerates && text.len() < collected.len()) {
         true => text,
         false => collected,
     }

@@ -3,13 +3,12 @@
 use crate::algebra::Fraction;
 use crate::verify::derivation::letters::{Lettered, Letters, candidates};
 use crate::verify::derivation::nouns::{Key, Nouns};
-use crate::verify::derivation::plan::{Plan, Subject};
+use crate::verify::derivation::plan::{Plan, Subject, called};
 use crate::verify::derivation::text::Text;
 use crate::verify::derivation::{Derived, Law, Part, Row, Step, Subject as About};
-use crate::verify::language::statement::{Declaration, Term};
+use crate::verify::language::statement::Declaration;
 use crate::verify::model::system::{BodyId, Matrix, PointId, Vector};
 use crate::verify::reading::Reading;
-use crate::verify::reading::names::name_of;
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -42,7 +41,7 @@ pub(super) type Claim = (Text, Fraction, Fraction);
 impl Story {
     pub(super) fn new(reading: Reading, nouns: Nouns, plan: Plan, said: &[Declaration]) -> Self {
         Self {
-            letters: Letters::new(reading, said),
+            letters: Letters::new(reading, said, plan.labels),
             nouns,
             plan,
             vectors: HashMap::new(),
@@ -81,6 +80,7 @@ impl Story {
     pub(super) fn finish(self, sought: Option<String>) -> Derived {
         Derived {
             sought,
+            axes: self.plan.name_of_axes(),
             sentences: self.letters.sentences,
             parts: self.parts,
         }
@@ -99,14 +99,17 @@ impl Story {
                 && right_text != left
                 && self.letters.agree(&value, &right)
             {
-                rows.push(Row {
+                let row = Row {
                     left,
                     right: right_text,
-                });
+                };
+                let told = self.steps.iter().any(|step| step.rows.contains(&row));
+                if !told {
+                    rows.push(row);
+                }
             }
         }
-        let repeated = self.steps.iter().any(|step| step.rows == rows);
-        if !rows.is_empty() && !repeated {
+        if !rows.is_empty() {
             let letters = std::mem::take(&mut self.new);
             self.steps.push(Step { law, letters, rows });
         }
@@ -230,13 +233,5 @@ impl Story {
     pub(super) fn subject(&self, body: usize) -> Option<Subject> {
         let mut bodies = self.plan.bodies.iter();
         bodies.find(|subject| subject.body == body).cloned()
-    }
-}
-
-/// How a thing is called in a heading.
-pub(super) fn called(term: &Term) -> String {
-    match term {
-        Term::Formula(formula) => format!("${}$", formula.source),
-        term => name_of(term).unwrap_or_default(),
     }
 }

@@ -63,6 +63,7 @@ impl Text {
             Some((letter, index)) if index.starts_with('{') && index.ends_with('}') => {
                 format!("{letter}_{{{},{label}}}", &index[1..index.len() - 1])
             }
+            _ if label.chars().count() > 1 => format!("{plain}_{{{label}}}"),
             _ => format!("{plain}_{label}"),
         };
         Self::of_letter(&text)
@@ -118,18 +119,24 @@ fn without_vector(latex: &str) -> String {
     latex.to_owned()
 }
 
-/// Braces around one character of an index say nothing.
+/// Braces around one character of an index, or around two letters, say nothing.
 fn without_braces(unicode: &str) -> String {
     let mut text = String::new();
     let mut rest = unicode;
     while let Some(at) = rest.find("_{") {
-        let inner = &rest[at + 2..];
-        let mut letters = inner.chars();
         text.push_str(&rest[..=at]);
-        match (letters.next(), letters.next()) {
-            (Some(c), Some('}')) => {
-                text.push(c);
-                rest = &inner[c.len_utf8() + 1..];
+        let inner = &rest[at + 2..];
+        let index = inner.split('}').next().unwrap_or_default();
+        let letters = index.chars().all(char::is_alphabetic);
+        let plain = match index.chars().count() {
+            1 => index != "{",
+            2 => letters,
+            _ => false,
+        };
+        match inner.strip_prefix(index).and_then(|r| r.strip_prefix('}')) {
+            Some(behind) if plain => {
+                text.push_str(index);
+                rest = behind;
             }
             _ => {
                 text.push('{');
