@@ -3,7 +3,9 @@
 use crate::cli::{declare, output};
 use crate::diagnostic::Diagnostic;
 use crate::notation::{self, document::Format};
-use crate::report::derive::{Axes, Body, Component, Derivation, DeriveOptions, derive, of_system};
+use crate::report::derive::{
+    Axes, Body, Component, Derivation, DeriveOptions, derive, of_system, proved_part,
+};
 use crate::report::terminal;
 use crate::source::{Source, Span};
 use crate::verify::derivation::{Refusal, Wish, derive_system};
@@ -151,7 +153,18 @@ fn system(options: &Options, color: ColorChoice) -> Option<Derivation> {
         steady: options.steady,
     };
     match derive_system(&declared, &wish) {
-        Ok(derived) => Some(of_system(&derived)),
+        Ok(derived) => {
+            let (proved, left_out) = proved_part(&derived, &sheets);
+            if left_out > 0 {
+                eprintln!(
+                    "warning: {left_out} lines are left out, as check does not prove them by these declarations"
+                );
+            }
+            if proved.parts.iter().all(|part| part.steps.is_empty()) {
+                return None;
+            }
+            Some(of_system(&proved))
+        }
         Err(refusal) => {
             refused(&refusal, &declared, options, color);
             None

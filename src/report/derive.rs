@@ -7,7 +7,7 @@ mod letters;
 mod print;
 mod system;
 
-pub use system::of_system;
+pub use system::{of_system, proved_part};
 
 use crate::report::derive::equations::Equations;
 use crate::report::derive::letters::{Formula, vector};

@@ -1,7 +1,7 @@
 //! What `derive` prints of a declared system is proved by `check` with the same declarations.
 
 use polhode::notation::{document::Format, read, sentences};
-use polhode::report::derive::{Derivation, of_system};
+use polhode::report::derive::{Derivation, of_system, proved_part};
 use polhode::source::Source;
 use polhode::verify::derivation::{Derived, Law, Refusal, Wish, derive_system};
 use polhode::verify::{Declared, Sheet, check_declared, declarations};
@@ -236,4 +236,21 @@ fn a_whole_has_the_momentum_of_its_parts() {
         Some("L_{s,z} = I_3 ω_{B,z} + J ω_{D,z}")
     );
     assert_eq!(told(&derived, Law::Equations).len(), 3);
+}
+
+#[test]
+fn a_row_that_the_authors_marks_give_another_meaning_is_left_out() {
+    let text = "N is an inertial frame.\nB is a frame fixed in the body.\n\
+                G is the mass centre of the body.\nA tilde means components on B.\n\
+                A vector or tensor without a tilde has components on N.\n";
+    let sheet = sheet(text);
+    let derived = derived(&sheet, None, false);
+    let (part, left_out) = proved_part(&derived, std::slice::from_ref(&sheet));
+    assert!(left_out > 0, "{derived:?}");
+    assert_eq!(rows(&part) + left_out, rows(&derived));
+    let page = of_system(&part).markdown();
+    assert_eq!(proved(&page, Format::Markdown, &sheet), rows(&part));
+    let top = example("heavy-top");
+    let derived = self::derived(&top, None, true);
+    assert_eq!(proved_part(&derived, &[top]), (derived, 0));
 }

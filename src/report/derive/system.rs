@@ -1,8 +1,11 @@
 //! A declared system's derivation as a page.
 
+use crate::notation::{self, document::Format};
 use crate::report::derive::letters::Formula;
 use crate::report::derive::{About, Block, Derivation, Piece, Row};
 use crate::verify::derivation::{Derived, Law, Part, Step, Subject, Text};
+use crate::verify::{self, Finding, Sheet, Verdict};
+use std::collections::HashSet;
 
 /// The page that tells the derivation of a system.
 pub fn of_system(derived: &Derived) -> Derivation {
@@ -25,6 +28,33 @@ pub fn of_system(derived: &Derived) -> Derivation {
         },
         blocks,
     }
+}
+
+/// The derivation without the rows that the checker does not prove by the same declarations, and how many these are.
+///
+/// An author's own rules for marks and labels may give a row another meaning than the one that it was derived in.
+pub fn proved_part(derived: &Derived, sheets: &[Sheet]) -> (Derived, usize) {
+    let page = of_system(derived).markdown();
+    let (document, _) = notation::read("derivation", &page, Format::Markdown);
+    let declared = verify::declarations(&document, sheets);
+    let report = verify::check_declared(&document, &declared);
+    let proved = |finding: &&Finding| matches!(finding.verdict, Verdict::Proved(_));
+    let labels = report.findings.iter().filter(proved);
+    let labels: HashSet<&str> = labels.filter_map(|f| f.label.as_deref()).collect();
+    let mut part = derived.clone();
+    let (mut number, mut left_out) = (0, 0);
+    for part in &mut part.parts {
+        for step in &mut part.steps {
+            step.rows.retain(|_| {
+                number += 1;
+                let holds = labels.contains(format!("({number})").as_str());
+                left_out += usize::from(!holds);
+                holds
+            });
+        }
+        part.steps.retain(|step| !step.rows.is_empty());
+    }
+    (part, left_out)
 }
 
 fn title(derived: &Derived) -> String {

@@ -94,6 +94,7 @@ impl Letters {
                 && letter.reach == Reach::All
                 && let Ok(value) = self.system().value_of(quantity)
                 && value.is_vector()
+                && quantity.frame().is_none()
             {
                 self.name_components(&letter.latex, &value.entries);
             }

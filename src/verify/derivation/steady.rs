@@ -18,8 +18,8 @@ pub(super) const STEADY: &str = "Steady motion";
 impl Story {
     /// Of the largest whole whose loads are known: the conditions under which its angles keep their rates.
     pub(super) fn tell_steady(&mut self) {
-        let known = self.plan.bodies.iter().filter(|s| s.loads.is_some());
-        let found = known.last().cloned().and_then(|s| self.steady_of(&s));
+        let mut known = self.plan.bodies.iter().filter(|s| s.loads.is_some());
+        let found = known.next_back().cloned().and_then(|s| self.steady_of(&s));
         let (held, even) = found.unwrap_or_default();
         self.close(About::Steady { held, even });
     }
