@@ -8,12 +8,12 @@
 //! room sees those left of it alone:
 //!
 //! ```text
-//! model ← term ← facts ← reading ← standing        language (sentences ⇄ statements) ─→ reading
+//! model ← term ← facts ← reading ← standing ← derivation        language (sentences ⇄ statements) ─→ reading
 //! ```
 //!
 //! `model` holds frames, points, bodies and families with their laws, `term` makes values of formulas, `facts` says
 //! what holds and proves, `reading` builds the model from the sentences of `language`, and `standing` says what each line
-//! is worth. All other documents are judged in the old house ([`check()`]): there `letters` and `words` say what a document
+//! is worth, and `derivation` tells the derivation of a declared system. All other documents are judged in the old house ([`check()`]): there `letters` and `words` say what a document
 //! means, `values` what a formula is worth, `theory` what holds, `lines` what becomes of each line, and `repair` what a
 //! false one should have been.
 
@@ -21,6 +21,7 @@ mod check;
 pub(crate) mod correction;
 mod declarations;
 mod declared;
+pub mod derivation;
 pub(crate) mod facts;
 pub mod language;
 mod letters;

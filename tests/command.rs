@@ -8,6 +8,8 @@ mod command {
     mod cli;
     mod declared;
     mod derive;
+    mod derive_numbers;
+    mod derive_systems;
     mod multiply_out;
     mod resume;
     mod run;

@@ -28,6 +28,8 @@ pub enum Place {
     Rate,
     /// An acceleration, a rate of momentum, a moment.
     Acceleration,
+    /// A sine or cosine: written last in a product, so that nothing is taken for its argument. It leads no sum.
+    Function,
 }
 
 /// How a variable is written.
@@ -138,7 +140,8 @@ impl<'a> Printer<'a> {
     /// Terms with accelerations first, then few factors before many, then plus before minus, then by variable.
     fn rank(&self, monomial: &Monomial, negative: bool) -> impl Ord + use<> {
         let factors = self.factors(monomial);
-        let latest = factors.iter().map(|f| f.place).max();
+        let places = factors.iter().map(|f| f.place);
+        let latest = places.filter(|p| *p != Place::Function).max();
         let moving = |f: &&Factor| f.place != Place::Parameter;
         let degree: u32 = factors.iter().filter(moving).map(|f| f.exponent).sum();
         let order: Vec<_> = factors
@@ -249,10 +252,19 @@ impl<'a> Printer<'a> {
         if exponent == 1 {
             return letter.to_owned();
         }
-        let base = parenthesised_if(letter.to_owned(), letter.contains(['^', ' ', '/']));
+        // The exponent of a function stands before its argument: sin² θ.
+        let (base, argument) = match letter.split_once(' ') {
+            Some((function @ ("\\sin" | "\\cos" | "sin" | "cos"), argument)) => {
+                (function.to_owned(), format!(" {argument}"))
+            }
+            _ => {
+                let several = letter.contains(['^', ' ', '/']);
+                (parenthesised_if(letter.to_owned(), several), String::new())
+            }
+        };
         match self.style {
-            Style::Latex => format!("{base}^{{{exponent}}}"),
-            Style::Unicode => base + &superscript(exponent),
+            Style::Latex => format!("{base}^{{{exponent}}}{argument}"),
+            Style::Unicode => base + &superscript(exponent) + &argument,
         }
     }
 }
@@ -306,6 +318,26 @@ mod tests {
         assert_eq!(
             Printer::new(Style::Latex, &letters).polynomial(&sum),
             "I_{xx} \\dot{\\omega}_x - \\tfrac{1}{2} I_{xx} \\omega_x^{2} - (x^2)^{2}"
+        );
+    }
+
+    #[test]
+    fn functions_stand_last_and_carry_their_exponents() {
+        let letters = |variable: Variable| match variable {
+            0 => Letter {
+                text: "\\sin \\theta".to_owned(),
+                place: Place::Function,
+            },
+            _ => Letter {
+                text: "\\dot{\\psi}".to_owned(),
+                place: Place::Rate,
+            },
+        };
+        let [sine, rate] = [0, 1].map(Polynomial::variable);
+        let product = sine.clone() * sine * rate;
+        assert_eq!(
+            Printer::new(Style::Latex, &letters).polynomial(&product),
+            "\\dot{\\psi} \\sin^{2} \\theta"
         );
     }
 

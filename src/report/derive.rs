@@ -5,6 +5,9 @@
 mod equations;
 mod letters;
 mod print;
+mod system;
+
+pub use system::{of_system, proved_part};
 
 use crate::report::derive::equations::Equations;
 use crate::report::derive::letters::{Formula, vector};
@@ -64,8 +67,22 @@ pub struct DeriveOptions {
 /// A derivation, ready to be printed: see [`Derivation::markdown`] and its neighbours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivation {
-    options: DeriveOptions,
+    about: About,
     blocks: Vec<Block>,
+}
+
+/// What is derived.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+enum About {
+    /// One body on axes.
+    Body {
+        #[serde(flatten)]
+        options: DeriveOptions,
+        products: &'static str,
+    },
+    /// A declared system, and the sentences that declare the letters which its author has not.
+    System { letters: Vec<String> },
 }
 
 /// A piece of the page.
@@ -80,6 +97,8 @@ enum Block {
 #[derive(Clone, Debug, PartialEq)]
 enum Piece {
     Words(&'static str),
+    /// A sentence with formulas between dollar signs.
+    Sentence(String),
     Formula(Formula),
 }
 
@@ -88,6 +107,7 @@ enum Piece {
 struct Row {
     left: Formula,
     right: Formula,
+    /// The number of a line that others may speak of.
     label: usize,
 }
 
@@ -114,7 +134,10 @@ pub fn derive(options: &DeriveOptions) -> Derivation {
         page.principal();
     }
     Derivation {
-        options: *options,
+        about: About::Body {
+            options: *options,
+            products: "integrals",
+        },
         blocks: page.blocks,
     }
 }

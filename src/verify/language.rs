@@ -13,6 +13,7 @@ mod ellipsis;
 mod extent;
 mod forms;
 mod hanging;
+pub(crate) mod heads;
 mod lexicon;
 mod manual;
 mod phrase;

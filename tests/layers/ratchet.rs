@@ -17,7 +17,15 @@ const MOST: [(&str, usize); 6] = [
 ];
 
 /// The rooms of the new house, which have rules of their own.
-pub(super) const ROOMS: [&str; 6] = ["model", "term", "facts", "language", "reading", "standing"];
+pub(super) const ROOMS: [&str; 7] = [
+    "model",
+    "term",
+    "facts",
+    "language",
+    "reading",
+    "standing",
+    "derivation",
+];
 
 #[test]
 fn what_verify_has_too_much_of_only_falls() {

@@ -1,6 +1,7 @@
 //! A derivation as Markdown, LaTeX, plain text and JSON.
 
-use crate::report::derive::{Block, Derivation, DeriveOptions, Piece, Row};
+use crate::report::derive::{About, Block, Derivation, Piece, Row};
+use crate::verify::derivation::Text;
 use serde::Serialize;
 
 impl Derivation {
@@ -11,7 +12,17 @@ impl Derivation {
             Block::Prose(pieces) => latex_prose(pieces) + "\n",
             Block::Display(rows) => format!("$$\n{}\n$$\n", latex_display(rows)),
         });
-        blocks.collect::<Vec<_>>().join("\n")
+        self.front_matter() + &blocks.collect::<Vec<_>>().join("\n")
+    }
+
+    /// The sentences about letters, in front of all.
+    fn front_matter(&self) -> String {
+        match &self.about {
+            About::System { letters } if !letters.is_empty() => {
+                format!("---\npolhode:\n- {}\n---\n\n", letters.join("\n- "))
+            }
+            _ => String::new(),
+        }
     }
 
     /// A LaTeX file of its own.
@@ -23,8 +34,15 @@ impl Derivation {
             Block::Display(rows) => latex_align(rows),
         });
         let body = blocks.collect::<Vec<_>>().join("\n");
+        let comments = match &self.about {
+            About::System { letters } => letters.iter(),
+            About::Body { .. } => [].iter(),
+        };
+        let comments: String = comments
+            .map(|sentence| format!("% polhode: {sentence}\n"))
+            .collect();
         format!(
-            "\\documentclass{{article}}\n\\usepackage{{amsmath}}\n\\begin{{document}}\n\n{body}\n\\end{{document}}\n"
+            "{comments}\\documentclass{{article}}\n\\usepackage{{amsmath}}\n\\begin{{document}}\n\n{body}\n\\end{{document}}\n"
         )
     }
 
@@ -38,7 +56,7 @@ impl Derivation {
             Block::Prose(pieces) => unicode_prose(pieces) + "\n",
             Block::Display(rows) => unicode_display(rows),
         });
-        blocks.collect::<Vec<_>>().join("\n")
+        self.front_matter() + &blocks.collect::<Vec<_>>().join("\n")
     }
 
     /// JSON: the options, and every block with its lines in both styles.
@@ -61,8 +79,7 @@ impl Derivation {
         });
         let page = JsonPage {
             schema: "polhode-derive/1",
-            options: self.options,
-            products: "integrals",
+            about: &self.about,
             blocks: blocks.collect(),
         };
         serde_json::to_string_pretty(&page).map(|text| text + "\n")
@@ -73,8 +90,7 @@ impl Derivation {
 struct JsonPage<'a> {
     schema: &'static str,
     #[serde(flatten)]
-    options: DeriveOptions,
-    products: &'static str,
+    about: &'a About,
     blocks: Vec<JsonBlock<'a>>,
 }
 
@@ -106,6 +122,7 @@ impl From<&Row> for JsonLine {
 fn latex_prose(pieces: &[Piece]) -> String {
     let text = pieces.iter().map(|piece| match piece {
         Piece::Words(words) => (*words).to_owned(),
+        Piece::Sentence(sentence) => sentence.clone(),
         Piece::Formula(formula) => format!("${}$", formula.latex),
     });
     text.collect()
@@ -114,6 +131,7 @@ fn latex_prose(pieces: &[Piece]) -> String {
 fn unicode_prose(pieces: &[Piece]) -> String {
     let text = pieces.iter().map(|piece| match piece {
         Piece::Words(words) => words.replace('$', ""),
+        Piece::Sentence(sentence) => without_dollars(sentence),
         Piece::Formula(formula) => formula.unicode.clone(),
     });
     text.collect()
@@ -149,4 +167,14 @@ fn unicode_display(rows: &[Row]) -> String {
         .iter()
         .map(|row| format!("    {} = {}\n", row.left.unicode, row.right.unicode));
     lines.collect()
+}
+
+/// A sentence with its formulas in Unicode.
+fn without_dollars(sentence: &str) -> String {
+    let parts = sentence.split('$').enumerate();
+    let shown = parts.map(|(number, part)| match number % 2 {
+        0 => part.to_owned(),
+        _ => Text::of(part).unicode,
+    });
+    shown.collect()
 }

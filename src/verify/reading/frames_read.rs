@@ -239,18 +239,13 @@ impl Builder<'_> {
     ) -> Option<usize> {
         let name = name_of(about)?;
         match self.axes.get(&name) {
-            // On the other frame the axis may be any; only where it has no axes of its own it is the same one.
+            // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
             Some(&(of, axis)) if of == frame || of == relative => {
                 let other = if of == frame { relative } else { frame };
-                let mut named = self
-                    .axes
-                    .iter()
-                    .filter(|(_, (f, _))| *f == other)
-                    .peekable();
+                let own = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
+                let mut named = self.axes.iter().filter(own).peekable();
                 let label = |name: &str| name.rsplit('_').next().map(str::to_owned);
-                let same = |(n, &(_, k)): (&String, &(FrameId, usize))| {
-                    k == axis && label(n) == label(&name)
-                };
+                let same = |(n, _): (&String, &(FrameId, usize))| label(n) == label(&name);
                 (named.peek().is_none() || named.any(same)).then_some(axis)
             }
             // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
@@ -286,7 +281,7 @@ impl Builder<'_> {
                 self.direction(&along, declaration, carried)
             }
             Term::Formula(formula) => {
-                if self.quantity_of(formula, declaration).is_some() {
+                if self.is_told(formula, declaration) {
                     return self.formula_value(formula, declaration)?.to_vector().ok();
                 }
                 // An axis about which a frame turns is fixed in both.

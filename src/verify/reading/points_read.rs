@@ -121,8 +121,8 @@ impl Builder<'_> {
             let known = spoken.iter().any(|s| s.centre_of == Some(body));
             let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
             let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
-            if !known && whole.parts.is_empty() && !stands_for && !hub {
-                let particle = whole.frame.is_none();
+            if !known && !stands_for && !hub {
+                let particle = whole.frame.is_none() && whole.parts.is_empty();
                 let name = if particle {
                     whole.name.clone()
                 } else {

@@ -1,0 +1,48 @@
+//! Nouns by which other rooms make sentences, each the first form of its entry in the lexicon.
+
+pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
+pub(crate) const POSITION: &str = "position";
+pub(crate) const VELOCITY: &str = "velocity";
+pub(crate) const ACCELERATION: &str = "acceleration";
+pub(crate) const MASS: &str = "mass";
+pub(crate) const MOMENTUM: &str = "momentum";
+pub(crate) const ANGULAR_MOMENTUM: &str = "angular momentum";
+pub(crate) const FORCE: &str = "force";
+pub(crate) const MOMENT: &str = "moment";
+pub(crate) const WEIGHT: &str = "weight";
+pub(crate) const KINETIC_ENERGY: &str = "kinetic energy";
+pub(crate) const POTENTIAL_ENERGY: &str = "potential energy";
+pub(crate) const TOTAL_ENERGY: &str = "total energy";
+pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
+pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::language::lexicon::{Class, Lexicon};
+
+    #[test]
+    fn the_lexicon_has_each() {
+        let heads = [
+            ANGULAR_VELOCITY,
+            POSITION,
+            VELOCITY,
+            ACCELERATION,
+            MASS,
+            MOMENTUM,
+            ANGULAR_MOMENTUM,
+            FORCE,
+            MOMENT,
+            WEIGHT,
+            KINETIC_ENERGY,
+            POTENTIAL_ENERGY,
+            TOTAL_ENERGY,
+            PRINCIPAL_MOMENTS,
+            INERTIA_TENSOR,
+        ];
+        for head in heads {
+            let entry = Lexicon::shared().entry(head, &[Class::Noun]);
+            assert!(entry.is_some(), "{head}");
+        }
+    }
+}
