@@ -43,16 +43,16 @@ pub(super) struct Held {
 
 /// The sides of a link, component by component.
 #[derive(Default)]
-struct Sides {
-    sides: Vec<(Fraction, Fraction)>,
+pub(super) struct Sides {
+    pub(super) sides: Vec<(Fraction, Fraction)>,
     /// Letters of which nothing is told.
     unknown: Vec<String>,
     /// The letter that it settles, with its value.
-    settles: Option<(String, Value, Value)>,
+    pub(super) settles: Option<(String, Value, Value)>,
 }
 
 /// The sides, or why there are none and the letters of which nothing is told.
-type WorkedOut = Result<Sides, (Trouble, Vec<String>)>;
+pub(super) type WorkedOut = Result<Sides, (Trouble, Vec<String>)>;
 
 impl Held {
     pub(super) fn open(reason: impl Into<String>) -> Self {
@@ -194,7 +194,7 @@ impl Judge<'_> {
     }
 
     /// Both sides of a link, for every axis that its free indices may number.
-    fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
+    pub(super) fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
         let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
         let free = || assignments(&free_letters(letters, &self.at, &nodes));
         let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);

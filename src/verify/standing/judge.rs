@@ -57,11 +57,11 @@ pub(crate) struct Judge<'a> {
     pub(crate) facts: Facts,
     /// Shapes of letters that lines have settled.
     pub(super) shapes: HashMap<String, Shape>,
-    chain: Chain,
+    pub(super) chain: Chain,
     pub(super) at: At,
     sentence: String,
     pub(crate) judged: Vec<Judged>,
-    headings: Headings,
+    pub(super) headings: Headings,
     /// The accepted lines that are in force.
     settled_taken: Vec<usize>,
     /// Lines of this paragraph and of the one before it that wait.
