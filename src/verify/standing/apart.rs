@@ -26,6 +26,8 @@ pub(crate) struct Said {
     pub(crate) span: Span,
     /// Its left and right sides, component by component; `None` where they are not worked out.
     pub(crate) sides: Option<Vec<(Fraction, Fraction)>>,
+    /// Whether it says what a letter is of which nothing was told.
+    pub(crate) defines: bool,
 }
 
 /// Documents under one reading, in which laws say nothing.
@@ -45,8 +47,10 @@ impl<'a> Apart<'a> {
         }
     }
 
-    /// What each line of a document says. A line of running text that only names an instant says nothing.
-    pub(crate) fn lines(&mut self, document: &'a Document) -> Vec<Said> {
+    /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
+    /// that only names an instant says nothing.
+    pub(crate) fn lines(&mut self, document: &'a Document, entries: bool) -> Vec<Said> {
+        self.judge.reading.letters.customs.integrals = !entries;
         self.judge.document = document;
         self.judge.chain = Chain::default();
         self.judge.headings = Headings::default();
@@ -79,7 +83,7 @@ impl<'a> Apart<'a> {
         let place = self.judge.document.place(line.span.start);
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
         let links = self.judge.chain.links(&without_number(line));
-        let mut sides = Some(vec![]);
+        let (mut sides, mut defines) = (Some(vec![]), false);
         for link in &links {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
             let worked_out = equal.then(|| self.judge.sides(link, &BTreeSet::new()));
@@ -87,6 +91,7 @@ impl<'a> Apart<'a> {
                 (Some(Ok(one)), Some(all)) => {
                     if let Some((letter, left, _)) = &one.settles {
                         self.judge.shapes.insert(letter.clone(), left.shape());
+                        defines = true;
                     }
                     all.extend(one.sides);
                 }
@@ -96,6 +101,7 @@ impl<'a> Apart<'a> {
         Said {
             span: line.span,
             sides: sides.filter(|sides| !sides.is_empty()),
+            defines,
         }
     }
 
@@ -160,6 +166,11 @@ impl<'a> Apart<'a> {
         let source = Source::Line(None, 0);
         let mut whole = true;
         for equation in from {
+            // A product that vanishes does not say which of its factors does.
+            if !facts.normal(atoms, equation).is_ok_and(|e| is_plain(&e)) {
+                whole = false;
+                continue;
+            }
             let put = match rates {
                 true => facts.extend(atoms, equation, &source),
                 false => facts.put(atoms, equation, &source),
@@ -183,4 +194,13 @@ fn equations(said: &Said) -> Vec<(Fraction, Source)> {
     let differences = sides.map(|(left, right)| left.clone() - right.clone());
     let source = || Source::Line(None, 0);
     differences.map(|equation| (equation, source())).collect()
+}
+
+/// Whether an equation says what one variable is, whatever the others are; or nothing at all.
+fn is_plain(equation: &Fraction) -> bool {
+    let value = equation.numerator();
+    let plain = |v: &Variable| {
+        value.degree_in(*v) == 1 && value.coefficient_of(*v, 1).is_constant().is_some()
+    };
+    value.is_constant().is_some() || value.variables().iter().any(plain)
 }
