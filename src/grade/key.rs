@@ -1,19 +1,20 @@
 //! The key: an instructor's derivation, proved before anything is held against it.
 
 use crate::diagnostic::Severity;
-use crate::grade::matching::{self, Board, Entry};
+use crate::grade::key::groups::groups;
+use crate::grade::key::routes::route;
+use crate::grade::matching::{self, Board};
 use crate::grade::policy::{Marks, Policy};
-use crate::notation::document::{Document, Format, Item, Row, Sentence};
+use crate::notation::document::{Document, Format, Sentence};
 use crate::notation::{self, document::FrontMatter};
 use crate::source::{Source, Span};
 use crate::verify::language::statement::Extent;
 use crate::verify::{self, Declared, Finding, Report, Role, Sheet, Verdict};
 use num_traits::Zero;
-use std::collections::BTreeMap;
 use std::fmt;
 
-/// More lines than this no route to a milestone has.
-const LONGEST_ROUTE: usize = 40;
+mod groups;
+mod routes;
 
 /// Why a key can't be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -266,6 +267,7 @@ impl Key {
             document: &self.document,
             lines: &self.lines,
             given,
+            entries: self.entries,
         }
     }
 
@@ -409,119 +411,4 @@ fn not_told_apart(document: &Document, board: &Board<'_>, milestone: &Milestone)
         ))
     });
     wrong.collect()
-}
-
-/// The lines before a line from which it follows without a law, as few and as late as can be; none where it does not.
-fn route(board: &mut Board<'_>, line: usize) -> Vec<usize> {
-    let Some(goals) = board.key[line].parts.clone() else {
-        return vec![];
-    };
-    let entries = |board: &Board<'_>, lines: &[usize]| -> Vec<Entry> {
-        lines.iter().map(|&at| board.key[at].clone()).collect()
-    };
-    let mut chosen: Vec<usize> = vec![];
-    let mut found = false;
-    for before in (0..line).rev().take(LONGEST_ROUTE) {
-        // A line that says the same is no step towards it.
-        let entry = board.key[before].clone();
-        let same = goals.iter().all(|goal| board.says(&entry, goal));
-        if same || entry.parts.is_none() {
-            continue;
-        }
-        chosen.insert(0, before);
-        let from = entries(board, &chosen);
-        found = board.say_together(&from, &goals) == Some(true);
-        if found {
-            break;
-        }
-    }
-    if !found {
-        return vec![];
-    }
-    for at in (0..chosen.len()).rev() {
-        let mut fewer = chosen.clone();
-        fewer.remove(at);
-        let from = entries(board, &fewer);
-        if board.say_together(&from, &goals) == Some(true) {
-            chosen = fewer;
-        }
-    }
-    chosen
-}
-
-/// The lines of one formula, or the one line where rows have labels of their own.
-struct Group {
-    lines: Vec<usize>,
-    labels: Vec<String>,
-    /// What a comment beside it says of marks.
-    marks: Option<String>,
-}
-
-/// The lines that a label or a comment speaks of: all rows of a formula with one label; of a chain that goes on, the last.
-fn groups(document: &Document, findings: &[Finding]) -> Vec<Group> {
-    let number: BTreeMap<Span, usize> = findings
-        .iter()
-        .enumerate()
-        .map(|(at, f)| (f.span, at))
-        .collect();
-    let mut groups: Vec<Group> = vec![];
-    let mut pending: Option<String> = None;
-    // Where the lines of the last formula begin among the groups, and where it ends.
-    let mut last_formula = (usize::MAX, 0);
-    for item in &document.items {
-        match item {
-            Item::Comment { text, span } => {
-                let Some(marks) = text.trim().strip_prefix("marks:") else {
-                    continue;
-                };
-                let line = document.place(span.start).line;
-                match groups.get_mut(last_formula.0) {
-                    // Behind a formula, on its last line.
-                    Some(group) if last_formula.1 == line => {
-                        group.marks = Some(marks.trim().to_owned())
-                    }
-                    _ => pending = Some(marks.trim().to_owned()),
-                }
-            }
-            Item::Formula(formula) => {
-                let rows = formula.rows.iter().filter_map(|row| match row {
-                    Row::Line(line) => Some((line, *number.get(&line.span)?)),
-                    _ => None,
-                });
-                let rows: Vec<_> = rows.collect();
-                let labelled = rows
-                    .iter()
-                    .filter(|(line, _)| !line.labels.is_empty())
-                    .count();
-                let mut own: Vec<Group> = vec![];
-                for (line, at) in rows {
-                    match own.last_mut() {
-                        Some(last) if line.continues => {
-                            last.lines = vec![at];
-                            last.labels.extend(line.labels.clone());
-                        }
-                        Some(last) if labelled < 2 => {
-                            last.lines.push(at);
-                            last.labels.extend(line.labels.clone());
-                        }
-                        _ => own.push(Group {
-                            lines: vec![at],
-                            labels: line.labels.clone(),
-                            marks: None,
-                        }),
-                    }
-                }
-                if let Some(first) = own.first_mut() {
-                    first.marks = pending.take();
-                }
-                last_formula = (
-                    groups.len(),
-                    document.place(formula.span.end.saturating_sub(1)).line,
-                );
-                groups.extend(own);
-            }
-            _ => {}
-        }
-    }
-    groups
 }

@@ -9,21 +9,18 @@ use crate::grade::slip;
 use crate::verify::Verdict;
 use std::collections::BTreeMap;
 
-/// More lines than this in one submission are looked at by a person.
-const MOST_LINES: usize = 400;
-
 /// Marks the work of one student.
 ///
 /// The result depends on the key and the work alone.
 pub fn mark(key: &Key, work: &Work) -> Graded {
     let paper = Paper::read(key, work);
     if paper.lines.is_empty() {
-        let reason = "there is no line in it that can be marked";
-        return unmarked(key, work, &paper.troubles, reason, Outcome::None);
-    }
-    if paper.lines.len() > MOST_LINES {
-        let reason = format!("it has more than {MOST_LINES} lines");
-        return unmarked(key, work, &paper.troubles, &reason, Outcome::Human);
+        // What could not be read may be worth something; what is not there is not.
+        let (outcome, reason) = match paper.troubles.is_empty() {
+            true => (Outcome::None, "there is no line in it that can be marked"),
+            false => (Outcome::Human, "nothing in it was marked"),
+        };
+        return unmarked(key, work, &paper.troubles, reason, outcome);
     }
     let mut markers: Vec<Marker<'_>> = (0..key.stages.len())
         .map(|stage| Marker::new(key, &paper, stage))

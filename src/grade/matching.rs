@@ -28,6 +28,8 @@ pub(super) struct Part {
 pub(super) struct Entry {
     pub(super) span: Span,
     pub(super) parts: Option<Vec<Part>>,
+    /// Whether it says what a new letter is.
+    pub(super) defines: bool,
 }
 
 /// The lines of the key and those of a student under one reading.
@@ -45,6 +47,8 @@ pub(super) struct Sheet<'a, 's> {
     pub(super) document: &'a Document,
     pub(super) lines: &'s [Span],
     pub(super) given: &'s [Span],
+    /// Whether products of inertia are entries in it.
+    pub(super) entries: bool,
 }
 
 impl Sheet<'_, '_> {
@@ -61,7 +65,11 @@ impl Sheet<'_, '_> {
         let lines = self.lines.iter();
         let entries = lines.map(|&span| match known.get(&span) {
             Some(said) => entry(apart, said),
-            None => Entry { span, parts: None },
+            None => Entry {
+                span,
+                parts: None,
+                defines: false,
+            },
         });
         entries.collect()
     }
@@ -74,17 +82,18 @@ impl<'a> Board<'a> {
         own: &[Sheet<'a, '_>],
     ) -> Self {
         let mut apart = Apart::new(key.document, declarations);
-        let of_key = apart.lines(key.document);
+        let of_key = apart.lines(key.document, key.entries);
         let of_own: Vec<Vec<Said>> = own
             .iter()
-            .map(|sheet| apart.lines(sheet.document))
+            .map(|sheet| apart.lines(sheet.document, sheet.entries))
             .collect();
         let mut given = key.given_of(&of_key);
         apart.settle(&given);
         let defined = own
             .iter()
             .zip(&of_own)
-            .flat_map(|(sheet, said)| sheet.given_of(said));
+            .flat_map(|(sheet, said)| sheet.given_of(said))
+            .filter(|said| said.defines);
         let defined: Vec<&Said> = defined.collect();
         let conflict = defined.iter().any(|said| contradicts(&mut apart, said));
         given.extend(defined);
@@ -196,6 +205,7 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
     Entry {
         span: said.span,
         parts: sides.and_then(|sides| sides.iter().map(part).collect()),
+        defines: said.defines,
     }
 }
 

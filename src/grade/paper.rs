@@ -10,6 +10,9 @@ use crate::source::Span;
 use crate::verify::{Finding, Report, Role, Verdict};
 use std::collections::BTreeMap;
 
+/// A submission of more lines is left to a person.
+const MOST_LINES: usize = 400;
+
 /// A text of a student.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
@@ -119,6 +122,11 @@ impl Paper {
             give_no_orders(&mut document, &key.settings);
             documents.push(document);
         }
+        let rows: usize = documents.iter().map(rows).sum();
+        if rows > MOST_LINES {
+            troubles.push(format!("it has more than {MOST_LINES} lines"));
+            documents.clear();
+        }
         let entries = products(key, &documents);
         let each: Vec<Checked> = (0..key.stages.len())
             .map(|stage| at_stage(key, stage, entries, &documents))
@@ -141,6 +149,19 @@ impl Paper {
         let defined = own.filter(|line| line.worth[stage] == Worth::Defined);
         defined.map(|line| line.found[stage].span).collect()
     }
+}
+
+/// How many rows of formulas a document has.
+fn rows(document: &Document) -> usize {
+    let rows = |item: &Item| match item {
+        Item::Formula(formula) => formula
+            .rows
+            .iter()
+            .filter(|row| !matches!(row, Row::Expression(_)))
+            .count(),
+        _ => 0,
+    };
+    document.items.iter().map(rows).sum()
 }
 
 /// A submission sets nothing but how it writes; comments in it play no roles.
@@ -335,7 +356,9 @@ fn lines(each: &[Checked], documents: &[Document], several: bool) -> Vec<PaperLi
 fn worth(found: &Finding, claimed: Option<&Finding>) -> Worth {
     match (&found.verdict, claimed.map(|f| &f.verdict)) {
         (Verdict::Proved(_), None | Some(Verdict::Proved(_))) => Worth::True,
-        (Verdict::Proved(_), Some(_)) => Worth::Resting,
+        (Verdict::Proved(_), Some(Verdict::Refuted)) => Worth::Resting,
+        // Without what is assumed it is not decided: it may rest on it or on something else.
+        (Verdict::Proved(_), Some(_)) => Worth::Open,
         (Verdict::Refuted, _) => Worth::False,
         (Verdict::Accepted, _) if is_assumption(found) => Worth::Assumed,
         (Verdict::Accepted, _) => Worth::Defined,

@@ -6,23 +6,11 @@ use crate::grade::key::{Key, Milestone};
 use crate::grade::matching::{Board, Entry, Part, Sheet};
 use crate::grade::paper::{Paper, Worth};
 use crate::grade::result::Outcome;
-use crate::notation::document::{Item, line_name};
+use crate::notation::document::line_name;
 
-/// Words by which a student takes back what stands before.
-const SECOND_THOUGHTS: [&str; 12] = [
-    "no",
-    "wrong",
-    "corrected",
-    "correct",
-    "correction",
-    "mistake",
-    "error",
-    "sorry",
-    "oops",
-    "rather",
-    "instead",
-    "scratch",
-];
+mod carried;
+mod doubts;
+mod working;
 
 /// More wrong attempts at one milestone are no working.
 const MOST_ATTEMPTS: usize = 4;
@@ -60,10 +48,9 @@ pub(super) struct Marker<'a> {
     attempts: Vec<Vec<Attempt>>,
 }
 
-/// Parts of lines that take the place of the key's own, and the wrong lines that they come from.
-struct Carried {
-    entry: Entry,
-    wrong: Vec<usize>,
+/// How many components a line has.
+fn components(entry: &Entry) -> usize {
+    entry.parts.as_ref().map_or(0, Vec::len)
 }
 
 fn decision(outcome: Outcome, line: Option<usize>, reason: impl Into<String>) -> Decision {
@@ -85,6 +72,7 @@ impl<'a> Marker<'a> {
                 document,
                 lines,
                 given,
+                entries: paper.entries,
             })
             .collect();
         let declared = &key.stages[stage].declared[usize::from(paper.entries)];
@@ -111,7 +99,11 @@ impl<'a> Marker<'a> {
     }
 
     pub(super) fn worth(&self, line: usize) -> Worth {
-        self.paper.lines[line].worth[self.stage]
+        match self.paper.lines[line].worth[self.stage] {
+            // A relation between letters of which nothing is told defines none of them.
+            Worth::Defined if !self.entry(line).defines => Worth::Open,
+            worth => worth,
+        }
     }
 
     fn entry(&self, line: usize) -> &Entry {
@@ -152,12 +144,19 @@ impl<'a> Marker<'a> {
                 .filter(|(_, own)| !part.is_multiple_of(own))
                 .filter_map(|(goal, own)| Some((goal, part.likeness(own)?)))
                 .collect();
-            let best = like
+            let most = like
                 .iter()
                 .map(|(_, likeness)| *likeness)
                 .fold(0.0, f64::max);
-            let best = like.into_iter().filter(|(_, likeness)| *likeness >= best);
-            attempts.extend(best.map(|(goal, _)| Attempt { part: at, goal }));
+            let best = like.into_iter().filter(|(_, likeness)| *likeness >= most);
+            let best: Vec<Goal> = best.map(|(goal, _)| goal).collect();
+            // A component is meant to be a component, and a vector the vector.
+            let differs = |goal: &Goal| {
+                components(&self.board.key[goal.line]).abs_diff(components(self.entry(line)))
+            };
+            let least = best.iter().map(differs).min();
+            let best = best.iter().filter(|goal| Some(differs(goal)) == least);
+            attempts.extend(best.map(|&goal| Attempt { part: at, goal }));
         }
         attempts
     }
@@ -218,7 +217,7 @@ impl<'a> Marker<'a> {
                 "there are many attempts at it",
             );
         }
-        let (direct, implied) = self.reaching(&part);
+        let (direct, implied) = self.reaching(goal, &part);
         let wrong = wrong.last().copied();
         let decided = match (direct.first().copied(), direct.last().copied(), wrong) {
             (Some(first), _, None) => self.reached(goal, first),
@@ -248,8 +247,9 @@ impl<'a> Marker<'a> {
     }
 
     /// The true lines that say a goal: those that are it, and those from which it follows.
-    fn reaching(&mut self, part: &Part) -> (Vec<usize>, Vec<usize>) {
+    fn reaching(&mut self, goal: Goal, part: &Part) -> (Vec<usize>, Vec<usize>) {
         let (mut direct, mut implied) = (vec![], vec![]);
+        let most = components(&self.board.key[goal.line]);
         for line in 0..self.paper.lines.len() {
             if self.worth(line) != Worth::True {
                 continue;
@@ -258,358 +258,16 @@ impl<'a> Marker<'a> {
             if !self.board.says(&entry, part) {
                 continue;
             }
-            let own = entry.parts.iter().flatten();
-            let mut own = own.filter(|own| {
-                own.is_multiple_of(part) || own.head == part.head && part.head.is_some()
-            });
-            match own.next() {
-                Some(_) => direct.push(line),
-                None => implied.push(line),
+            let is_it = |own: &Part| {
+                own.is_multiple_of(part) || own.head.is_some() && own.head == part.head
+            };
+            // The vector of which it is a component only implies it.
+            match components(&entry) <= most && entry.parts.iter().flatten().any(is_it) {
+                true => direct.push(line),
+                false => implied.push(line),
             }
         }
         (direct, implied)
-    }
-
-    /// A true line reaches a goal; is there working that leads to it?
-    fn reached(&mut self, goal: Goal, line: usize) -> Decision {
-        let carried = self.carried_into(goal, line);
-        let full = |reason: String| decision(Outcome::Full, Some(line), reason);
-        if !carried.wrong.is_empty() {
-            let parts = self.goal(goal).cloned();
-            let follows = self.board.say_together(&[carried.entry], parts.as_slice());
-            let wrong = self.name(carried.wrong[0]);
-            return match (follows, self.key.policy.working) {
-                (Some(true), _) => full(format!(
-                    "{} is true, and what is wrong in {wrong} drops out",
-                    self.name(line)
-                )),
-                (_, false) => full(format!("{} is true", self.name(line))),
-                _ => decision(
-                    Outcome::Human,
-                    Some(line),
-                    format!(
-                        "{} is true, but it does not follow from {wrong}, which should lead to it",
-                        self.name(line)
-                    ),
-                ),
-            };
-        }
-        let reason = format!("{} is true", self.name(line));
-        if !self.key.policy.working || self.route(goal.line).is_empty() || self.led_to(goal, line) {
-            return full(reason);
-        }
-        let before = (0..line).any(|at| {
-            matches!(self.worth(at), Worth::True | Worth::Defined) && !self.is_same(at, goal)
-        });
-        match before {
-            false => decision(
-                Outcome::None,
-                Some(line),
-                format!("{reason}, but it is only asserted: no line leads to it"),
-            ),
-            true => decision(
-                Outcome::Human,
-                Some(line),
-                format!(
-                    "{reason}, but the lines before it do not lead to it as those of the key do"
-                ),
-            ),
-        }
-    }
-
-    fn route(&self, line: usize) -> &[usize] {
-        let routes = &self.key.stages[self.stage].routes;
-        routes.get(line).map_or(&[], Vec::as_slice)
-    }
-
-    /// Whether a line says a goal alone, and so is no working for it.
-    fn is_same(&mut self, line: usize, goal: Goal) -> bool {
-        let entry = self.entry(line).clone();
-        let Some(part) = self.goal(goal).cloned() else {
-            return false;
-        };
-        self.board.says(&entry, &part)
-    }
-
-    /// Whether earlier true lines lead to a goal: it follows from them, or one of them is a line of the key's own way to it.
-    fn led_to(&mut self, goal: Goal, line: usize) -> bool {
-        let before: Vec<usize> = (0..line)
-            .filter(|&at| self.worth(at) == Worth::True && !self.is_same(at, goal))
-            .collect();
-        let way = self.way_to(goal.line);
-        for &at in &before {
-            let entry = self.entry(at).clone();
-            for &step in &way {
-                let parts = self.board.key[step].parts.clone().unwrap_or_default();
-                if parts.iter().any(|part| self.board.says(&entry, part)) {
-                    return true;
-                }
-            }
-        }
-        let entries: Vec<Entry> = before.iter().map(|&at| self.entry(at).clone()).collect();
-        let part = self.goal(goal).cloned();
-        self.board.say_together(&entries, part.as_slice()) == Some(true)
-    }
-
-    /// All lines of the key on its way to one of its lines.
-    fn way_to(&self, line: usize) -> Vec<usize> {
-        let mut way: Vec<usize> = self.route(line).to_vec();
-        let mut at = 0;
-        while let Some(&step) = way.get(at) {
-            let more = self.route(step).iter().filter(|line| !way.contains(line));
-            let more: Vec<usize> = more.copied().collect();
-            way.extend(more);
-            at += 1;
-        }
-        way
-    }
-
-    /// The key's way to a goal, with the wrong lines of the student before a line in place of those that they are meant
-    /// to be.
-    fn carried_into(&mut self, goal: Goal, before: usize) -> Carried {
-        let mut wrong = vec![];
-        let parts = self.carried_parts(goal.line, before, &mut wrong, 0);
-        let span = crate::source::Span::default();
-        Carried {
-            entry: Entry {
-                span,
-                parts: Some(parts),
-            },
-            wrong,
-        }
-    }
-
-    fn carried_parts(
-        &mut self,
-        line: usize,
-        before: usize,
-        wrong: &mut Vec<usize>,
-        depth: usize,
-    ) -> Vec<Part> {
-        let mut parts = vec![];
-        for step in self.route(line).to_vec() {
-            let own = self.board.key[step].parts.clone().unwrap_or_default();
-            let mut replaced = vec![];
-            let known = wrong.len();
-            for (at, part) in own.iter().enumerate() {
-                let put = self.wrong_part(
-                    Goal {
-                        line: step,
-                        part: at,
-                    },
-                    before,
-                );
-                replaced.push(match put {
-                    Some((line, other)) => {
-                        wrong.push(line);
-                        other
-                    }
-                    None => part.clone(),
-                });
-            }
-            if wrong.len() == known && depth < 12 {
-                let deeper = self.carried_parts(step, before, wrong, depth + 1);
-                if wrong.len() > known {
-                    replaced = deeper;
-                }
-            }
-            parts.extend(replaced);
-        }
-        parts
-    }
-
-    /// The last wrong part before a line that is meant to be a goal, unless a true line has taken its place since.
-    fn wrong_part(&mut self, goal: Goal, before: usize) -> Option<(usize, Part)> {
-        let line = self
-            .wrong_at(goal)
-            .into_iter()
-            .rfind(|&line| line < before)?;
-        let attempt = self.attempts[line].iter().find(|a| a.goal == goal)?;
-        let part = self.entry(line).parts.as_ref()?.get(attempt.part)?.clone();
-        let mended =
-            (line + 1..before).any(|at| self.worth(at) == Worth::True && self.is_same(at, goal));
-        (!mended).then_some((line, part))
-    }
-
-    /// Whether a wrong line only carries on an earlier one, as the key's own line follows from its own; `None` where that
-    /// is not worked out.
-    pub(super) fn carries(&mut self, attempt: Attempt, line: usize) -> Option<Vec<usize>> {
-        let carried = self.carried_into(attempt.goal, line);
-        if carried.wrong.is_empty() {
-            return Some(vec![]);
-        }
-        let part = self.entry(line).parts.as_ref()?.get(attempt.part)?.clone();
-        let follows = self.board.say_together(&[carried.entry], &[part])?;
-        Some(if follows { carried.wrong } else { vec![] })
-    }
-
-    /// A goal is written wrong.
-    fn written_wrong(&mut self, goal: Goal, line: usize) -> Decision {
-        let name = self.name(line);
-        let attempt = self.attempts[line].iter().find(|a| a.goal == goal).copied();
-        let Some(attempt) = attempt else {
-            return decision(Outcome::None, Some(line), format!("{name} is refuted"));
-        };
-        match self.carries(attempt, line) {
-            None => decision(
-                Outcome::Human,
-                Some(line),
-                format!("{name} is refuted, and may carry on an earlier slip"),
-            ),
-            Some(wrong) if wrong.is_empty() => {
-                decision(Outcome::None, Some(line), format!("{name} is refuted"))
-            }
-            Some(wrong) => {
-                let slip = self.name(wrong[0]);
-                match self.is_easier(attempt, line) {
-                    true => decision(
-                        Outcome::None,
-                        Some(line),
-                        format!(
-                            "{name} follows from the slip in {slip}, which made the problem easier"
-                        ),
-                    ),
-                    false => decision(
-                        Outcome::FollowThrough,
-                        Some(line),
-                        format!("{name} follows from the slip in {slip} as it should"),
-                    ),
-                }
-            }
-        }
-    }
-
-    /// Whether a term of the key's line is gone.
-    fn is_easier(&self, attempt: Attempt, line: usize) -> bool {
-        let own = self
-            .entry(line)
-            .parts
-            .as_ref()
-            .and_then(|parts| parts.get(attempt.part));
-        match (own, self.goal(attempt.goal)) {
-            (Some(own), Some(key)) => own.terms().len() < key.terms().len(),
-            _ => true,
-        }
-    }
-
-    /// A goal is written right and wrong.
-    fn contradicting(&mut self, goal: Goal, first: usize, last: usize, wrong: usize) -> Decision {
-        if last > wrong && self.thinks_again(wrong, last) {
-            return self.reached(goal, last);
-        }
-        if first < wrong && last < wrong && self.thinks_again(last, wrong) {
-            return self.written_wrong(goal, wrong);
-        }
-        let (a, b) = (self.name(first.min(wrong)), self.name(first.max(wrong)));
-        decision(
-            Outcome::Human,
-            Some(last),
-            format!("{a} and {b} contradict each other"),
-        )
-    }
-
-    /// Whether words between two lines take back the first.
-    fn thinks_again(&self, from: usize, to: usize) -> bool {
-        let (from, to) = (&self.paper.lines[from], &self.paper.lines[to]);
-        if from.document != to.document {
-            return false;
-        }
-        let (start, end) = (
-            from.found[self.stage].span.end,
-            to.found[self.stage].span.start,
-        );
-        let items = self.paper.documents[from.document].items.iter();
-        let mut words = items.filter_map(|item| match item {
-            Item::Prose { text, span } if span.start >= start && span.end <= end => {
-                Some(text.to_lowercase())
-            }
-            _ => None,
-        });
-        words.any(|text| {
-            let mut words = text.split(|c: char| !c.is_alphabetic());
-            words.any(|word| SECOND_THOUGHTS.contains(&word))
-        })
-    }
-
-    /// No line that counts says a goal.
-    fn not_found(&mut self, part: &Part) -> Decision {
-        for line in 0..self.paper.lines.len() {
-            let worth = self.worth(line);
-            let entry = self.entry(line).clone();
-            if matches!(worth, Worth::Resting | Worth::Assumed) && self.board.says(&entry, part) {
-                let name = self.name(line);
-                let reason = match worth {
-                    Worth::Assumed => format!("{name} assumes it"),
-                    _ => format!("{name} rests on an assumption that was not asked for"),
-                };
-                return decision(Outcome::None, Some(line), reason);
-            }
-        }
-        match (0..self.paper.lines.len()).find(|&line| self.may_be(line, part)) {
-            Some(line) => decision(
-                Outcome::Human,
-                Some(line),
-                format!(
-                    "{} may be it, and was not matched to the key",
-                    self.name(line)
-                ),
-            ),
-            None => decision(Outcome::None, None, "no line gives it"),
-        }
-    }
-
-    /// Whether a line that was not matched speaks of the same.
-    fn may_be(&self, line: usize, part: &Part) -> bool {
-        let worth = self.worth(line);
-        if !matches!(worth, Worth::True | Worth::False) || !self.attempts[line].is_empty() {
-            return false;
-        }
-        let Some(own) = &self.entry(line).parts else {
-            return true;
-        };
-        let keys = self
-            .board
-            .key
-            .iter()
-            .flat_map(|entry| entry.parts.iter().flatten());
-        let keys: Vec<&Part> = keys.collect();
-        let matched = |own: &Part| keys.iter().any(|key| own.is_multiple_of(key));
-        own.iter().any(|own| {
-            let about = part
-                .head
-                .is_some_and(|head| own.residual.variables().contains(&head));
-            (about || own.likeness(part).is_some()) && !matched(own)
-        })
-    }
-
-    /// A goal that is not reached waits for a person while a line that may be it is open.
-    fn unless_open(&self, part: &Part, decided: Decision) -> Decision {
-        if matches!(decided.outcome, Outcome::Full | Outcome::Human) {
-            return decided;
-        }
-        let open = (0..self.paper.lines.len())
-            .find(|&line| self.worth(line) == Worth::Open && self.concerns(line, part));
-        match open {
-            Some(line) => {
-                let reason = &self.paper.lines[line].found[self.stage].reason;
-                let reason = reason.as_deref().unwrap_or("it is not decided");
-                decision(
-                    Outcome::Human,
-                    Some(line),
-                    format!("{} is open: {reason}", self.name(line)),
-                )
-            }
-            None => decided,
-        }
-    }
-
-    fn concerns(&self, line: usize, part: &Part) -> bool {
-        let entry = self.entry(line);
-        let Some(parts) = &entry.parts else {
-            return true;
-        };
-        let alike = |own: &Part| own.shares_variable(part) || own.likeness(part).is_some();
-        self.board.has_unknown(entry) || parts.iter().any(alike)
     }
 
     /// The part of a line that is an attempt, and what it should be.

@@ -1,4 +1,9 @@
-//! What is shown of a class that was marked: `results.json`.
+//! What is shown of a class that was marked: `results.json`, a page for each student, one of the class, and gradebooks.
+
+pub mod class;
+mod formula;
+pub mod gradebook;
+pub mod page;
 
 use crate::grade::{Assumption, Graded, Key, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};

@@ -2,6 +2,7 @@
 //!
 //! Nothing here follows a link, opens a device, or reads more than a submission may have.
 
+use crate::cli::grade::journal::digest;
 use crate::grade::{Text, Work};
 use crate::notation::document::Format;
 use std::collections::BTreeMap;
@@ -208,4 +209,65 @@ fn shown(name: &str) -> String {
         .chars()
         .map(|c| if c.is_control() { '\u{fffd}' } else { c });
     shown.take(LONGEST_ID).collect()
+}
+
+/// Names that some systems keep for devices.
+const RESERVED: [&str; 22] = [
+    "con", "prn", "aux", "nul", "com1", "com2", "com3", "com4", "com5", "com6", "com7", "com8",
+    "com9", "lpt1", "lpt2", "lpt3", "lpt4", "lpt5", "lpt6", "lpt7", "lpt8", "lpt9",
+];
+
+/// The name of a student's files: plain characters, and no name of a device.
+pub(super) fn file_stem(id: &str) -> String {
+    let mut stem = String::new();
+    for byte in id.bytes() {
+        match byte {
+            b'-' | b'_' | b'.' | b'@' | b'+' => stem.push(char::from(byte)),
+            _ if byte.is_ascii_alphanumeric() => stem.push(char::from(byte)),
+            _ => stem.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    let first = stem.split('.').next().unwrap_or("").to_ascii_lowercase();
+    let plain =
+        !stem.starts_with('.') && !stem.ends_with('.') && !RESERVED.contains(&first.as_str());
+    match plain && stem.len() <= LONGEST_ID {
+        true => stem,
+        false => {
+            let start: String = stem.trim_matches('.').chars().take(LONGEST_ID).collect();
+            format!("_{start}-{:016x}", digest([id.as_bytes()].into_iter()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_harmless() {
+        assert_eq!(file_stem("s017"), "s017");
+        for id in [
+            "../../etc/passwd",
+            "con",
+            "aux.x",
+            "..",
+            "<script>",
+            "a/b",
+            &"x".repeat(400),
+        ] {
+            let stem = file_stem(id);
+            assert!(
+                stem.len() < 200 && !stem.contains(['/', '\\', '<', '>']),
+                "{stem}"
+            );
+            assert!(!stem.starts_with('.'), "{stem}");
+        }
+    }
+
+    #[test]
+    fn an_id_hides_nothing() {
+        assert_eq!(escaped("ada"), "ada");
+        assert_eq!(escaped("a\u{202e}b"), "a%202Eb");
+        assert_eq!(escaped("a\nb"), "a%Ab");
+    }
 }
