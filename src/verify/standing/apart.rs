@@ -132,7 +132,9 @@ impl<'a> Apart<'a> {
             };
             let value = format!("{} {:?}", law.name, law.value);
             match first.get(&value) {
-                None => drop(first.insert(value, variable)),
+                None => {
+                    first.insert(value, variable);
+                }
                 Some(&other) => {
                     let source = Source::Declared(atoms.latex(variable));
                     same.push((fraction(variable) - fraction(other), source));
