@@ -31,6 +31,50 @@ fn another_order_of_terms_and_another_route_reach_every_milestone() {
 }
 
 #[test]
+fn a_right_line_counts_however_it_is_written() {
+    let body = r"I_{xx}\dot\omega_x - I_{xz}\dot\omega_z + \omega_y (I_{zz}\omega_z - I_{xz}\omega_x) - I_{yy}\omega_y\omega_z";
+    let first = r"\dot L_x + \omega_y L_z - \omega_z L_y";
+    let column = |entries: &str| r"\begin{bmatrix}*\end{bmatrix}".replace('*', entries);
+    let matrix = format!(
+        "$${} = {}{}$$",
+        column(r"L_x \\ L_y \\ L_z"),
+        column(r"I_{xx} & 0 & -I_{xz} \\ 0 & I_{yy} & 0 \\ -I_{xz} & 0 & I_{zz}"),
+        column(r"\omega_x \\ \omega_y \\ \omega_z"),
+    );
+    let texts = [
+        format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}").replace("\\vec", "\\mathbf"),
+        format!("{LAW}{MOMENTUM}$$M_x = {first} = {body}$$"),
+        format!(
+            "{LAW}{MOMENTUM}\n\n$$\\begin{{aligned}} M_x &= {first} \\\\ &= {body} \\end{{aligned}}$$"
+        ),
+        format!(
+            "{LAW}{COMPONENT}{MOMENTUM}$$\\dot\\omega_x = \\dot\\omega_x + \\frac{{M_x - ({body})}}{{I_{{xx}}}}$$"
+        ),
+        format!("{LAW}{COMPONENT}{matrix}{ANSWER}"),
+        format!("{LAW}{COMPONENT}Assume $I_{{xy}} = 0$ and $I_{{yz}} = 0$. {MOMENTUM}{ANSWER}"),
+    ];
+    for text in texts {
+        let graded = marked(&text);
+        assert_eq!(outcomes(&graded), ["full"; 4], "{text}: {graded:?}");
+    }
+}
+
+#[test]
+fn a_slip_in_the_law_itself_is_carried_on() {
+    let text = format!(
+        "$$\\vec M = (\\dot{{\\vec L}})_{{xyz}} - \\vec\\omega\\times\\vec L$$ \
+         $$M_x = \\dot L_x - \\omega_y L_z + \\omega_z L_y$$ {MOMENTUM} \
+         $$M_x = I_{{xx}}\\dot\\omega_x - I_{{xz}}\\dot\\omega_z + I_{{xz}}\\omega_x\\omega_y - (I_{{zz}} - I_{{yy}})\\omega_y\\omega_z$$"
+    );
+    let graded = marked(&text);
+    assert_eq!(
+        outcomes(&graded),
+        ["none", "none", "full", "follow-through"],
+        "{graded:?}"
+    );
+}
+
+#[test]
 fn no_law_is_used_in_matching() {
     // What is true of the moment by the laws does not say what the momentum is.
     let graded = marked(&format!("{LAW}{COMPONENT}{ANSWER}"));
