@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Variable, compose};
 use crate::verify::facts::Source;
 use crate::verify::facts::squares::is_kernel;
 use crate::verify::model::atoms::{Atoms, Law};
+use crate::verify::model::kernels::ADDITION_THEOREMS;
 use num_traits::Zero;
 use std::collections::{BTreeMap, HashMap};
 
@@ -80,7 +81,7 @@ pub(crate) struct Facts {
 }
 
 /// Laws that are mathematics, or say what a letter stands for.
-const NO_MECHANICS: [&str; 2] = ["definition", "addition theorems"];
+const NO_MECHANICS: [&str; 2] = ["definition", ADDITION_THEOREMS];
 
 impl Facts {
     /// Facts to which no law of mechanics adds anything.
