@@ -10,6 +10,7 @@ mod check;
 mod declare;
 mod derive;
 mod explain;
+mod grade;
 mod help;
 mod input;
 mod output;
@@ -37,6 +38,7 @@ struct Arguments {
 enum Command {
     Check(check::Options),
     Derive(derive::Options),
+    Grade(grade::Options),
     Run(run::Options),
     Explain(explain::Options),
     Plot(plot::Options),
@@ -56,6 +58,7 @@ pub fn run() -> ExitCode {
     let code = match &arguments.command {
         Command::Bench(options) => bench::run(options, color),
         Command::Check(options) => check::run(options, color),
+        Command::Grade(options) => grade::run(options, color),
         Command::Derive(options) => derive::run(options, color),
         Command::Explain(options) => explain::run(options, color),
         Command::Help(options) => help::run(options, Arguments::command(), color),

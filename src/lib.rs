@@ -27,7 +27,7 @@
 //! ```text
 //! source ─ diagnostic ─ notation ─┐
 //!                                 ├─ algebra ─┐
-//! scalar ─────────────────────────┘           ├─ verify ─ report ─ cli
+//! scalar ─────────────────────────┘           ├─ verify ─ grade ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
 //!             └─ motion (state, step, Jacobian, batch) ─ scene ─ bench
 //! ```
@@ -44,6 +44,8 @@ pub mod bench;
 pub mod cli;
 #[cfg(any(feature = "verify", feature = "scene"))]
 pub mod diagnostic;
+#[cfg(feature = "verify")]
+pub mod grade;
 #[cfg(feature = "verify")]
 pub mod notation;
 #[cfg(feature = "cli")]

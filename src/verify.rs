@@ -43,6 +43,7 @@ mod words;
 pub use declarations::{Declared, Misunderstood, Sheet, declarations};
 pub use declared::check_declared;
 pub use meanings::check;
+pub(crate) use standing::apart::{Apart, Said};
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,

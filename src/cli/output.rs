@@ -71,7 +71,8 @@ fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
     }
 }
 
-fn replace(path: &Path, text: &str) -> io::Result<()> {
+/// Writes a file in one piece: a new file beside it takes its name.
+pub(super) fn replace(path: &Path, text: &str) -> io::Result<()> {
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent.to_owned(),
         _ => PathBuf::from("."),

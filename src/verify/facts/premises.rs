@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Variable, compose};
 use crate::verify::facts::Source;
 use crate::verify::facts::squares::is_kernel;
 use crate::verify::model::atoms::{Atoms, Law};
+use crate::verify::model::kernels::ADDITION_THEOREMS;
 use num_traits::Zero;
 use std::collections::{BTreeMap, HashMap};
 
@@ -75,9 +76,22 @@ pub(crate) struct Facts {
     time: usize,
     /// A premise that could not be put in: while there is one, what fails by the others may hold.
     missing: Option<Source>,
+    /// Whether laws of mechanics say nothing here, but definitions and mathematics alone.
+    lawless: bool,
 }
 
+/// Laws that are mathematics, or say what a letter stands for.
+const NO_MECHANICS: [&str; 2] = ["definition", ADDITION_THEOREMS];
+
 impl Facts {
+    /// Facts to which no law of mechanics adds anything.
+    pub(crate) fn lawless() -> Self {
+        Self {
+            lawless: true,
+            ..Self::default()
+        }
+    }
+
     /// The rule for a variable, if a premise has solved for it.
     pub(crate) fn rule(&self, variable: Variable) -> Option<&Rule> {
         self.rules.get(&variable)
@@ -114,7 +128,9 @@ impl Facts {
         if let Some(rule) = self.rules.get(&variable) {
             return Some(rule.value.clone());
         }
-        if let Some(Law { value, .. }) = &atoms.atom(variable).law {
+        if let Some(Law { name, value }) = &atoms.atom(variable).law
+            && (!self.lawless || NO_MECHANICS.contains(name))
+        {
             return Some(value.clone());
         }
         let of = atoms.atom(variable).rate_of?;

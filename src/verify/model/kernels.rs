@@ -6,6 +6,9 @@ use crate::verify::model::atoms::{
 };
 use num_traits::{One, Zero};
 
+/// What sines and cosines of sums are by.
+pub(crate) const ADDITION_THEOREMS: &str = "addition theorems";
+
 /// The cosine and the sine of a sum of two angles, by those of each.
 fn of_sum(one: &(Fraction, Fraction), other: &(Fraction, Fraction)) -> (Fraction, Fraction) {
     let ((c, s), (d, t)) = (one, other);
@@ -109,7 +112,7 @@ impl Atoms {
             let (of_cosine, of_sine) = of_multiple(q / whole_part, kernel);
             let law = |value| {
                 Some(Law {
-                    name: "addition theorems",
+                    name: ADDITION_THEOREMS,
                     value,
                 })
             };

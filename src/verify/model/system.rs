@@ -134,6 +134,9 @@ pub(crate) struct System {
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.
     pub(crate) work: FrameId,
+    /// Whether each quantity keeps a variable of its own where a law gives its value in one term, or as it is seen from
+    /// another frame: then what a line says can be told from what the laws make of it.
+    pub(crate) apart: bool,
 }
 
 /// The names of components on numbered axes.

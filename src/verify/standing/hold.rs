@@ -48,7 +48,7 @@ pub(super) struct Sides {
     /// Letters of which nothing is told.
     pub(super) unknown: Vec<String>,
     /// The letter that it settles, with its value.
-    settles: Option<(String, Value, Value)>,
+    pub(super) settles: Option<(String, Value, Value)>,
 }
 
 /// The sides, or why there are none and the letters of which nothing is told.

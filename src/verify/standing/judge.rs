@@ -63,11 +63,11 @@ pub(crate) struct Judge<'a> {
     pub(super) bounds: BTreeMap<String, String>,
     /// The text of a line that is tried and does not stand in the document.
     pub(super) trial: Option<source::Source>,
-    chain: Chain,
+    pub(super) chain: Chain,
     pub(super) at: At,
     sentence: String,
     pub(crate) judged: Vec<Judged>,
-    headings: Headings,
+    pub(super) headings: Headings,
     /// The accepted lines that are in force.
     settled_taken: Vec<usize>,
     /// Lines of this paragraph and of the one before it that wait.

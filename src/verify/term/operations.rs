@@ -1,8 +1,9 @@
 //! Sums, products and rates of values.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Place};
 use crate::mechanics;
-use crate::verify::model::system::{FrameId, System};
+use crate::verify::model::atoms::{Law, fraction};
+use crate::verify::model::system::{FrameId, System, component_text};
 use crate::verify::term::value::{Basis, GROWN, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
 
@@ -156,6 +157,7 @@ impl System {
             entries,
             ..value.clone()
         };
+        let on_work = rate.entries.clone();
         let frame = |basis: Basis| match basis {
             Basis::Itself => Some(seen),
             Basis::On(frame) => Some(frame),
@@ -176,7 +178,24 @@ impl System {
             let carried = self.times(value, &turn, frame)?.negated();
             rate = self.plus(&rate, &carried, frame)?;
         }
+        if self.apart && rate.entries != on_work {
+            rate.entries = self.kept_apart(&rate);
+        }
         Ok(rate)
+    }
+
+    /// Variables of their own for the entries of a rate that the transport law gives.
+    fn kept_apart(&mut self, rate: &Value) -> Vec<Fraction> {
+        let entries = rate.entries.iter().enumerate();
+        let apart = entries.map(|(at, entry)| {
+            let law = Law {
+                name: "transport",
+                value: entry.clone(),
+            };
+            let text = component_text("\\text{rate}", at);
+            fraction(self.atoms.determined(&text, Place::Acceleration, law))
+        });
+        apart.collect()
     }
 
     /// The square root of a number: a length by its square.

@@ -192,7 +192,13 @@ impl System {
         if quantity.is_indexed() || matches!(quantity, Quantity::Known(_) | Quantity::Sum(_)) {
             return Ok(value);
         }
-        let simple = |e: &Fraction| e.numerator().len() <= 1 && e.is_polynomial();
+        let highest = if self.apart { 1 } else { u32::MAX };
+        let simple = |e: &Fraction| {
+            let mut terms = e.numerator().terms().iter();
+            e.numerator().len() <= 1
+                && e.is_polynomial()
+                && terms.all(|(m, _)| m.degree() <= highest)
+        };
         if value.entries.iter().all(simple) {
             return Ok(value);
         }

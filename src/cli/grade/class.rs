@@ -1,0 +1,254 @@
+//! Marks all submissions of a folder and writes what comes of it.
+
+use crate::cli::grade::folder::{self, Pending, file_stem};
+use crate::cli::grade::journal::{Journal, digest, parts};
+use crate::cli::{input, output};
+use crate::grade::{Graded, Key, Work, mark, not_marked};
+use crate::report::grade::{self, class, gradebook, page};
+use indicatif::{ProgressBar, ProgressDrawTarget};
+use rayon::prelude::*;
+use std::fmt::Display;
+use std::fs;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Path, PathBuf};
+
+/// What a thread may put on its stack: trees of formulas are walked down.
+const STACK: usize = 64 << 20;
+
+/// One part of a class that is marked in several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Part {
+    /// Which one, from 1.
+    pub(super) number: usize,
+    /// How many there are.
+    pub(super) of: usize,
+}
+
+/// How many submissions were marked.
+pub(super) struct Count {
+    pub(super) marked: usize,
+    pub(super) waiting: usize,
+}
+
+/// What is marked by, and where to.
+pub(super) struct Class<'a> {
+    pub(super) key: &'a Key,
+    pub(super) key_text: &'a str,
+    pub(super) out: &'a Path,
+    pub(super) detail: page::Detail,
+    pub(super) gradebooks: Vec<gradebook::Form>,
+}
+
+/// What went wrong with a file.
+fn failed(path: &Path, error: &dyn Display) -> String {
+    format!("{}: {error}", input::name(path))
+}
+
+impl Class<'_> {
+    /// Marks all submissions.
+    pub(super) fn mark(&self, submissions: &Path, threads: Option<u16>) -> Result<Count, String> {
+        let pending = self.pending(submissions)?;
+        let path = self.out.join("journal.jsonl");
+        let students = self.marked(&pending, &path, threads)?;
+        self.finish(&students)?;
+        fs::remove_file(&path).map_err(|error| failed(&path, &error))?;
+        Ok(count(&students))
+    }
+
+    /// Marks every n-th submission, and leaves the results for [`Class::merge`].
+    pub(super) fn mark_part(
+        &self,
+        submissions: &Path,
+        part: Part,
+        threads: Option<u16>,
+    ) -> Result<Count, String> {
+        let pending = self.pending(submissions)?;
+        let own = pending.into_iter().enumerate();
+        let own = own.filter(|(at, _)| at % part.of == part.number - 1);
+        let own: Vec<Pending> = own.map(|(_, pending)| pending).collect();
+        let path = self
+            .out
+            .join(format!("part-{}-of-{}.jsonl", part.number, part.of));
+        let students = self.marked(&own, &path, threads)?;
+        let journal = Journal::open(&path, self.stamp()).map_err(|error| failed(&path, &error))?;
+        journal
+            .end(students.len())
+            .map_err(|error| failed(&path, &error))?;
+        Ok(count(&students))
+    }
+
+    /// Puts together what was marked in parts.
+    pub(super) fn merge(&self) -> Result<Count, String> {
+        let mut students: Vec<Graded> = vec![];
+        for path in parts(self.out)? {
+            let journal =
+                Journal::open(&path, self.stamp()).map_err(|error| failed(&path, &error))?;
+            if !journal.is_whole {
+                return Err(failed(
+                    &path,
+                    &"this part is not marked to its end with this key",
+                ));
+            }
+            students.extend(journal.into_graded());
+        }
+        students.sort_by(|a, b| a.id.cmp(&b.id));
+        if let Some(twice) = students.windows(2).find(|pair| pair[0].id == pair[1].id) {
+            return Err(format!(
+                "{} stands in two parts; mark the parts anew",
+                twice[0].id
+            ));
+        }
+        self.finish(&students)?;
+        Ok(count(&students))
+    }
+
+    fn pending(&self, submissions: &Path) -> Result<Vec<Pending>, String> {
+        let pending = folder::pending(submissions).map_err(|error| failed(submissions, &error))?;
+        if pending.is_empty() {
+            return Err(failed(submissions, &"there is nothing in it to mark"));
+        }
+        fs::create_dir_all(self.out).map_err(|error| failed(self.out, &error))?;
+        Ok(pending)
+    }
+
+    /// What results depend on beside the submissions.
+    fn stamp(&self) -> u64 {
+        let version = env!("CARGO_PKG_VERSION");
+        digest(
+            [version, &self.key.name, self.key_text]
+                .into_iter()
+                .map(str::as_bytes),
+        )
+    }
+
+    /// Marks each submission, several at a time; what breaks down hurts no other. In the order of their ids.
+    fn marked(
+        &self,
+        pending: &[Pending],
+        path: &Path,
+        threads: Option<u16>,
+    ) -> Result<Vec<Graded>, String> {
+        let journal = Journal::open(path, self.stamp()).map_err(|error| failed(path, &error))?;
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.map_or(0, usize::from))
+            .stack_size(STACK)
+            .build()
+            .map_err(|error| error.to_string())?;
+        let bar =
+            ProgressBar::with_draw_target(Some(pending.len() as u64), ProgressDrawTarget::stderr());
+        let (out, detail, forms) = (self.out, self.detail, &self.gradebooks);
+        // A key keeps notes while it is read: each thread has one of its own.
+        let own = self.key.clone();
+        let hook = panic::take_hook();
+        panic::set_hook(Box::new(|_| {}));
+        let students = pool.install(|| {
+            let each = pending.par_iter().map_with(own, |key, one| {
+                let work = one.read();
+                let own = of_work(&work, detail);
+                let graded = match journal.known(&one.id, own) {
+                    Some(known) => known,
+                    None => {
+                        let graded = marked_one(key, &one.id, work);
+                        write_student(out, key, &graded, detail)?;
+                        journal
+                            .append(own, &graded)
+                            .map_err(|error| failed(path, &error))?;
+                        graded
+                    }
+                };
+                write_gradebooks(out, key, &graded, forms)?;
+                bar.inc(1);
+                // Pages have them; a class of many would not fit with them.
+                Ok(Graded {
+                    lines: vec![],
+                    ..graded
+                })
+            });
+            each.collect::<Result<Vec<Graded>, String>>()
+        });
+        panic::set_hook(hook);
+        bar.finish_and_clear();
+        students
+    }
+
+    /// Writes what is of the whole class.
+    fn finish(&self, students: &[Graded]) -> Result<(), String> {
+        let results = grade::results(self.key, students).map_err(|error| error.to_string())?;
+        write(
+            &self.out.join("class.html"),
+            &class::page(self.key, students),
+        )?;
+        for form in &self.gradebooks {
+            if let Some(file) = gradebook::of_class(*form, self.key, students) {
+                write(&self.out.join(&file.path), &file.text)?;
+            }
+        }
+        write(&self.out.join("results.json"), &results)
+    }
+}
+
+fn count(students: &[Graded]) -> Count {
+    Count {
+        marked: students.len(),
+        waiting: students.iter().filter(|s| s.queue.is_some()).count(),
+    }
+}
+
+fn marked_one(key: &Key, id: &str, work: Result<Work, String>) -> Graded {
+    let work = match work {
+        Ok(work) => work,
+        Err(reason) => return not_marked(key, id, &reason),
+    };
+    let graded = panic::catch_unwind(AssertUnwindSafe(|| mark(key, &work)));
+    graded.unwrap_or_else(|_| not_marked(key, id, "marking it broke down; please report this"))
+}
+
+/// A number for what is handed in and how much is told of it, the same for the same.
+fn of_work(work: &Result<Work, String>, detail: page::Detail) -> u64 {
+    let detail = [detail as u8];
+    let detail = std::iter::once(&detail[..]);
+    match work {
+        Err(reason) => digest(detail.chain([reason.as_bytes()])),
+        Ok(work) => {
+            let texts = work
+                .texts
+                .iter()
+                .flat_map(|text| [text.name.as_bytes(), text.text.as_bytes()]);
+            digest(
+                detail
+                    .chain(texts)
+                    .chain(work.troubles.iter().map(String::as_bytes)),
+            )
+        }
+    }
+}
+
+fn write_student(
+    out: &Path,
+    key: &Key,
+    graded: &Graded,
+    detail: page::Detail,
+) -> Result<(), String> {
+    let path: PathBuf = out.join("feedback").join(file_stem(&graded.id) + ".html");
+    write(&path, &page::student(key, graded, detail))
+}
+
+fn write_gradebooks(
+    out: &Path,
+    key: &Key,
+    graded: &Graded,
+    forms: &[gradebook::Form],
+) -> Result<(), String> {
+    for form in forms {
+        if let Some(file) = gradebook::of_student(*form, key, graded, &file_stem(&graded.id)) {
+            write(&out.join(&file.path), &file.text)?;
+        }
+    }
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let done = fs::create_dir_all(folder).and_then(|()| output::replace(path, text));
+    done.map_err(|error| failed(path, &error))
+}

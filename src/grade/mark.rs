@@ -1,0 +1,225 @@
+//! From a key and the work of a student to marks.
+
+use crate::grade::key::{Key, Milestone};
+use crate::grade::paper::{Paper, PaperLine, Work, Worth};
+use crate::grade::policy::{FollowThrough, Marks};
+use crate::grade::result::{Assumption, Graded, Line, Numbers, Outcome, Reached, Slip};
+use crate::grade::rules::{Decision, Marker};
+use crate::grade::slip;
+use crate::verify::Verdict;
+use std::collections::BTreeMap;
+
+/// Marks the work of one student.
+///
+/// The result depends on the key and the work alone.
+pub fn mark(key: &Key, work: &Work) -> Graded {
+    let paper = Paper::read(key, work);
+    if paper.lines.is_empty() {
+        // What could not be read may be worth something; what is not there is not.
+        let (outcome, reason) = match paper.troubles.is_empty() {
+            true => (Outcome::None, "there is no line in it that can be marked"),
+            false => (Outcome::Human, "nothing in it was marked"),
+        };
+        return unmarked(key, work, &paper.troubles, reason, outcome);
+    }
+    let mut markers: Vec<Marker<'_>> = (0..key.stages.len())
+        .map(|stage| Marker::new(key, &paper, stage))
+        .collect();
+    let mut troubles = paper.troubles.clone();
+    if markers.iter().any(Marker::conflict) {
+        troubles.push("a letter is defined in another way than in the key".to_owned());
+    }
+    let milestones: Vec<Reached> = key
+        .milestones
+        .iter()
+        .map(|milestone| {
+            let decided = markers[milestone.stage].milestone(milestone);
+            reached(
+                key,
+                &paper,
+                milestone,
+                decided,
+                markers[milestone.stage].conflict(),
+            )
+        })
+        .collect();
+    let carried = carried(&mut markers, &paper);
+    let human = milestones.iter().filter(|m| m.outcome == Outcome::Human);
+    troubles.extend(human.map(|m| format!("{}: {}", m.label, m.reason)));
+    Graded {
+        id: work.id.clone(),
+        marks: milestones.iter().map(|m| m.marks).sum(),
+        milestones,
+        first_slip: first_slip(&markers, &paper, &carried),
+        assumptions: assumptions(&paper),
+        queue: joined(&troubles),
+        lines: shown(&paper, &carried),
+        questions: paper.questions.clone(),
+    }
+}
+
+/// What is said of work that could not be marked: a person should look at all of it.
+pub fn not_marked(key: &Key, id: &str, reason: &str) -> Graded {
+    let work = Work {
+        id: id.to_owned(),
+        texts: vec![],
+        troubles: vec![],
+    };
+    unmarked(key, &work, &[], reason, Outcome::Human)
+}
+
+fn unmarked(key: &Key, work: &Work, troubles: &[String], reason: &str, outcome: Outcome) -> Graded {
+    let milestones = key.milestones.iter().map(|milestone| Reached {
+        label: milestone.label.clone(),
+        max: milestone.max,
+        marks: Marks::default(),
+        outcome,
+        place: None,
+        reason: reason.to_owned(),
+    });
+    let mut said = troubles.to_vec();
+    said.push(reason.to_owned());
+    Graded {
+        id: work.id.clone(),
+        marks: Marks::default(),
+        milestones: milestones.collect(),
+        first_slip: None,
+        assumptions: vec![],
+        queue: joined(&said),
+        lines: vec![],
+        questions: vec![],
+    }
+}
+
+fn joined(reasons: &[String]) -> Option<String> {
+    let mut once: Vec<&str> = vec![];
+    for reason in reasons {
+        if !once.contains(&reason.as_str()) {
+            once.push(reason);
+        }
+    }
+    (!once.is_empty()).then(|| once.join("; "))
+}
+
+fn reached(
+    key: &Key,
+    paper: &Paper,
+    milestone: &Milestone,
+    decided: Decision,
+    conflict: bool,
+) -> Reached {
+    let mut decided = decided;
+    if conflict {
+        decided.outcome = Outcome::Human;
+        decided.reason = "a letter is defined in another way than in the key".to_owned();
+    }
+    let follow = match key.policy.follow_through {
+        FollowThrough::Full => milestone.max,
+        FollowThrough::Half => milestone.max.half(),
+        FollowThrough::None => Marks::default(),
+    };
+    Reached {
+        label: milestone.label.clone(),
+        max: milestone.max,
+        marks: match decided.outcome {
+            Outcome::Full => milestone.max,
+            Outcome::FollowThrough => follow,
+            Outcome::None | Outcome::Human => Marks::default(),
+        },
+        outcome: decided.outcome,
+        place: decided.line.map(|line| paper.lines[line].place.clone()),
+        reason: decided.reason,
+    }
+}
+
+/// The wrong lines that only carry on an earlier one. A line is wrong if it is so at every stage.
+fn carried(markers: &mut [Marker<'_>], paper: &Paper) -> BTreeMap<usize, bool> {
+    let wrong = (0..paper.lines.len()).filter(|&line| is_wrong(&paper.lines[line]));
+    let wrong: Vec<usize> = wrong.collect();
+    let mut carried = BTreeMap::new();
+    for line in wrong {
+        let follows = markers.iter_mut().any(|marker| {
+            let attempts = marker.attempts(line).to_vec();
+            let mut attempts = attempts.into_iter();
+            attempts.any(|attempt| {
+                marker
+                    .carries(attempt, line)
+                    .is_some_and(|from| !from.is_empty())
+            })
+        });
+        carried.insert(line, follows);
+    }
+    carried
+}
+
+fn is_wrong(line: &PaperLine) -> bool {
+    line.worth.iter().all(|worth| *worth == Worth::False)
+}
+
+fn first_slip(
+    markers: &[Marker<'_>],
+    paper: &Paper,
+    carried: &BTreeMap<usize, bool>,
+) -> Option<Slip> {
+    let (&line, _) = carried.iter().find(|(_, carried)| !**carried)?;
+    let found = &paper.lines[line].found[0];
+    let beside = markers.iter().find_map(|marker| {
+        let attempt = marker.attempts(line).first()?;
+        marker.beside(*attempt, line)
+    });
+    let (kind, message) = match (&found.diagnosis, beside) {
+        (Some(diagnosis), _) => (diagnosis.kind, diagnosis.message.clone()),
+        (None, Some((own, key))) => {
+            let (kind, message) = slip::name(own, key);
+            (kind, message.to_owned())
+        }
+        (None, None) => ("other", found.reason.clone().unwrap_or_default()),
+    };
+    Some(Slip {
+        place: paper.lines[line].place.clone(),
+        kind: kind.to_owned(),
+        message,
+    })
+}
+
+fn assumptions(paper: &Paper) -> Vec<Assumption> {
+    let assumed = |line: &&PaperLine| line.worth.contains(&Worth::Assumed);
+    let lines = paper.lines.iter().filter(assumed);
+    let assumptions = lines.map(|line| Assumption {
+        place: line.place.clone(),
+        text: line.found[0].source.clone(),
+        in_key: line.follows_from_key,
+    });
+    assumptions.collect()
+}
+
+/// The lines with their verdicts, at the stage that is kindest to each.
+fn shown(paper: &Paper, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
+    let rank = |worth: Worth| match worth {
+        Worth::True => 0,
+        Worth::Resting => 1,
+        Worth::Assumed | Worth::Defined => 2,
+        Worth::Open => 3,
+        Worth::False => 4,
+    };
+    let lines = paper.lines.iter().enumerate().map(|(at, line)| {
+        let best = (0..line.worth.len())
+            .min_by_key(|&stage| rank(line.worth[stage]))
+            .unwrap_or(0);
+        let found = &line.found[best];
+        let refuted = found.verdict == Verdict::Refuted;
+        Line {
+            place: line.place.clone(),
+            source: found.source.clone(),
+            verdict: found.verdict.name().to_owned(),
+            reason: found.reason.clone(),
+            counterexample: found
+                .counterexample
+                .clone()
+                .filter(|_| refuted)
+                .map(Numbers::from),
+            carried: carried.get(&at).copied().unwrap_or(false),
+        }
+    });
+    lines.collect()
+}

@@ -1,0 +1,238 @@
+//! Which line says what another line says, without any law.
+
+use crate::algebra::{Fraction, Monomial, Variable};
+use crate::notation::document::Document;
+use crate::source::Span;
+use crate::verify::language::statement::Declaration;
+use crate::verify::{Apart, Said};
+use num_traits::{One, Zero};
+use std::collections::{BTreeSet, HashMap};
+
+/// Two lines with the same head are attempts at one if they share this part of their terms.
+const ALIKE_WITH_HEAD: f64 = 0.25;
+
+/// The same for lines of which one has no head, or another.
+const ALIKE: f64 = 0.6;
+
+/// One component of a line: this vanishes.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub(super) residual: Fraction,
+    /// The quantity that the line says something of: a side that is one variable.
+    pub(super) head: Option<Variable>,
+    terms: BTreeSet<Monomial>,
+}
+
+/// What a line says, component by component; `None` where that is not worked out.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) span: Span,
+    pub(super) parts: Option<Vec<Part>>,
+    /// Whether it says what a new letter is.
+    pub(super) defines: bool,
+}
+
+/// The lines of the key and those of a student under one reading.
+pub(super) struct Board<'a> {
+    apart: Apart<'a>,
+    pub(super) key: Vec<Entry>,
+    pub(super) own: Vec<Vec<Entry>>,
+    /// Whether a student defines a letter of the key in another way.
+    pub(super) conflict: bool,
+}
+
+/// A document, the lines of it that are looked at, and those that are taken in from the beginning.
+#[derive(Clone, Copy)]
+pub(super) struct Sheet<'a, 's> {
+    pub(super) document: &'a Document,
+    pub(super) lines: &'s [Span],
+    pub(super) given: &'s [Span],
+    /// Whether products of inertia are entries in it.
+    pub(super) entries: bool,
+}
+
+impl Sheet<'_, '_> {
+    /// Which of the lines are given.
+    fn given_of<'l>(&self, said: &'l [Said]) -> Vec<&'l Said> {
+        said.iter()
+            .filter(|said| self.given.contains(&said.span))
+            .collect()
+    }
+
+    /// The entries of the lines, in their order.
+    fn entries(&self, apart: &mut Apart<'_>, said: &[Said]) -> Vec<Entry> {
+        let known: HashMap<Span, &Said> = said.iter().map(|said| (said.span, said)).collect();
+        let lines = self.lines.iter();
+        let entries = lines.map(|&span| match known.get(&span) {
+            Some(said) => entry(apart, said),
+            None => Entry {
+                span,
+                parts: None,
+                defines: false,
+            },
+        });
+        entries.collect()
+    }
+}
+
+impl<'a> Board<'a> {
+    pub(super) fn new(
+        declarations: &[Declaration],
+        key: Sheet<'a, '_>,
+        own: &[Sheet<'a, '_>],
+    ) -> Self {
+        let mut apart = Apart::new(key.document, declarations);
+        let of_key = apart.lines(key.document, key.entries);
+        let of_own: Vec<Vec<Said>> = own
+            .iter()
+            .map(|sheet| apart.lines(sheet.document, sheet.entries))
+            .collect();
+        let mut given = key.given_of(&of_key);
+        apart.settle(&given);
+        let defined = own
+            .iter()
+            .zip(&of_own)
+            .flat_map(|(sheet, said)| sheet.given_of(said))
+            .filter(|said| said.defines);
+        let defined: Vec<&Said> = defined.collect();
+        let conflict = defined.iter().any(|said| contradicts(&mut apart, said));
+        given.extend(defined);
+        apart.settle(&given);
+        let key = key.entries(&mut apart, &of_key);
+        let own = own.iter().zip(&of_own);
+        let own = own
+            .map(|(sheet, said)| sheet.entries(&mut apart, said))
+            .collect();
+        Self {
+            apart,
+            key,
+            own,
+            conflict,
+        }
+    }
+
+    /// Whether a line alone says this.
+    pub(super) fn says(&mut self, entry: &Entry, goal: &Part) -> bool {
+        let parts = entry.parts.as_deref().unwrap_or_default();
+        if goal.residual.is_zero() {
+            return false;
+        }
+        if parts.iter().any(|part| part.is_multiple_of(goal)) {
+            return true;
+        }
+        let near = parts.iter().filter(|part| part.shares_variable(goal));
+        let from: Vec<Fraction> = near.map(|part| part.residual.clone()).collect();
+        let goal = std::slice::from_ref(&goal.residual);
+        !from.is_empty() && self.apart.follow(goal, &from, false) == Some(true)
+    }
+
+    /// Whether lines together, with their rates, say these; `None` where it is not worked out.
+    pub(super) fn say_together(&mut self, from: &[Entry], goals: &[Part]) -> Option<bool> {
+        let mut equations = vec![];
+        let mut whole = true;
+        for entry in from {
+            match &entry.parts {
+                Some(parts) => equations.extend(parts.iter().map(|part| part.residual.clone())),
+                None => whole = false,
+            }
+        }
+        let goals: Vec<Fraction> = goals.iter().map(|goal| goal.residual.clone()).collect();
+        let follow = self.apart.follow(&goals, &equations, true)?;
+        (follow || whole).then_some(follow)
+    }
+
+    /// Whether letters of which nothing is told stand in a line.
+    pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
+        let parts = entry.parts.iter().flatten();
+        let mut variables = parts.flat_map(|part| part.residual.variables());
+        variables.any(|variable| self.apart.is_unknown(variable))
+    }
+}
+
+impl Part {
+    fn new(residual: Fraction, head: Option<Variable>) -> Self {
+        let terms = residual.numerator().terms().iter();
+        let terms = terms.map(|(monomial, _)| monomial.clone()).collect();
+        Self {
+            residual,
+            head,
+            terms,
+        }
+    }
+
+    /// Whether it is more than what is known anyway.
+    pub(super) fn says_something(&self) -> bool {
+        !self.residual.is_zero()
+    }
+
+    pub(super) fn terms(&self) -> &BTreeSet<Monomial> {
+        &self.terms
+    }
+
+    /// Whether two say the same up to a number.
+    pub(super) fn is_multiple_of(&self, other: &Self) -> bool {
+        let (own, theirs) = (self.residual.numerator(), other.residual.numerator());
+        let (Some((_, a)), Some((_, b))) = (own.terms().first(), theirs.terms().first()) else {
+            return false;
+        };
+        self.terms == other.terms && own.scaled(b) == theirs.scaled(a)
+    }
+
+    pub(super) fn shares_variable(&self, other: &Self) -> bool {
+        let theirs = other.residual.variables();
+        self.residual.variables().iter().any(|v| theirs.contains(v))
+    }
+
+    /// How much two have in common, from 0 to 1, if one may be an attempt at the other.
+    pub(super) fn likeness(&self, other: &Self) -> Option<f64> {
+        let common = self.terms.intersection(&other.terms).count() as f64;
+        let most = self.terms.len().max(other.terms.len()).max(1) as f64;
+        let same_head = self.head.is_some() && self.head == other.head;
+        let least = if same_head { ALIKE_WITH_HEAD } else { ALIKE };
+        (common / most >= least).then_some(common / most)
+    }
+}
+
+fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
+    let part = |(left, right): &(Fraction, Fraction)| {
+        let residual = apart.normal(&(left.clone() - right.clone()))?;
+        let head = [left, right]
+            .into_iter()
+            .find_map(|side| single(&apart.normal(side)?));
+        Some(Part::new(residual, head))
+    };
+    let sides = said.sides.as_ref();
+    Entry {
+        span: said.span,
+        parts: sides.and_then(|sides| sides.iter().map(part).collect()),
+        defines: said.defines,
+    }
+}
+
+/// The variable that a value is, but for its sign.
+fn single(value: &Fraction) -> Option<Variable> {
+    let [(monomial, number)] = value.numerator().terms() else {
+        return None;
+    };
+    let powers = monomial.powers();
+    match powers[..] {
+        [(variable, 1)]
+            if value.is_polynomial() && (number.is_one() || (-number.clone()).is_one()) =>
+        {
+            Some(variable)
+        }
+        _ => None,
+    }
+}
+
+/// Whether a definition does not fit to what is known, though no new letter stands in it.
+fn contradicts(apart: &mut Apart<'_>, said: &Said) -> bool {
+    let sides = said.sides.clone().unwrap_or_default();
+    sides.into_iter().any(|(left, right)| {
+        let Some(left_over) = apart.normal(&(left - right)) else {
+            return true;
+        };
+        let mut variables = left_over.variables().into_iter();
+        !left_over.is_zero() && !variables.any(|variable| apart.is_unknown(variable))
+    })
+}

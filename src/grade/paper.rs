@@ -1,0 +1,376 @@
+//! The work of one student: its texts, its lines, and what each line is worth at each stage of the key.
+
+use crate::diagnostic::Severity;
+use crate::grade::key::{Key, checked};
+use crate::grade::result::Place;
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::{Document, Format, FrontMatter, Item, Row};
+use crate::notation::{self};
+use crate::source::Span;
+use crate::verify::{Finding, Report, Role, Verdict};
+use std::collections::BTreeMap;
+
+/// A submission of more lines is left to a person.
+const MOST_LINES: usize = 400;
+
+/// A text of a student.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// The name of its file.
+    pub name: String,
+    /// What kind of file it is.
+    pub format: Format,
+    /// The whole text.
+    pub text: String,
+}
+
+/// What a student hands in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Work {
+    /// The student.
+    pub id: String,
+    /// The texts, in the order in which they are read.
+    pub texts: Vec<Text>,
+    /// What is wrong with how it was handed in: a person should look.
+    pub troubles: Vec<String>,
+}
+
+impl Work {
+    /// One text of one student.
+    pub fn of_text(id: &str, name: &str, format: Format, text: &str) -> Self {
+        let text = Text {
+            name: name.to_owned(),
+            format,
+            text: text.to_owned(),
+        };
+        Self {
+            id: id.to_owned(),
+            texts: vec![text],
+            troubles: vec![],
+        }
+    }
+}
+
+/// What a line is worth at a stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Worth {
+    /// It is proved, and rests on nothing that the key does not give.
+    True,
+    /// It is refuted.
+    False,
+    /// It is proved by what the student assumes and the key does not.
+    Resting,
+    /// It is assumed.
+    Assumed,
+    /// It says what a letter of the student's own is.
+    Defined,
+    /// It is not decided, or not read.
+    Open,
+}
+
+/// One line.
+#[derive(Clone, Debug)]
+pub(super) struct PaperLine {
+    /// Its document.
+    pub(super) document: usize,
+    /// Its number in the document.
+    pub(super) number: usize,
+    pub(super) place: Place,
+    /// For each stage.
+    pub(super) worth: Vec<Worth>,
+    /// For each stage, what was found.
+    pub(super) found: Vec<Finding>,
+    /// Whether it is proved where it is taken as claimed at the last stage.
+    pub(super) follows_from_key: bool,
+}
+
+/// The work of a student, read and checked.
+pub(super) struct Paper {
+    pub(super) documents: Vec<Document>,
+    pub(super) lines: Vec<PaperLine>,
+    /// For each document, the bytes of its lines.
+    pub(super) spans: Vec<Vec<Span>>,
+    /// Whether products of inertia are entries here.
+    pub(super) entries: bool,
+    /// Why a person should look.
+    pub(super) troubles: Vec<String>,
+    pub(super) questions: Vec<(String, usize)>,
+}
+
+/// What was found of all documents at one stage.
+struct Checked {
+    reports: Vec<Report>,
+    /// With what is assumed taken as claimed; none where nothing is assumed.
+    claimed: Option<Vec<Report>>,
+}
+
+impl Paper {
+    /// Reads and checks the work of a student.
+    pub(super) fn read(key: &Key, work: &Work) -> Self {
+        let mut troubles = work.troubles.clone();
+        let mut documents = vec![];
+        for text in &work.texts {
+            let (mut document, found) = notation::read(&text.name, &text.text, text.format);
+            let errors = found.iter().filter(|t| t.severity == Severity::Error);
+            for error in errors.take(1) {
+                let line = document.place(error.primary.span.start).line;
+                troubles.push(format!("line {line} is not read: {}", error.message));
+            }
+            if !document.front_matter.sentences.is_empty() && key.is_declared {
+                troubles.push("it declares meanings of its own, which were left out".to_owned());
+            }
+            give_no_orders(&mut document, &key.settings);
+            documents.push(document);
+        }
+        let rows: usize = documents.iter().map(rows).sum();
+        if rows > MOST_LINES {
+            troubles.push(format!("it has more than {MOST_LINES} lines"));
+            documents.clear();
+        }
+        let entries = products(key, &documents);
+        let each: Vec<Checked> = (0..key.stages.len())
+            .map(|stage| at_stage(key, stage, entries, &documents))
+            .collect();
+        let spans = spans(&each, documents.len());
+        let several = documents.len() > 1;
+        Self {
+            lines: lines(&each, &documents, several),
+            questions: questions(&each),
+            documents,
+            spans,
+            entries,
+            troubles,
+        }
+    }
+
+    /// The lines of a document that are given at a stage: definitions of the student's own letters.
+    pub(super) fn given(&self, document: usize, stage: usize) -> Vec<Span> {
+        let own = self.lines.iter().filter(|line| line.document == document);
+        let defined = own.filter(|line| line.worth[stage] == Worth::Defined);
+        defined.map(|line| line.found[stage].span).collect()
+    }
+}
+
+/// How many rows of formulas a document has.
+fn rows(document: &Document) -> usize {
+    let rows = |item: &Item| match item {
+        Item::Formula(formula) => formula
+            .rows
+            .iter()
+            .filter(|row| !matches!(row, Row::Expression(_)))
+            .count(),
+        _ => 0,
+    };
+    document.items.iter().map(rows).sum()
+}
+
+/// A submission sets nothing but how it writes; comments in it play no roles.
+fn give_no_orders(document: &mut Document, settings: &FrontMatter) {
+    let front = std::mem::take(&mut document.front_matter);
+    let mut symbols = settings.symbols.clone();
+    symbols.extend(front.symbols);
+    document.front_matter = FrontMatter {
+        products: front.products.or_else(|| settings.products.clone()),
+        axes: front.axes.or_else(|| settings.axes.clone()),
+        symbols,
+        ..FrontMatter::default()
+    };
+    document
+        .items
+        .retain(|item| !matches!(item, Item::Comment { .. }));
+}
+
+/// Whether products of inertia are entries: as the submission sets or its matrices show, else as the key has it.
+fn products(key: &Key, documents: &[Document]) -> bool {
+    let said = documents
+        .iter()
+        .find_map(|d| d.front_matter.products.as_deref());
+    match said {
+        Some("entries") => return true,
+        Some("integrals") => return false,
+        _ => {}
+    }
+    if !key.is_declared || !documents.iter().any(has_matrix) {
+        return key.entries;
+    }
+    let good = |entries: bool| {
+        let declared = &key.stages[0].declared[usize::from(entries)];
+        let matrices = documents.iter().flat_map(|document| {
+            let spans = matrix_lines(document);
+            let findings = checked(document, declared).findings;
+            findings
+                .into_iter()
+                .filter(move |f| spans.contains(&f.span))
+        });
+        let verdicts: Vec<bool> = matrices
+            .map(|f| matches!(f.verdict, Verdict::Proved(_)))
+            .collect();
+        !verdicts.is_empty() && verdicts.iter().all(|proved| *proved)
+    };
+    if good(!key.entries) && !good(key.entries) {
+        !key.entries
+    } else {
+        key.entries
+    }
+}
+
+fn has_matrix(document: &Document) -> bool {
+    !matrix_lines(document).is_empty()
+}
+
+/// The lines in which a square matrix is written out.
+fn matrix_lines(document: &Document) -> Vec<Span> {
+    fn square(node: &Node) -> bool {
+        let own = matches!(&node.kind, Kind::Matrix(rows) if rows.len() == 3 && rows.iter().all(|row| row.len() == 3));
+        own || node.children().any(square)
+    }
+    let formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(formula),
+        _ => None,
+    });
+    let lines = formulas.flat_map(|f| &f.rows).filter_map(|row| match row {
+        Row::Line(line) => Some(line),
+        _ => None,
+    });
+    let squares = lines.filter(|line| line.sides.iter().any(square));
+    squares.map(|line| line.span).collect()
+}
+
+/// Checks all documents at a stage, and again with what they assume taken as claimed.
+fn at_stage(key: &Key, stage: usize, entries: bool, documents: &[Document]) -> Checked {
+    let declared = &key.stages[stage].declared[usize::from(entries)];
+    let reports: Vec<Report> = documents.iter().map(|d| checked(d, declared)).collect();
+    let assumes = |report: &Report| report.findings.iter().any(is_assumption);
+    if !reports.iter().any(assumes) {
+        return Checked {
+            reports,
+            claimed: None,
+        };
+    }
+    let claimed = documents.iter().zip(&reports).map(|(document, report)| {
+        let assumed: Vec<&Finding> = report
+            .findings
+            .iter()
+            .filter(|f| is_assumption(f))
+            .collect();
+        if !key.is_declared {
+            return checked(&with_claims(document, &assumed), declared);
+        }
+        let roles = assumed.iter().map(|f| match f.cell {
+            Some(cell) => format!("Line {} of cell {cell} is a claim.", f.source_line),
+            None => format!("Line {} is a claim.", f.source_line),
+        });
+        let roles: Vec<String> = roles.collect();
+        checked(document, &key.declared(stage, entries, &roles))
+    });
+    let claimed = Some(claimed.collect());
+    Checked { reports, claimed }
+}
+
+fn is_assumption(finding: &Finding) -> bool {
+    finding.verdict == Verdict::Accepted && matches!(finding.role, Role::Assume | Role::Given)
+}
+
+/// A document in which comments say that these lines are claimed.
+fn with_claims(document: &Document, lines: &[&Finding]) -> Document {
+    let mut claimed = document.clone();
+    claimed.items.clear();
+    for item in &document.items {
+        if let Item::Formula(formula) = item {
+            let inside = |f: &&&Finding| {
+                formula.span.start <= f.span.start && f.span.end <= formula.span.end
+            };
+            if lines.iter().any(|f| inside(&f)) {
+                claimed.items.push(Item::Comment {
+                    text: "claim".to_owned(),
+                    span: formula.span.before(),
+                });
+            }
+        }
+        claimed.items.push(item.clone());
+    }
+    claimed
+}
+
+fn spans(each: &[Checked], documents: usize) -> Vec<Vec<Span>> {
+    let of = |document: usize| {
+        let report = each
+            .first()
+            .and_then(|checked| checked.reports.get(document));
+        report.map_or(vec![], |report| {
+            report.findings.iter().map(|f| f.span).collect()
+        })
+    };
+    (0..documents).map(of).collect()
+}
+
+fn lines(each: &[Checked], documents: &[Document], several: bool) -> Vec<PaperLine> {
+    let mut lines: Vec<PaperLine> = vec![];
+    for (document, text) in documents.iter().enumerate() {
+        let Some(first) = each
+            .first()
+            .and_then(|checked| checked.reports.get(document))
+        else {
+            continue;
+        };
+        for (number, finding) in first.findings.iter().enumerate() {
+            let found: Vec<Finding> = each
+                .iter()
+                .map(|checked| {
+                    checked.reports[document]
+                        .findings
+                        .get(number)
+                        .unwrap_or(finding)
+                        .clone()
+                })
+                .collect();
+            let worth = each.iter().zip(&found).map(|(checked, found)| {
+                let claimed = checked.claimed.as_ref();
+                worth(
+                    found,
+                    claimed.and_then(|reports| reports[document].findings.get(number)),
+                )
+            });
+            lines.push(PaperLine {
+                document,
+                number,
+                place: Place {
+                    file: several.then(|| text.source.name.clone()),
+                    cell: finding.cell,
+                    source_line: finding.source_line,
+                },
+                worth: worth.collect(),
+                found,
+                follows_from_key: each.iter().any(|checked| {
+                    let claimed = checked.claimed.as_ref();
+                    let found = claimed.and_then(|reports| reports[document].findings.get(number));
+                    found.is_some_and(|f| matches!(f.verdict, Verdict::Proved(_)))
+                }),
+            });
+        }
+    }
+    lines
+}
+
+/// What a line is worth by what was found of it, and by what was found with nothing assumed.
+fn worth(found: &Finding, claimed: Option<&Finding>) -> Worth {
+    match (&found.verdict, claimed.map(|f| &f.verdict)) {
+        (Verdict::Proved(_), None | Some(Verdict::Proved(_))) => Worth::True,
+        (Verdict::Proved(_), Some(Verdict::Refuted)) => Worth::Resting,
+        // Without what is assumed it is not decided: it may rest on it or on something else.
+        (Verdict::Proved(_), Some(_)) => Worth::Open,
+        (Verdict::Refuted, _) => Worth::False,
+        (Verdict::Accepted, _) if is_assumption(found) => Worth::Assumed,
+        (Verdict::Accepted, _) => Worth::Defined,
+        (Verdict::Undecided | Verdict::Unreadable, _) => Worth::Open,
+    }
+}
+
+fn questions(each: &[Checked]) -> Vec<(String, usize)> {
+    let mut asked: BTreeMap<String, usize> = BTreeMap::new();
+    let reports = each.first().map_or(&[][..], |checked| &checked.reports);
+    for question in reports.iter().flat_map(|report| &report.questions) {
+        *asked.entry(question.text.clone()).or_default() += question.lines.len();
+    }
+    asked.into_iter().collect()
+}

@@ -1,0 +1,146 @@
+//! What is shown of a class that was marked: `results.json`, a page for each student, one of the class, and gradebooks.
+
+pub mod class;
+mod formula;
+pub mod gradebook;
+pub mod page;
+
+use crate::grade::{Assumption, Graded, Key, Marks, Place, Reached, Slip};
+use serde::{Serialize, Serializer};
+
+/// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end.
+///
+/// # Errors
+///
+/// None that a submission could cause; the type is that of the serialiser.
+pub fn results(key: &Key, students: &[Graded]) -> serde_json::Result<String> {
+    let form = Form {
+        schema: "polhode-grade/1",
+        key: &key.name,
+        max: Shortest(key.max()),
+        students: students.iter().map(StudentForm::of).collect(),
+    };
+    serde_json::to_string_pretty(&form).map(|text| text + "\n")
+}
+
+/// Marks as a whole number where they are one.
+struct Shortest(Marks);
+
+impl Serialize for Shortest {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.whole() {
+            Some(whole) => serializer.serialize_u64(whole),
+            None => serializer.serialize_f64(self.0.to_f64()),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Form<'a> {
+    schema: &'static str,
+    key: &'a str,
+    max: Shortest,
+    students: Vec<StudentForm<'a>>,
+}
+
+#[derive(Serialize)]
+struct StudentForm<'a> {
+    id: &'a str,
+    marks: f64,
+    milestones: Vec<ReachedForm<'a>>,
+    first_slip: Option<SlipForm<'a>>,
+    assumptions: Vec<AssumptionForm<'a>>,
+    queue: Option<&'a str>,
+}
+
+impl<'a> StudentForm<'a> {
+    fn of(graded: &'a Graded) -> Self {
+        Self {
+            id: &graded.id,
+            marks: graded.marks.to_f64(),
+            milestones: graded.milestones.iter().map(ReachedForm::of).collect(),
+            first_slip: graded.first_slip.as_ref().map(SlipForm::of),
+            assumptions: graded.assumptions.iter().map(AssumptionForm::of).collect(),
+            queue: graded.queue.as_deref(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct PlaceForm<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell: Option<usize>,
+    source_line: Option<usize>,
+}
+
+impl<'a> PlaceForm<'a> {
+    fn of(place: Option<&'a Place>) -> Self {
+        Self {
+            file: place.and_then(|place| place.file.as_deref()),
+            cell: place.and_then(|place| place.cell),
+            source_line: place.map(|place| place.source_line),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct ReachedForm<'a> {
+    label: &'a str,
+    max: Shortest,
+    marks: f64,
+    outcome: &'static str,
+    #[serde(flatten)]
+    place: PlaceForm<'a>,
+    reason: &'a str,
+}
+
+impl<'a> ReachedForm<'a> {
+    fn of(reached: &'a Reached) -> Self {
+        Self {
+            label: &reached.label,
+            max: Shortest(reached.max),
+            marks: reached.marks.to_f64(),
+            outcome: reached.outcome.name(),
+            place: PlaceForm::of(reached.place.as_ref()),
+            reason: &reached.reason,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct SlipForm<'a> {
+    #[serde(flatten)]
+    place: PlaceForm<'a>,
+    kind: &'a str,
+    message: &'a str,
+}
+
+impl<'a> SlipForm<'a> {
+    fn of(slip: &'a Slip) -> Self {
+        Self {
+            place: PlaceForm::of(Some(&slip.place)),
+            kind: &slip.kind,
+            message: &slip.message,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct AssumptionForm<'a> {
+    #[serde(flatten)]
+    place: PlaceForm<'a>,
+    text: &'a str,
+    in_key: bool,
+}
+
+impl<'a> AssumptionForm<'a> {
+    fn of(assumption: &'a Assumption) -> Self {
+        Self {
+            place: PlaceForm::of(Some(&assumption.place)),
+            text: &assumption.text,
+            in_key: assumption.in_key,
+        }
+    }
+}

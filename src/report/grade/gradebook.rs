@@ -1,0 +1,255 @@
+//! Gradebooks: the marks of a class in the forms that teaching platforms take.
+//!
+//! Platforms that mark one submission at a time get a file for each student, in the folder that they look into. No cell
+//! of a table begins as a formula of a spreadsheet does.
+
+use crate::grade::{Graded, Key, Outcome, Reached};
+use serde_json::{Value, json};
+
+/// A form of a gradebook.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// A table with a row for each student and a column for each milestone.
+    Csv,
+    /// One JSON object a line.
+    Jsonl,
+    /// `results.json` of an autograder of Gradescope.
+    Gradescope,
+    /// `results/results.json` of an external grader of PrairieLearn.
+    Prairielearn,
+    /// A table for the gradebook of Moodle.
+    Moodle,
+    /// A table for the gradebook of Canvas.
+    Canvas,
+    /// What a combinator template grader of CodeRunner prints.
+    Coderunner,
+    /// The points as a number alone, as nbgrader and otter-grader take them.
+    Points,
+}
+
+/// A file of a gradebook.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its path below the folder of results, with slashes.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The files of one student; none for a form that is a table of the class. `stem` names the student in paths.
+pub fn of_student(form: Form, key: &Key, graded: &Graded, stem: &str) -> Option<File> {
+    let (path, value) = match form {
+        Form::Gradescope => (
+            format!("gradescope/{stem}/results.json"),
+            gradescope(key, graded),
+        ),
+        Form::Prairielearn => (
+            format!("prairielearn/{stem}/results/results.json"),
+            prairielearn(key, graded),
+        ),
+        Form::Coderunner => (format!("coderunner/{stem}.json"), coderunner(key, graded)),
+        Form::Points => {
+            let path = format!("points/{stem}.txt");
+            return Some(File {
+                path,
+                text: format!("{}\n", graded.marks),
+            });
+        }
+        Form::Csv | Form::Jsonl | Form::Moodle | Form::Canvas => return None,
+    };
+    let text = format!("{value:#}\n");
+    Some(File { path, text })
+}
+
+/// The file of a class; none for a form with a file for each student.
+pub fn of_class(form: Form, key: &Key, students: &[Graded]) -> Option<File> {
+    let (path, text) = match form {
+        Form::Csv => ("marks.csv", marks(key, students)),
+        Form::Jsonl => ("marks.jsonl", lines(key, students)),
+        Form::Moodle => ("moodle.csv", moodle(students)),
+        Form::Canvas => ("canvas.csv", canvas(key, students)),
+        _ => return None,
+    };
+    Some(File {
+        path: path.to_owned(),
+        text,
+    })
+}
+
+/// A cell of a table: in quotes where it must be, and never a formula.
+fn cell(text: &str) -> String {
+    let harmless = match text
+        .trim_start()
+        .starts_with(['=', '+', '-', '@', '\t', '\r', '|', '%'])
+    {
+        true => format!("'{text}"),
+        false => text.to_owned(),
+    };
+    let harmless = harmless.replace(['\n', '\r', '\t', '\0'], " ");
+    match harmless.contains([',', '"', ';', '\'']) {
+        true => format!("\"{}\"", harmless.replace('"', "\"\"")),
+        false => harmless,
+    }
+}
+
+fn row(cells: impl IntoIterator<Item = String>) -> String {
+    let cells: Vec<String> = cells.into_iter().map(|text| cell(&text)).collect();
+    cells.join(",") + "\n"
+}
+
+fn marks(key: &Key, students: &[Graded]) -> String {
+    let labels = key.milestones().map(|(label, _)| label.to_owned());
+    let head = ["student", "marks", "max"].map(str::to_owned).into_iter();
+    let mut text = row(head.chain(labels).chain(["queue".to_owned()]));
+    for student in students {
+        let own = [
+            student.id.clone(),
+            student.marks.to_string(),
+            key.max().to_string(),
+        ];
+        let each = student.milestones.iter().map(|m| m.marks.to_string());
+        let queue = student.queue.clone().unwrap_or_default();
+        text.push_str(&row(own.into_iter().chain(each).chain([queue])));
+    }
+    text
+}
+
+fn lines(key: &Key, students: &[Graded]) -> String {
+    let line = |s: &Graded| {
+        let each: serde_json::Map<String, Value> = s
+            .milestones
+            .iter()
+            .map(|m| (m.label.clone(), json!(m.marks.to_f64())))
+            .collect();
+        let max = key.max().to_f64();
+        json!({"student": s.id, "marks": s.marks.to_f64(), "max": max, "milestones": each, "queue": s.queue}).to_string()
+    };
+    students
+        .iter()
+        .map(|student| line(student) + "\n")
+        .collect()
+}
+
+/// A student who waits for a person has no grade yet.
+fn moodle(students: &[Graded]) -> String {
+    let mut text = row(["Username", "Grade", "Feedback"].map(str::to_owned));
+    for student in students {
+        let grade = match student.queue {
+            Some(_) => "-".to_owned(),
+            None => student.marks.to_string(),
+        };
+        // A lone hyphen is no formula; Moodle takes it for no grade.
+        let cells = [cell(&student.id), grade, cell(&feedback(student))];
+        text.push_str(&(cells.join(",") + "\n"));
+    }
+    text
+}
+
+fn canvas(key: &Key, students: &[Graded]) -> String {
+    let title = key
+        .name
+        .rsplit_once('.')
+        .map_or(key.name.as_str(), |(stem, _)| stem);
+    let head = [
+        "Student",
+        "ID",
+        "SIS User ID",
+        "SIS Login ID",
+        "Section",
+        title,
+    ]
+    .map(str::to_owned);
+    let mut text = row(head);
+    text.push_str(&format!(
+        "    Points Possible,,,,,{:.2}\n",
+        key.max().to_f64()
+    ));
+    for student in students {
+        let grade = match student.queue {
+            Some(_) => String::new(),
+            None => format!("{:.2}", student.marks.to_f64()),
+        };
+        let id = student.id.as_str();
+        text.push_str(&row([id, "", "", id, "", &grade].map(str::to_owned)));
+    }
+    text
+}
+
+fn feedback(graded: &Graded) -> String {
+    let each = graded
+        .milestones
+        .iter()
+        .map(|m| format!("{}: {} of {}, {}", m.label, m.marks, m.max, m.reason));
+    each.collect::<Vec<_>>().join("; ")
+}
+
+fn gradescope(key: &Key, graded: &Graded) -> Value {
+    let test = |(at, m): (usize, &Reached)| {
+        json!({
+            "name": m.label, "name_format": "text", "number": (at + 1).to_string(),
+            "score": m.marks.to_f64(), "max_score": m.max.to_f64(),
+            "status": if m.outcome == Outcome::Full { "passed" } else { "failed" },
+            "output": m.reason, "output_format": "text",
+        })
+    };
+    let tests: Vec<Value> = graded.milestones.iter().enumerate().map(test).collect();
+    json!({
+        "score": graded.marks.to_f64(), "output": output(key, graded), "output_format": "text",
+        "stdout_visibility": "hidden", "tests": tests,
+    })
+}
+
+fn prairielearn(key: &Key, graded: &Graded) -> Value {
+    let test = |m: &Reached| json!({"name": m.label, "points": m.marks.to_f64(), "max_points": m.max.to_f64(), "message": m.reason});
+    let tests: Vec<Value> = graded.milestones.iter().map(test).collect();
+    match &graded.queue {
+        // Work that could not be marked costs no attempt.
+        Some(reason) => json!({"gradable": false, "format_errors": [reason], "tests": tests}),
+        None => json!({
+            "gradable": true, "score": part(key, graded), "output": output(key, graded), "tests": tests,
+        }),
+    }
+}
+
+fn coderunner(key: &Key, graded: &Graded) -> Value {
+    let mut table = vec![json!(["iscorrect", "Milestone", "Marks", "Result"])];
+    table.extend(graded.milestones.iter().map(|m| {
+        let marks = format!("{} of {}", m.marks, m.max);
+        json!([m.outcome == Outcome::Full, m.label, marks, m.reason])
+    }));
+    json!({"fraction": part(key, graded), "testresults": table, "columnformats": ["%s", "%s", "%s"]})
+}
+
+/// The part of all marks, from 0 to 1.
+fn part(key: &Key, graded: &Graded) -> f64 {
+    let most = key.max().to_f64();
+    if most > 0.0 {
+        (graded.marks.to_f64() / most).min(1.0)
+    } else {
+        0.0
+    }
+}
+
+fn output(key: &Key, graded: &Graded) -> String {
+    let waits = if graded.queue.is_some() {
+        "; a person will look at it"
+    } else {
+        ""
+    };
+    format!("{} of {}{waits}", graded.marks, key.max())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cell;
+
+    #[test]
+    fn no_cell_is_a_formula() {
+        assert_eq!(cell("=HYPERLINK(\"x\")"), "\"'=HYPERLINK(\"\"x\"\")\"");
+        for formula in ["+1", "-1", "@a", "\t=1", "  =1", "|x"] {
+            assert!(cell(formula).starts_with("\"'"), "{formula}");
+        }
+        assert_eq!(cell("a,b"), "\"a,b\"");
+        assert_eq!(cell("s017"), "s017");
+    }
+}

@@ -1,0 +1,208 @@
+//! What lines say of each other by algebra and definitions alone, without the laws that make them true.
+//!
+//! `L_x = I ω_x` and `M_x = I ω̇_x` are both true of one body, and each follows from the other only by a law. Here every
+//! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
+//! it says the same, in components, in vectors, or with a definition put in.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Line, Relation};
+use crate::notation::document::{Document, Headings, Item, Row};
+use crate::source::Span;
+use crate::verify::facts::Source;
+use crate::verify::facts::premises::{Extended, Facts};
+use crate::verify::language::statement::Declaration;
+use crate::verify::model::atoms::fraction;
+use crate::verify::standing::chains::Chain;
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
+use crate::verify::term::letters::At;
+use num_traits::Zero;
+use std::collections::{BTreeSet, HashMap};
+
+/// What one line says.
+#[derive(Clone, Debug)]
+pub(crate) struct Said {
+    /// The bytes of the line.
+    pub(crate) span: Span,
+    /// Its left and right sides, component by component; `None` where they are not worked out.
+    pub(crate) sides: Option<Vec<(Fraction, Fraction)>>,
+    /// Whether it says what a letter is of which nothing was told.
+    pub(crate) defines: bool,
+}
+
+/// Documents under one reading, in which laws say nothing.
+pub(crate) struct Apart<'a> {
+    judge: Judge<'a>,
+    facts: Facts,
+}
+
+impl<'a> Apart<'a> {
+    /// A reading by these declarations.
+    pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
+        let mut judge = Judge::new(document, declarations);
+        judge.reading.system.apart = true;
+        Self {
+            judge,
+            facts: Facts::default(),
+        }
+    }
+
+    /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
+    /// that only names an instant says nothing.
+    pub(crate) fn lines(&mut self, document: &'a Document, entries: bool) -> Vec<Said> {
+        self.judge.reading.letters.customs.integrals = !entries;
+        self.judge.document = document;
+        self.judge.chain = Chain::default();
+        self.judge.headings = Headings::default();
+        self.judge.at = At::default();
+        let written = written_symbols(document);
+        self.judge.reading.letters.written.extend(written);
+        let mut said = vec![];
+        for item in &document.items {
+            match item {
+                Item::Heading { level, text, .. } => {
+                    self.judge.headings.enter(*level, text);
+                    self.judge.at.sections = self.judge.headings.texts();
+                }
+                Item::Formula(formula) => {
+                    for row in &formula.rows {
+                        if let Row::Line(line) = row
+                            && (formula.display || !names_an_instant(line))
+                        {
+                            said.push(self.line(line));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        said
+    }
+
+    fn line(&mut self, line: &Line) -> Said {
+        let place = self.judge.document.place(line.span.start);
+        (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
+        let links = self.judge.chain.links(&without_number(line));
+        let (mut sides, mut defines) = (Some(vec![]), false);
+        for link in &links {
+            let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
+            let worked_out = equal.then(|| self.judge.sides(link, &BTreeSet::new()));
+            match (worked_out, &mut sides) {
+                (Some(Ok(one)), Some(all)) => {
+                    if let Some((letter, left, _)) = &one.settles {
+                        self.judge.shapes.insert(letter.clone(), left.shape());
+                        defines = true;
+                    }
+                    all.extend(one.sides);
+                }
+                _ => sides = None,
+            }
+        }
+        Said {
+            span: line.span,
+            sides: sides.filter(|sides| !sides.is_empty()),
+            defines,
+        }
+    }
+
+    /// Takes in what is declared for the whole document, and these definitions. To be called when all lines are there.
+    pub(crate) fn settle(&mut self, definitions: &[&Said]) {
+        let reading = &self.judge.reading;
+        let declared = reading.active_premises(&At::default()).into_iter();
+        let mut premises = self.same_quantities();
+        premises.extend(declared.map(|at| {
+            let premise = &reading.premises[at];
+            (premise.equation.clone(), premise.source.clone())
+        }));
+        premises.extend(definitions.iter().flat_map(|said| equations(said)));
+        self.facts = Facts::lawless();
+        let atoms = &mut self.judge.reading.system.atoms;
+        self.facts.extend_all(atoms, premises);
+    }
+
+    /// Variables to which one law gives one value are one quantity: the `L_x` of `L` and a letter of its own.
+    fn same_quantities(&self) -> Vec<(Fraction, Source)> {
+        let atoms = &self.judge.reading.system.atoms;
+        let mut first: HashMap<_, Variable> = HashMap::new();
+        let mut same = vec![];
+        for variable in 0..atoms.len() as Variable {
+            let atom = atoms.atom(variable);
+            let Some(law) = atom.law.as_ref().filter(|_| atom.rate_of.is_none()) else {
+                continue;
+            };
+            let value = format!("{} {:?}", law.name, law.value);
+            match first.get(&value) {
+                None => {
+                    first.insert(value, variable);
+                }
+                Some(&other) => {
+                    let source = Source::Declared(atoms.latex(variable));
+                    same.push((fraction(variable) - fraction(other), source));
+                }
+            }
+        }
+        same
+    }
+
+    /// A value with what is taken in put in; `None` where it grows too large.
+    pub(crate) fn normal(&mut self, of: &Fraction) -> Option<Fraction> {
+        let atoms = &mut self.judge.reading.system.atoms;
+        self.facts.normal(atoms, of).ok()
+    }
+
+    /// Whether nothing is told of a variable.
+    pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
+        self.judge.reading.system.atoms.is_unknown(variable)
+    }
+
+    /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where
+    /// those contradict each other.
+    pub(crate) fn follow(
+        &mut self,
+        goals: &[Fraction],
+        from: &[Fraction],
+        rates: bool,
+    ) -> Option<bool> {
+        let atoms = &mut self.judge.reading.system.atoms;
+        let mut facts = self.facts.clone();
+        let source = Source::Line(None, 0);
+        let mut whole = true;
+        for equation in from {
+            // A product that vanishes does not say which of its factors does.
+            if !facts.normal(atoms, equation).is_ok_and(|e| is_plain(&e)) {
+                whole = false;
+                continue;
+            }
+            let put = match rates {
+                true => facts.extend(atoms, equation, &source),
+                false => facts.put(atoms, equation, &source),
+            };
+            match put {
+                Ok(Extended::Contradicts) => return None,
+                Ok(Extended::Unsolved) | Err(_) => whole = false,
+                Ok(_) => {}
+            }
+        }
+        let mut all = true;
+        for goal in goals {
+            all &= facts.normal(atoms, goal).ok()?.is_zero();
+        }
+        (all || whole).then_some(all)
+    }
+}
+
+fn equations(said: &Said) -> Vec<(Fraction, Source)> {
+    let sides = said.sides.iter().flatten();
+    let differences = sides.map(|(left, right)| left.clone() - right.clone());
+    let source = || Source::Line(None, 0);
+    differences.map(|equation| (equation, source())).collect()
+}
+
+/// Whether an equation says what one variable is, whatever the others are; or nothing at all.
+fn is_plain(equation: &Fraction) -> bool {
+    let value = equation.numerator();
+    let plain = |v: &Variable| {
+        value.degree_in(*v) == 1 && value.coefficient_of(*v, 1).is_constant().is_some()
+    };
+    value.is_constant().is_some() || value.variables().iter().any(plain)
+}

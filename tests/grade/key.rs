@@ -1,0 +1,117 @@
+//! Keys that are refused, each with its reason.
+
+use super::{KEY, key, marked_by};
+use polhode::grade::Key;
+use polhode::notation::document::Format;
+
+fn refused(text: &str) -> String {
+    let wrong = Key::read("key.md", text, Format::Markdown)
+        .err()
+        .unwrap_or_default();
+    wrong.iter().map(|reason| format!("{reason}\n")).collect()
+}
+
+#[test]
+fn a_key_says_what_it_gives() {
+    let key = key(KEY);
+    let told: Vec<String> = key
+        .milestones()
+        .map(|(label, marks)| format!("{label} {marks}"))
+        .collect();
+    assert_eq!(told, ["(1) 1", "(2) 2", "(4) 3", "(5) 2"]);
+    assert_eq!(key.max().to_string(), "8");
+}
+
+#[test]
+fn a_key_with_a_false_line_or_an_open_milestone_is_refused() {
+    let wrong = KEY.replacen("L_y &= I_{yy}\\omega_y", "L_y &= -I_{yy}\\omega_y", 1);
+    assert!(
+        refused(&wrong).contains("is refuted"),
+        "{}",
+        refused(&wrong)
+    );
+    let open = KEY.replacen(
+        "+ \\omega_y L_z - \\omega_z L_y \\tag{2}",
+        "+ \\eta\\zeta \\tag{2}",
+        1,
+    );
+    assert!(
+        refused(&open).contains("is not proved"),
+        "{}",
+        refused(&open)
+    );
+    let misread = KEY.replacen("- B is a frame", "- B is a frumble", 1);
+    assert!(!refused(&misread).is_empty());
+}
+
+#[test]
+fn a_policy_that_is_not_understood_is_refused() {
+    let cases = [
+        (
+            "marks: {\"(1)\": 1,",
+            "marks: {\"(1)\": -1,",
+            "no number of marks",
+        ),
+        (
+            "marks: {\"(1)\": 1,",
+            "marks: {\"(9)\": 1,",
+            "no line has the label (9)",
+        ),
+        (
+            "follow_through: full",
+            "follow_through: maybe",
+            "full, half or none",
+        ),
+        ("working: required", "working: 3", "required or optional"),
+        ("working: required", "shown: [\"(7)\"]", "carries no marks"),
+    ];
+    for (from, to, reason) in cases {
+        let text = KEY.replacen(from, to, 1);
+        assert!(refused(&text).contains(reason), "{to}: {}", refused(&text));
+    }
+}
+
+#[test]
+fn a_milestone_that_anything_would_reach_is_refused() {
+    let text = KEY.replacen(
+        "M_x = \\dot L_x + \\omega_y L_z - \\omega_z L_y \\tag{2}",
+        "M_x = M_x \\tag{2}",
+        1,
+    );
+    assert!(
+        refused(&text).contains("any line would reach it"),
+        "{}",
+        refused(&text)
+    );
+}
+
+#[test]
+fn marks_may_stand_beside_a_line() {
+    let text = KEY
+        .replacen(
+            "marks: {\"(1)\": 1, \"(2)\": 2, \"(4)\": 3, \"(5)\": 2}\n",
+            "",
+            1,
+        )
+        .replacen("$$M_x = \\dot", "<!-- marks: 2.5 -->\n\n$$M_x = \\dot", 1);
+    let key = key(&text);
+    assert_eq!(key.max().to_string(), "2.5");
+}
+
+#[test]
+fn a_key_whose_meaning_is_not_declared_is_held_against_what_is_written() {
+    let text = "---\nmarks: {\"(1)\": 2, \"(2)\": 1}\nworking: optional\n---\nOn principal axes fixed in the body\n\
+                $$\\Sigma M_x = I_x\\dot\\omega_x - (I_y - I_z)\\omega_y\\omega_z \\tag{1}$$\n\
+                and the momentum is $$L_x = I_x\\omega_x. \\tag{2}$$\n";
+    let good = "On principal axes $$L_x = I_x\\omega_x$$ and \
+                $$\\Sigma M_x = I_x\\dot\\omega_x + (I_z - I_y)\\omega_y\\omega_z$$";
+    assert_eq!(
+        marked_by(text, good).marks.to_string(),
+        "3",
+        "{:?}",
+        marked_by(text, good)
+    );
+    let wrong =
+        "On principal axes $$\\Sigma M_x = I_x\\dot\\omega_x + (I_y - I_z)\\omega_y\\omega_z$$";
+    assert_eq!(marked_by(text, wrong).marks.to_string(), "0");
+}
