@@ -18,6 +18,7 @@
 //! ```
 
 mod attitude;
+mod contact;
 mod energy;
 mod euler;
 mod inertia;
@@ -33,9 +34,14 @@ mod transport;
 pub use attitude::{
     attitude_rate, quaternion_conjugate, quaternion_product, quaternion_rate, rotation,
 };
+pub use contact::{
+    acceleration_of_body_point, lowest_of_disc, lowest_of_sphere, velocity_of_body_point,
+};
 pub use energy::{kinetic_energy, power, vis_viva};
 pub use euler::{angular_acceleration, euler_principal, moment, moment_components, moment_in_axes};
-pub use inertia::{Products, inertia, inertia_in_axes, inertia_of_points, inertia_rate};
+pub use inertia::{
+    Products, inertia, inertia_in_axes, inertia_of_points, inertia_rate, symmetric_inertia,
+};
 pub use linear::{adjugate, apply, cross, determinant, product, skew};
 pub use momentum::{angular_momentum, force, moment_about_moving_point, momentum_rate};
 pub use parallel_axis::parallel_axis;

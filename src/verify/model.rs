@@ -2,6 +2,7 @@
 
 pub(crate) mod atoms;
 pub(crate) mod bodies;
+pub(crate) mod contact;
 pub(crate) mod dimensions;
 pub(crate) mod frames;
 pub(crate) mod kernels;

@@ -3,6 +3,7 @@
 pub(crate) mod axes_read;
 pub(crate) mod bodies_read;
 pub(crate) mod builder;
+pub(crate) mod contact_read;
 pub(crate) mod frames_read;
 pub(crate) mod letters_read;
 pub(crate) mod names;
@@ -11,6 +12,7 @@ pub(crate) mod points_read;
 pub(crate) mod premises_read;
 pub(crate) mod quantities_read;
 pub(crate) mod relations_read;
+pub(crate) mod shapes_read;
 pub(crate) mod turns_read;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;

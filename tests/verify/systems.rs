@@ -1,5 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
+mod rolling;
+
 use polhode::notation::sentences;
 use polhode::notation::{document::Format, read};
 use polhode::source::Source;

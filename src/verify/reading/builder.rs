@@ -63,6 +63,7 @@ pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> 
     builder.turn_frames();
     builder.place_points();
     builder.finish_bodies();
+    builder.place_contacts();
     builder.read_letters();
     builder.read_premises();
     builder.read_roles();

@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, node_of, reach_of};
 use crate::verify::reading::turns_read::EULER_ANGLES;
@@ -26,7 +27,7 @@ const THINGS: [&str; 20] = [
     "nonzero",
     "zero",
     EULER_ANGLES,
-    "contact point",
+    CONTACT_POINT,
     "symmetric",
     "generalised coordinates",
     "integral",

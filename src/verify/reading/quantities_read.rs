@@ -59,11 +59,11 @@ impl Builder<'_> {
         let relative = relative?;
         Some(match phrase.head {
             "velocity" => {
-                let of = self.spot(phrase.slot(Slot::Of)?)?;
+                let of = self.moving_spot(phrase)?;
                 Quantity::Velocity { of, relative }
             }
             "acceleration" => {
-                let of = self.spot(phrase.slot(Slot::Of)?)?;
+                let of = self.moving_spot(phrase)?;
                 Quantity::Acceleration { of, relative }
             }
             "angular velocity" => {

@@ -9,7 +9,8 @@ use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{letter_names, spelled};
 
 /// Verbs that build the system or name letters.
-const HEARD: [&str; 7] = [
+const HEARD: [&str; 8] = [
+    "roll",
     "turn",
     "take",
     "have components",
@@ -25,7 +26,6 @@ impl Builder<'_> {
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does { verb, .. } => HEARD.contains(verb),
-                Statement::Is { what, .. } => what.head != "contact point",
                 Statement::Unread { .. } => false,
                 _ => true,
             };

@@ -115,6 +115,7 @@ impl System {
         match of {
             Spot::Point(point) => self.position(*point, from),
             Spot::Member(family, index) => self.member_position(*family, index, from),
+            Spot::Carried(carried) => self.position(carried.at, from),
         }
     }
 
@@ -125,7 +126,16 @@ impl System {
                 let way = self.member_position(*family, index, self.fixed_point(relative));
                 self.rate_seen_from(relative, &way)
             }
+            Spot::Carried(carried) => self.carried_velocity(*carried, relative),
         }
+    }
+
+    pub(super) fn acceleration_of(&mut self, of: &Spot, relative: FrameId) -> Vector {
+        if let Spot::Carried(carried) = of {
+            return self.carried_acceleration(*carried, relative);
+        }
+        let velocity = self.velocity_of(of, relative);
+        self.rate_seen_from(relative, &velocity)
     }
 
     pub(super) fn mass_of(&mut self, of: &Whole) -> Fraction {

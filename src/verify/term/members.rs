@@ -14,7 +14,7 @@ impl Quantity {
         };
         let spot = |s: &Spot| match s {
             Spot::Member(family, own) => Spot::Member(*family, index(own)),
-            Spot::Point(_) => s.clone(),
+            Spot::Point(_) | Spot::Carried(_) => s.clone(),
         };
         let whole = |w: &Whole| match w {
             Whole::Member(family, own) => Whole::Member(*family, index(own)),

@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Key, Law, Motion, fraction};
 use crate::verify::model::bodies::Velocities;
+use crate::verify::model::contact::Carried;
 use crate::verify::model::system::{
     BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
 };
@@ -14,6 +15,8 @@ use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 pub(crate) enum Spot {
     Point(PointId),
     Member(FamilyId, String),
+    /// The point of a body that is at a place now.
+    Carried(Carried),
 }
 
 /// A thing with mass: a body, or a member of a family.
@@ -226,10 +229,7 @@ impl System {
         Ok(match quantity {
             Quantity::Position { of, from } => itself(self.place(of, *from)),
             Quantity::Velocity { of, relative } => itself(self.velocity_of(of, *relative)),
-            Quantity::Acceleration { of, relative } => {
-                let velocity = self.velocity_of(of, *relative);
-                itself(self.rate_seen_from(*relative, &velocity))
-            }
+            Quantity::Acceleration { of, relative } => itself(self.acceleration_of(of, *relative)),
             Quantity::AngularVelocity { of, relative } => {
                 itself(self.angular_velocity(*of, *relative))
             }
