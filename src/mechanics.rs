@@ -18,9 +18,11 @@
 //! ```
 
 mod attitude;
+mod contact;
 mod energy;
 mod euler;
 mod inertia;
+mod inertial_loads;
 mod linear;
 mod momentum;
 mod parallel_axis;
@@ -33,9 +35,15 @@ mod transport;
 pub use attitude::{
     attitude_rate, quaternion_conjugate, quaternion_product, quaternion_rate, rotation,
 };
+pub use contact::{
+    acceleration_of_body_point, lowest_of_disc, lowest_of_sphere, velocity_of_body_point,
+};
 pub use energy::{kinetic_energy, power, vis_viva};
 pub use euler::{angular_acceleration, euler_principal, moment, moment_components, moment_in_axes};
-pub use inertia::{Products, inertia, inertia_in_axes, inertia_of_points, inertia_rate};
+pub use inertia::{
+    Products, inertia, inertia_in_axes, inertia_of_points, inertia_rate, symmetric_inertia,
+};
+pub use inertial_loads::{centrifugal_moment, coriolis_moment, euler_moment};
 pub use linear::{adjugate, apply, cross, determinant, product, skew};
 pub use momentum::{angular_momentum, force, moment_about_moving_point, momentum_rate};
 pub use parallel_axis::parallel_axis;

@@ -81,6 +81,16 @@ pub fn inertia_rate<T: Ring>(
     product(&spin, inertia) - product(inertia, &spin)
 }
 
+/// The tensor of a body that is the same about all axes across a unit vector d: `I_t 1 + (I_s − I_t) d dᵀ` in kg m².
+///
+/// `across` is I_t and `along` I_s. No spin about d changes it, so it needs no axes fixed in the body.
+pub fn symmetric_inertia<T: Ring>(across: &T, along: &T, axis: &Vector3<T>) -> Matrix3<T> {
+    Matrix3::from_fn(|r, c| {
+        let dyad = (along.clone() - across.clone()) * axis[r].clone() * axis[c].clone();
+        if r == c { across.clone() + dyad } else { dyad }
+    })
+}
+
 /// `v · I v`.
 pub(in crate::mechanics) fn quadratic<T: Ring>(inertia: &Matrix3<T>, v: &Vector3<T>) -> T {
     v.dot(&apply(inertia, v))

@@ -2,9 +2,12 @@
 
 pub(crate) mod atoms;
 pub(crate) mod bodies;
+pub(crate) mod contact;
 pub(crate) mod dimensions;
 pub(crate) mod frames;
+pub(crate) mod inertial_loads;
 pub(crate) mod kernels;
+pub(crate) mod loads;
 pub(crate) mod partial;
 pub(crate) mod points;
 pub(crate) mod sums;

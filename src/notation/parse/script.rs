@@ -4,6 +4,9 @@ use super::{Parser, text};
 use crate::notation::ast::{Bracket, FrameLabel, Function, Kind, Node, Symbol};
 use crate::notation::token::{Lexeme, Token};
 
+/// Why a prime is not read.
+const PRIMED: &str = "a prime on what is no letter: give it a letter of its own, and prime that";
+
 impl<'t, 'a> Parser<'t, 'a> {
     /// Reads the scripts that follow a factor.
     pub(super) fn scripts(&mut self, mut node: Node, start: usize) -> Node {
@@ -28,8 +31,9 @@ impl<'t, 'a> Parser<'t, 'a> {
                 }
                 Some(Lexeme::Char('\'')) => {
                     self.at += 1;
-                    if let Some(symbol) = symbol_of(&mut node) {
-                        symbol.primes = symbol.primes.saturating_add(1);
+                    match symbol_of(&mut node) {
+                        Some(symbol) => symbol.primes = symbol.primes.saturating_add(1),
+                        None => return self.error(PRIMED),
                     }
                 }
                 _ => break,
@@ -111,8 +115,9 @@ impl<'t, 'a> Parser<'t, 'a> {
         match kinds.as_slice() {
             [Lexeme::Command("times" | "wedge")] => return skew(node),
             [Lexeme::Command("prime")] => {
-                if let Some(symbol) = symbol_of(&mut node) {
-                    symbol.primes = symbol.primes.saturating_add(1);
+                match symbol_of(&mut node) {
+                    Some(symbol) => symbol.primes = symbol.primes.saturating_add(1),
+                    None => return self.error(PRIMED),
                 }
                 return node;
             }

@@ -383,12 +383,12 @@ fn best(
         if plainly && !alone {
             return None;
         }
-        Some(((alone, atom.key.order, v), slope))
+        Some(((alone, !atom.positive, atom.key.order, v), slope))
     });
-    let ((_, _, variable), slope) = candidates.max_by_key(|(rank, _)| *rank)?;
+    let ((.., variable), slope) = candidates.max_by_key(|(rank, _)| *rank)?;
     let rest = value.coefficient_of(variable, 0);
-    // A product that vanishes does not say which of its factors does.
-    if rest.is_zero() && slope.is_constant().is_none() {
+    // A product that vanishes does not say which of its factors does, unless only one can.
+    if rest.is_zero() && slope.is_constant().is_none() && !atoms.has_sign(&slope) {
         return None;
     }
     Some((variable, slope, rest))

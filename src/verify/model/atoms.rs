@@ -104,6 +104,8 @@ pub(crate) struct Atom {
     pub(crate) square: Option<Polynomial>,
     /// The variable that it is the rate of.
     pub(crate) rate_of: Option<Variable>,
+    /// Whether it is positive by what it is: a mass, a size, a moment of inertia.
+    pub(crate) positive: bool,
 }
 
 /// All variables of a document.
@@ -150,6 +152,7 @@ impl Atoms {
             nature: Nature::Quantity,
             square: None,
             rate_of: None,
+            positive: false,
         });
         variable
     }
@@ -246,6 +249,21 @@ impl Atoms {
             }
         }
         sum
+    }
+
+    /// Says that a value is positive by what it is, where it is a variable.
+    pub(crate) fn set_positive(&mut self, value: &Fraction) {
+        if let Some(variable) = value.as_variable() {
+            self.atom_mut(variable).positive = true;
+        }
+    }
+
+    /// Whether a polynomial is positive or negative by what its variables are.
+    pub(crate) fn has_sign(&self, of: &Polynomial) -> bool {
+        let mut terms = of.terms().iter();
+        let first = terms.next().map(|(_, c)| c.is_negative());
+        terms.all(|(_, c)| Some(c.is_negative()) == first)
+            && of.variables().into_iter().all(|v| self.atom(v).positive)
     }
 
     /// The angle of which a variable is the sine or cosine.

@@ -32,6 +32,7 @@ impl System {
             Place::Parameter,
             Motion::Constant,
         ));
+        self.atoms.set_positive(&mass);
         self.bodies.push(Body {
             name: name.to_owned(),
             frame,
@@ -40,6 +41,7 @@ impl System {
             inertia: None,
             parts: vec![],
             rotors: None,
+            round: None,
         });
         self.bodies.len() - 1
     }
@@ -90,6 +92,7 @@ impl System {
             })
         });
         let tensor = Matrix::from_fn(|r, c| fraction(variables[r][c]));
+        (0..3).for_each(|k| self.atoms.set_positive(&tensor[(k, k)]));
         if frame != self.work {
             let omega = self.angular_velocity(frame, self.work);
             let turn = mechanics::skew(&omega);

@@ -195,7 +195,7 @@ impl Atoms {
             return number.exact_sqrt().map(Polynomial::constant);
         }
         let [(monomial, coefficient)] = of.terms() else {
-            return None;
+            return self.root_by_sine(of);
         };
         let mut product = Polynomial::constant(coefficient.exact_sqrt()?);
         for (variable, power) in monomial.powers() {
@@ -205,5 +205,20 @@ impl Atoms {
             product *= Polynomial::variable(variable).pow(power / 2);
         }
         Some(product)
+    }
+
+    /// The root of a perfect square times 1 − cos² of an angle: its sine, which no length has negative.
+    fn root_by_sine(&self, of: &Polynomial) -> Option<Polynomial> {
+        let common = of.common_monomial();
+        let rest = of.divided_by(&common);
+        let one = rest.terms().iter().find(|(m, _)| m.powers().is_empty())?;
+        let factor = one.1.clone();
+        let square = rest.scaled(&(Rational::one() / factor.clone()));
+        let sine = (0..self.len() as Variable).find(|&v| {
+            let atom = self.atom(v);
+            matches!(atom.nature, Nature::Sine(_)) && atom.square.as_ref() == Some(&square)
+        })?;
+        let outer = self.perfect_root(&Polynomial::term(common, factor))?;
+        Some(outer * Polynomial::variable(sine))
     }
 }

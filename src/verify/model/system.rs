@@ -6,6 +6,8 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::atoms::{Atoms, Key, Motion, fraction};
+use crate::verify::model::contact::{Plane, Round};
+use crate::verify::model::loads::Load;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 
@@ -96,6 +98,8 @@ pub(crate) struct Body {
     pub(crate) parts: Vec<BodyId>,
     /// Wheels that are part of it and do not change its inertia.
     pub(crate) rotors: Option<Rotors>,
+    /// By what it touches planes, if it is round.
+    pub(crate) round: Option<Round>,
 }
 
 /// A family of symmetric wheels that turn about axes fixed in a body.
@@ -130,6 +134,8 @@ pub(crate) struct System {
     pub(crate) points: Vec<Point>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) families: Vec<Family>,
+    pub(crate) planes: Vec<Plane>,
+    pub(crate) loads: Vec<Load>,
     /// The inertial frame.
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.

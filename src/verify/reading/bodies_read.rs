@@ -1,7 +1,5 @@
 //! Bodies, their parts, and the families that their members make.
 
-use crate::algebra::Fraction;
-use crate::mechanics;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, Family, Rotors};
 use crate::verify::reading::builder::Builder;
@@ -60,6 +58,7 @@ impl Builder<'_> {
         for (whole, hub) in self.hubs.clone() {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }
+        self.add_frames_of_shapes();
     }
 
     fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {
@@ -83,26 +82,6 @@ impl Builder<'_> {
             }
             _ => {}
         }
-    }
-
-    /// Whether a noun is that of a shape with sizes.
-    pub(super) fn is_shape(&self, head: &str) -> bool {
-        const SHAPES: [&str; 13] = [
-            "disc",
-            "rod",
-            "ring",
-            "cylinder",
-            "tube",
-            "sphere",
-            "shell",
-            "cone",
-            "box",
-            "cube",
-            "plate",
-            "ellipsoid",
-            "triangle",
-        ];
-        SHAPES.contains(&head)
     }
 
     pub(super) fn add_named_body(&mut self, name: &str) -> BodyId {
@@ -320,45 +299,6 @@ impl Builder<'_> {
         }
     }
 
-    /// The inertia tensor of a uniform body, by exact integrals, on the axes of its frame.
-    fn shape_body(
-        &mut self,
-        body: BodyId,
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let shape = mechanics::Shape::by_name(what.head)?;
-        let mut sizes: Vec<Fraction> = vec![];
-        for wanted in shape.sizes() {
-            let told = what.all(Slot::Of).find_map(|term| match term {
-                Term::Phrase(size) if size.head == wanted.name => match size.slot(Slot::Which) {
-                    Some(Term::Formula(formula)) => Some(formula.clone()),
-                    _ => None,
-                },
-                _ => None,
-            });
-            let formula = told.filter(|_| wanted.count == 1)?;
-            let quantity = Quantity::Scalar {
-                text: formula.source.clone(),
-                constant: true,
-            };
-            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
-            sizes.push(self.system().value_of(&quantity).ok()?.to_scalar().ok()?);
-        }
-        let mass = self.reading.system.bodies[body].mass.clone();
-        let pi = Quantity::Scalar {
-            text: "\\pi".into(),
-            constant: true,
-        };
-        let pi = self.system().value_of(&pi).ok()?.to_scalar().ok()?;
-        let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
-        let frame = self.reading.system.bodies[body].frame?;
-        let work = self.reading.system.work;
-        let turn = self.system().rotation(work, frame);
-        self.reading.system.bodies[body].inertia = Some(mechanics::inertia_in_axes(&turn, &tensor));
-        Some(())
-    }
-
     fn name_mass(
         &mut self,
         body: BodyId,
@@ -366,7 +306,11 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let quantity = Quantity::Mass(Whole::Body(body));
-        self.denote(formula, Meaning::Quantity(quantity), declaration);
+        match self.told_there(formula, declaration) {
+            // Two bodies with one letter have the same mass.
+            Some(told) => self.hold_quantities(&told, &quantity, declaration),
+            None => self.denote(formula, Meaning::Quantity(quantity), declaration),
+        }
     }
 }
 

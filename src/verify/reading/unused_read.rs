@@ -11,7 +11,9 @@ use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
-const HEARD: [&str; 7] = [
+const HEARD: [&str; 9] = [
+    "act",
+    "roll",
     "turn",
     "take",
     "have components",
@@ -27,7 +29,6 @@ impl Builder<'_> {
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does { verb, .. } => HEARD.contains(verb),
-                Statement::Is { what, .. } => what.head != "contact point",
                 Statement::Unread { .. } => false,
                 _ => true,
             };

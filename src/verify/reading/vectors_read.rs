@@ -54,19 +54,26 @@ impl Builder<'_> {
     /// Letters of their own that do not change; of a quantity the rate vanishes.
     pub(super) fn read_constants(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {
-            match self.quantity_of(formula, declaration) {
-                Some(quantity) => {
-                    let value = self.system().value_of(&quantity);
+            let quantity = self.quantity_of(formula, declaration);
+            let value = match &quantity {
+                Some(quantity) => self.system().value_of(quantity).ok(),
+                // A letter by which a frame turns or a point is placed stands in the model already.
+                None if self.is_told(formula, declaration) => {
+                    self.mentioned_value(formula, declaration)
+                }
+                None => None,
+            };
+            match (value, quantity) {
+                (Some(value), _) => {
                     let ground = self.reading.system.ground;
-                    if let Ok(value) = value
-                        && let Ok(rate) = self.system().rate_of_value(&value, ground)
-                    {
+                    if let Ok(rate) = self.system().rate_of_value(&value, ground) {
                         for entry in rate.entries {
                             self.hold(entry, declaration);
                         }
                     }
                 }
-                None => {
+                (None, Some(_)) => {}
+                (None, None) => {
                     let text = formula.source.clone();
                     let quantity = Quantity::Scalar {
                         text,

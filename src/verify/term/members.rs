@@ -14,7 +14,7 @@ impl Quantity {
         };
         let spot = |s: &Spot| match s {
             Spot::Member(family, own) => Spot::Member(*family, index(own)),
-            Spot::Point(_) => s.clone(),
+            Spot::Point(_) | Spot::Carried(_) => s.clone(),
         };
         let whole = |w: &Whole| match w {
             Whole::Member(family, own) => Whole::Member(*family, index(own)),
@@ -31,6 +31,7 @@ impl Quantity {
             | Self::Momentum { of, .. }
             | Self::AngularMomentum { of, .. }
             | Self::KineticEnergy { of, .. }
+            | Self::InertialForce { of, .. }
             | Self::Force(of) => *of = whole(of),
             Self::ExternalForce(_, own)
             | Self::MemberScalar { index: own, .. }
@@ -72,6 +73,7 @@ impl Quantity {
             | Self::Momentum { of, .. }
             | Self::AngularMomentum { of, .. }
             | Self::KineticEnergy { of, .. }
+            | Self::InertialForce { of, .. }
             | Self::Force(of) => matches!(of, Whole::Member(..)),
             Self::Distance { of, .. } => matches!(of, Spot::Member(..)),
             Self::ExternalForce(..) | Self::MemberScalar { .. } | Self::MemberVector { .. } => true,

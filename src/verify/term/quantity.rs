@@ -4,6 +4,8 @@ use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Key, Law, Motion, fraction};
 use crate::verify::model::bodies::Velocities;
+use crate::verify::model::contact::Carried;
+use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::system::{
     BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
 };
@@ -14,6 +16,8 @@ use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 pub(crate) enum Spot {
     Point(PointId),
     Member(FamilyId, String),
+    /// The point of a body that is at a place now.
+    Carried(Carried),
 }
 
 /// A thing with mass: a body, or a member of a family.
@@ -64,6 +68,13 @@ pub(crate) enum Quantity {
     },
     Force(Whole),
     ExternalForce(FamilyId, String),
+    /// The force of a turning frame, or its moment about a point.
+    InertialForce {
+        kind: Inertial,
+        of: Whole,
+        frame: FrameId,
+        about: Option<PointId>,
+    },
     Moment {
         of: BodyId,
         about: PointId,
@@ -163,6 +174,7 @@ impl Quantity {
             Self::Momentum { .. } | Self::AngularMomentum { .. } => "inertia",
             Self::KineticEnergy { .. } => "energy",
             Self::Force(_) | Self::ExternalForce(..) => "newton",
+            Self::InertialForce { .. } => "transport",
             Self::Moment { .. } | Self::MomentOf { .. } => "moment",
             Self::Rotation { .. } => "attitude",
             Self::Rate { of, .. }
@@ -232,10 +244,7 @@ impl System {
         Ok(match quantity {
             Quantity::Position { of, from } => itself(self.place(of, *from)),
             Quantity::Velocity { of, relative } => itself(self.velocity_of(of, *relative)),
-            Quantity::Acceleration { of, relative } => {
-                let velocity = self.velocity_of(of, *relative);
-                itself(self.rate_seen_from(*relative, &velocity))
-            }
+            Quantity::Acceleration { of, relative } => itself(self.acceleration_of(of, *relative)),
             Quantity::AngularVelocity { of, relative } => {
                 itself(self.angular_velocity(*of, *relative))
             }
@@ -277,6 +286,12 @@ impl System {
                 itself(self.rate_seen_from(self.ground, &momentum))
             }
             Quantity::ExternalForce(family, index) => itself(self.member_force(*family, index)),
+            Quantity::InertialForce {
+                kind,
+                of,
+                frame,
+                about,
+            } => itself(self.inertial_load(*kind, of, *frame, *about)),
             Quantity::Moment { of, about } => itself(self.total_moment(*of, *about)),
             Quantity::MomentOf { force, at, about } => {
                 let force = self.value_of(force)?.to_vector()?;
@@ -338,9 +353,10 @@ fn place_of(quantity: &Quantity) -> Place {
         Quantity::Position { .. } | Quantity::Rotation { .. } | Quantity::Axis(..) => {
             Place::Coordinate
         }
-        Quantity::Force(_) | Quantity::Moment { .. } | Quantity::MomentOf { .. } => {
-            Place::Acceleration
-        }
+        Quantity::Force(_)
+        | Quantity::InertialForce { .. }
+        | Quantity::Moment { .. }
+        | Quantity::MomentOf { .. } => Place::Acceleration,
         _ => Place::Rate,
     }
 }

@@ -1,0 +1,200 @@
+//! Planes, points of contact, and rolling.
+
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::contact::Plane;
+use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{name_of, told};
+use crate::verify::term::quantity::Spot;
+
+/// The noun of the point where a body touches something.
+pub(super) const CONTACT_POINT: &str = "contact point";
+
+impl Builder<'_> {
+    /// Planes, the points where bodies touch them, and what rolls there.
+    pub(super) fn place_contacts(&mut self) {
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && what.head == "plane"
+                && self.read_plane(subjects, what, declaration).is_none()
+            {
+                self.say_unused(declaration);
+            }
+        }
+        for declaration in self.declarations {
+            let placed = match &declaration.statement {
+                Statement::Is { subjects, what } if what.head == CONTACT_POINT => {
+                    self.read_contact_point(subjects, what, declaration)
+                }
+                _ => continue,
+            };
+            placed.unwrap_or_else(|| self.say_unused(declaration));
+        }
+        for declaration in self.declarations {
+            let rolls = match &declaration.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "roll",
+                    slots,
+                } => self.read_rolling(subjects, slots, declaration),
+                _ => continue,
+            };
+            rolls.unwrap_or_else(|| self.say_unused(declaration));
+        }
+    }
+
+    /// "The floor is a horizontal plane fixed in N", "the table is a plane normal to e".
+    fn read_plane(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let ground = self.reading.system.ground;
+        let frame = told(what.slot(Slot::FixedIn), ground, |t| self.frame(t))?;
+        let normal = match what.slot(Slot::With).cloned() {
+            Some(normal) => self.direction(&normal, declaration, Some(frame))?,
+            None if what.is("horizontal") => {
+                let (of, axis) = self.upward.unwrap_or((ground, 2));
+                self.system().axis(of, axis)
+            }
+            None => return None,
+        };
+        for name in subjects.iter().filter_map(name_of) {
+            self.system().planes.push(Plane {
+                name,
+                frame,
+                normal: normal.clone(),
+            });
+        }
+        Some(())
+    }
+
+    /// The plane that a term names; the only one where none is said.
+    fn plane(&self, term: Option<&Term>) -> Option<Plane> {
+        let system = &self.reading.system;
+        match (term.and_then(name_of), system.planes.as_slice()) {
+            (Some(name), _) => system.plane(&name).cloned(),
+            (None, [only]) if term.is_none() => Some(only.clone()),
+            _ => None,
+        }
+    }
+
+    fn read_contact_point(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let body = self.body(what.slot(Slot::Of)?)?;
+        let plane = self.plane(what.slot(Slot::On))?;
+        let [subject] = subjects else { return None };
+        let name = name_of(subject)?;
+        match self.points.contains_key(&name) {
+            true => None,
+            false => self
+                .add_contact(name, body, &plane, declaration)
+                .map(|_| ()),
+        }
+    }
+
+    /// The point where a body touches a plane; what else lies in the plane is as high.
+    fn add_contact(
+        &mut self,
+        name: String,
+        body: BodyId,
+        plane: &Plane,
+        declaration: &Declaration,
+    ) -> Option<PointId> {
+        let way = self.system().way_to_contact(body, &plane.normal)?;
+        let centre = self.centre_of(body);
+        let point = self
+            .system()
+            .add_point(&name, Some((centre, way)), Vec::new());
+        self.points.insert(name, point);
+        for other in self.points_in(&plane.name) {
+            let way = self.system().position(point, other);
+            self.hold(plane.normal.dot(&way), declaration);
+        }
+        Some(point)
+    }
+
+    /// The points that sentences place in a plane.
+    fn points_in(&self, plane: &str) -> Vec<PointId> {
+        let of_plane = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "point" => {
+                let of = what.slot(Slot::Of).and_then(name_of)?;
+                (of == plane).then(|| subjects.clone())
+            }
+            _ => None,
+        };
+        let named = self.declarations.iter().filter_map(of_plane).flatten();
+        named.filter_map(|term| self.point(&term)).collect()
+    }
+
+    /// The point of the body that touches the plane has the velocity of the plane.
+    fn read_rolling(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let plane = self.plane(slot(slots, Slot::On).or_else(|| slot(slots, Slot::In)))?;
+        for subject in subjects {
+            let body = self.body(subject)?;
+            let at = match slot(slots, Slot::At) {
+                Some(term) => match self.point(term) {
+                    Some(point) => point,
+                    None => self.add_contact(name_of(term)?, body, &plane, declaration)?,
+                },
+                None => self.touching(body, &plane, declaration)?,
+            };
+            let there = self.reading.system.body_point(body, at)?;
+            let velocity = self.system().carried_velocity(there, plane.frame);
+            self.hold_zero(&velocity, declaration);
+        }
+        Some(())
+    }
+
+    /// The point by which a body touches a plane, where no sentence names it.
+    fn touching(
+        &mut self,
+        body: BodyId,
+        plane: &Plane,
+        declaration: &Declaration,
+    ) -> Option<PointId> {
+        let named = self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == CONTACT_POINT => {
+                let of = what.slot(Slot::Of).and_then(|term| self.body(term));
+                subjects.first().filter(|_| of == Some(body))
+            }
+            _ => None,
+        });
+        match named.and_then(|term| self.point(term)) {
+            Some(point) => Some(point),
+            None => {
+                let name = format!("{} {}", plane.name, self.reading.system.bodies[body].name);
+                self.add_contact(name, body, plane, declaration)
+            }
+        }
+    }
+
+    /// Whose velocity or acceleration a phrase names: a place, or the point of a body that is there.
+    pub(super) fn moving_spot(&self, phrase: &NounPhrase) -> Option<Spot> {
+        match phrase.slot(Slot::Of)? {
+            _ if phrase.slot(Slot::At).is_some() => self.material_point(phrase),
+            Term::Phrase(point) if point.head == "point" => self.material_point(point),
+            term => self.spot(term),
+        }
+    }
+
+    /// The point of a rigid body that is at a place: "the velocity of the disc at C", "of the point of the disc at C".
+    pub(super) fn material_point(&self, phrase: &NounPhrase) -> Option<Spot> {
+        let at = phrase.slot(Slot::At)?;
+        let body = phrase.slot(Slot::Of).and_then(|term| self.body(term))?;
+        let point = self.point(at)?;
+        let there = self.reading.system.body_point(body, point)?;
+        Some(Spot::Carried(there))
+    }
+}

@@ -1,0 +1,152 @@
+//! Shapes: the tensor of a uniform body, and the round part by which it touches planes.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::contact::Round;
+use crate::verify::model::system::{BodyId, Matrix, Turn};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::name_of;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+
+impl Builder<'_> {
+    /// Whether a noun is that of a shape with sizes.
+    pub(super) fn is_shape(&self, head: &str) -> bool {
+        const SHAPES: [&str; 13] = [
+            "disc",
+            "rod",
+            "ring",
+            "cylinder",
+            "tube",
+            "sphere",
+            "shell",
+            "cone",
+            "box",
+            "cube",
+            "plate",
+            "ellipsoid",
+            "triangle",
+        ];
+        SHAPES.contains(&head)
+    }
+
+    /// A body with a shape has a frame, which no sentence need name.
+    pub(super) fn add_frames_of_shapes(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if !self.is_shape(what.head) {
+                continue;
+            }
+            for subject in subjects {
+                let bodies = &self.reading.system.bodies;
+                if let Some(body) = self.body(subject).filter(|&b| bodies[b].frame.is_none()) {
+                    let name = self.reading.system.bodies[body].name.clone();
+                    let ground = self.reading.system.ground;
+                    let frame = self.system().add_frame(&name, Some(ground), Turn::Free);
+                    self.reading.system.bodies[body].frame = Some(frame);
+                }
+            }
+        }
+    }
+
+    /// The inertia tensor of a uniform body, by exact integrals, on the axes of its frame.
+    pub(super) fn shape_body(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let shape = mechanics::Shape::by_name(what.head)?;
+        let mut sizes: Vec<Fraction> = vec![];
+        for wanted in shape.sizes() {
+            let told = what.all(Slot::Of).find_map(|term| match term {
+                Term::Phrase(size) if size.head == wanted.name => match size.slot(Slot::Which) {
+                    Some(Term::Formula(formula)) => Some(formula.clone()),
+                    _ => None,
+                },
+                _ => None,
+            });
+            let formula = told.filter(|_| wanted.count == 1)?;
+            let quantity = Quantity::Scalar {
+                text: formula.source.clone(),
+                constant: true,
+            };
+            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+            let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
+            self.system().atoms.set_positive(&size);
+            sizes.push(size);
+        }
+        let mass = self.reading.system.bodies[body].mass.clone();
+        let pi = Quantity::Scalar {
+            text: "\\pi".into(),
+            constant: true,
+        };
+        let pi = self.system().value_of(&pi).ok()?.to_scalar().ok()?;
+        let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
+        let axis = self.axis_of_shape(body);
+        self.reading.system.bodies[body].round = match (shape.name(), sizes.as_slice()) {
+            ("sphere" | "shell", [radius]) => Some(Round::Sphere {
+                radius: radius.clone(),
+            }),
+            ("disc" | "ring", [radius]) => Some(Round::Rim {
+                radius: radius.clone(),
+                axis,
+            }),
+            _ => None,
+        };
+        let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;
+        self.reading.system.bodies[body].inertia = Some(tensor);
+        Some(())
+    }
+
+    /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
+    fn axis_of_shape(&self, body: BodyId) -> usize {
+        let system = &self.reading.system;
+        let Some(frame) = system.bodies[body].frame else {
+            return 2;
+        };
+        let name = |term: &Term| name_of(term).and_then(|name| self.axes.get(&name).copied());
+        let told = self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "axis" => {
+                let of = what.slot(Slot::Of).and_then(|term| self.body(term));
+                subjects.first().and_then(name).filter(|_| of == Some(body))
+            }
+            Statement::Is { subjects, what } if what.head == "symmetric" => {
+                let of = subjects.first().and_then(|term| self.body(term));
+                what.slot(Slot::About)
+                    .and_then(name)
+                    .filter(|_| of == Some(body))
+            }
+            _ => None,
+        });
+        let shared = |f: usize, axis: usize| {
+            let turned = &system.frames[frame];
+            turned.parent == Some(f) && turned.turn.axis() == Some(axis)
+        };
+        told.filter(|&(f, axis)| f == frame || shared(f, axis))
+            .map_or(2, |(_, axis)| axis)
+    }
+
+    /// A tensor on the axes of a shape, which has its own axis along one of those of a body's frame. One that is the
+    /// same about all axes across is told without the spin: I_t 1 + (I_s − I_t) d dᵀ.
+    fn tensor_on_work_frame(
+        &mut self,
+        body: BodyId,
+        tensor: &Matrix,
+        axis: usize,
+    ) -> Option<Matrix> {
+        let frame = self.reading.system.bodies[body].frame?;
+        let work = self.reading.system.work;
+        let (across, along) = (tensor[(0, 0)].clone(), tensor[(2, 2)].clone());
+        let zero = |r: usize, c: usize| num_traits::Zero::is_zero(&tensor[(r, c)]);
+        if across == tensor[(1, 1)] && zero(0, 1) && zero(0, 2) && zero(1, 2) {
+            let axis = self.system().axis(frame, axis);
+            return Some(mechanics::symmetric_inertia(&across, &along, &axis));
+        }
+        let turn = self.system().rotation(work, frame);
+        (axis == 2).then(|| mechanics::inertia_in_axes(&turn, tensor))
+    }
+}

@@ -1,0 +1,117 @@
+//! Bodies that roll: discs, wheels and balls on planes that rest or turn.
+
+use super::judged;
+
+const DISC: &str = "N is an inertial frame.
+$Z$ is the upward vertical.
+F turns relative to N about Z by the angle $\\phi$.
+A turns relative to F about x by the angle $\\theta$.
+The disc turns relative to A about z by the angle $\\psi$.
+$\\vec i$, $\\vec j$, $\\vec k$ are the axes of A.
+The floor is a horizontal plane fixed in N.
+The disc is a uniform thin disc of mass $m$ and radius $r$.
+G is the mass centre of the disc.
+C is the point where the disc touches the floor.
+The disc rolls on the floor at C without slipping.
+$\\vec\\omega$ is the angular velocity of the disc relative to N.
+$s$ is the component of $\\vec\\omega$ along $\\vec k$.
+";
+
+#[test]
+fn the_point_of_the_disc_at_the_contact_rests_and_the_place_of_contact_moves() {
+    let sentences = format!(
+        "{DISC}$\\vec u$ is the velocity of the disc at C relative to N.
+$\\vec c$ is the velocity of C relative to N.
+$\\vec v$ is the velocity of G relative to N.
+$\\vec a$ is the acceleration of the point of the disc at C relative to N.
+$\\vec d$ is the position of G from C.
+"
+    );
+    let text = r"
+$$ \vec u = 0 $$
+$$ \vec c = -r\dot\psi\,\vec i $$
+$$ \vec c = 0 $$
+$$ \vec d = r\vec j $$
+$$ \vec v = \vec\omega\times\vec d $$
+$$ \vec v = \vec d\times\vec\omega $$
+$$ \vec a = 0 $$
+$$ \vec a = r\dot\psi\,\vec\omega\times\vec i $$
+$$ \vec a = r\dot\psi\,\vec i\times\vec\omega $$
+";
+    assert_eq!(judged(&sentences, text), "pprpprrpr");
+}
+
+/// The equations are those of the example "rolling disc" of the manual of SymPy's mechanics, with θ a right angle more
+/// than its lean and s opposite to its spin.
+#[test]
+fn a_disc_on_a_rough_floor() {
+    let sentences = format!(
+        "{DISC}$g$ is the acceleration of gravity.
+The weight and the force of the floor at C are the only loads on the disc.
+"
+    );
+    let text = r"
+$$ 5\ddot\theta = -4\frac gr\cos\theta - 6 s\dot\phi\sin\theta + \dot\phi^2\sin\theta\cos\theta $$
+$$ 3\dot s = 2\dot\theta\dot\phi\sin\theta $$
+$$ \ddot\phi\sin\theta + 2\dot\phi\dot\theta\cos\theta = 2 s\dot\theta $$
+$$ 5\ddot\theta = -4\frac gr\cos\theta + 6 s\dot\phi\sin\theta + \dot\phi^2\sin\theta\cos\theta $$
+$$ 3\dot s = \dot\theta\dot\phi\sin\theta $$
+$$ \ddot\phi\sin\theta + \dot\phi\dot\theta\cos\theta = 2 s\dot\theta $$
+";
+    assert_eq!(judged(&sentences, text), "ppprrr");
+}
+
+/// Den Hartog, Mechanics, 1948, section 61: the mill presses on its floor with more than its weight.
+#[test]
+fn an_edge_runner_mill() {
+    let sentences = "N is an inertial frame.
+The floor is a horizontal plane fixed in N.
+A is a frame that turns relative to N about z at the rate $\\Omega$.
+x, y, z are the axes of A.
+$\\Omega$ is constant.
+The wheel is a uniform thin disc of mass $m$ and radius $a$.
+x is the axis of the wheel.
+The wheel turns relative to A about x at the rate $\\sigma$.
+O is a point fixed in N and in A.
+G is the mass centre of the wheel.
+G lies at the distance $b$ from O along x.
+The wheel rolls on the floor without slipping.
+$\\vec M$ is the total moment on the wheel about O.
+$M_1$, $M_2$, $M_3$ are the components of $\\vec M$ on A.
+$T$ is the kinetic energy of the wheel relative to N.
+";
+    let text = r"
+$$ \sigma = -\frac ba\,\Omega $$
+$$ \sigma = \frac ba\,\Omega $$
+$$ M_2 = -\tfrac12 m a b\,\Omega^2 $$
+$$ M_2 = \tfrac12 m a b\,\Omega^2 $$
+$$ M_1 = M_3 = 0 $$
+$$ T = \tfrac34 m b^2\Omega^2 + \tfrac18 m a^2\Omega^2 $$
+$$ T = \tfrac12 m b^2\Omega^2 + \tfrac18 m a^2\Omega^2 $$
+";
+    assert_eq!(judged(sentences, text), "prprppr");
+}
+
+/// Earnshaw, Dynamics, 1844: the ball runs in a circle, with two sevenths of the rate of the table.
+#[test]
+fn a_ball_on_a_turntable() {
+    let sentences = "N is an inertial frame.
+T is a frame that turns relative to N about z at the rate $\\Omega$.
+$\\Omega$ is constant.
+$\\vec\\Omega$ is the angular velocity of T relative to N.
+The table is a horizontal plane fixed in T.
+O is a point fixed in N and in T.
+The ball is a uniform sphere of mass $m$ and radius $a$.
+G is the mass centre of the ball.
+The ball rolls on the table at C without slipping.
+$g$ is the acceleration of gravity.
+The weight and the force at C are the only loads on the ball.
+$\\vec r$ is the position of G from O.
+$\\frac{d}{dt}$ is the rate seen from N.
+";
+    let text = r"
+$$ \frac{d^2\vec r}{dt^2} = \tfrac27\,\vec\Omega\times\frac{d\vec r}{dt} $$
+$$ \frac{d^2\vec r}{dt^2} = \tfrac25\,\vec\Omega\times\frac{d\vec r}{dt} $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
