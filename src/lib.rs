@@ -29,9 +29,11 @@
 //!                                 ├─ algebra ─┐
 //! scalar ─────────────────────────┘           ├─ verify ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
-//!             └─ motion (state, step, Jacobian, batch) ─ scene ─ bench
+//!             └─ motion (state, step, Jacobian, batch) ┬ scene ─ bench
+//!                                                      └ jacobian (checks of Jacobians)
 //! ```
 
+pub mod jacobian;
 pub mod mechanics;
 pub mod motion;
 pub mod scalar;

@@ -20,6 +20,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("algebra", &["source", "diagnostic", "scalar", "notation"]),
     ("mechanics", &["scalar"]),
     ("motion", &["scalar", "mechanics"]),
+    ("jacobian", &["scalar", "mechanics", "motion"]),
     (
         "verify",
         &[
