@@ -2,7 +2,7 @@
 //!
 //! [`check`] holds a Jacobian against dual numbers: there is no step size, and the answer is right to rounding. It takes
 //! any function that is generic over its number. [`check_black_box`] takes a function of which only values can be had, and
-//! holds the Jacobian against differences over a whole range of steps. [`assert_jacobian!`](crate::assert_jacobian) is the
+//! holds the Jacobian against differences over a whole range of steps. [`assert_jacobian!`](macro@polhode::assert_jacobian) is the
 //! first of them for tests.
 //!
 //! ```
@@ -101,18 +101,18 @@ pub use slot::{Other, Slot};
 #[macro_export]
 macro_rules! assert_jacobian {
     ($report:expr $(,)?) => {{
-        let report = $report;
+        let report: $crate::jacobian::Report = $report;
         assert!(report.is_right(), "{report}");
     }};
-    ($f:expr, $jacobian:expr, $at:expr $(,)?) => {
-        $crate::assert_jacobian!($crate::jacobian::check($f, $jacobian, $at))
-    };
-    ($f:expr, $jacobian:expr, $at:expr, rows: $rows:expr, columns: $columns:expr $(,)?) => {
-        $crate::assert_jacobian!(
-            $crate::jacobian::Check::default()
-                .rows($rows)
-                .columns($columns)
-                .of($f, $jacobian, $at)
-        )
-    };
+    ($f:expr, $jacobian:expr, $at:expr $(,)?) => {{
+        let report = $crate::jacobian::check($f, $jacobian, $at);
+        assert!(report.is_right(), "{report}");
+    }};
+    ($f:expr, $jacobian:expr, $at:expr, rows: $rows:expr, columns: $columns:expr $(,)?) => {{
+        let check = $crate::jacobian::Check::default()
+            .rows($rows)
+            .columns($columns);
+        let report = check.of($f, $jacobian, $at);
+        assert!(report.is_right(), "{report}");
+    }};
 }

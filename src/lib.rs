@@ -30,9 +30,10 @@
 //! scalar ─────────────────────────┘           ├─ verify ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
 //!             └─ motion (state, step, Jacobian, batch) ┬ scene ─ bench
-//!                                                      └ jacobian (checks of Jacobians)
+//!                                                      └ jacobian, audit (checks of code)
 //! ```
 
+pub mod audit;
 pub mod jacobian;
 pub mod mechanics;
 pub mod motion;

@@ -21,6 +21,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("mechanics", &["scalar"]),
     ("motion", &["scalar", "mechanics"]),
     ("jacobian", &["scalar", "mechanics", "motion"]),
+    ("audit", &["scalar", "mechanics", "motion"]),
     (
         "verify",
         &[
