@@ -33,6 +33,11 @@
 //!                                                      └ jacobian, audit (checks of code)
 //! ```
 
+/// Linear algebra in the version that this crate speaks.
+pub use nalgebra;
+/// Dual numbers in the version that this crate speaks.
+pub use num_dual;
+
 pub mod audit;
 pub mod jacobian;
 pub mod mechanics;
