@@ -36,6 +36,7 @@
 //! assert!((gradient[0] - (cost(3.001, 0.5) - cost(2.999, 0.5)) / 0.002).abs() < 1e-8);
 //! ```
 
+pub(crate) mod any_law;
 pub mod flow;
 pub(crate) mod runge_kutta;
 mod variation;
