@@ -52,14 +52,15 @@ pub(super) fn free_run(
         }
     }
     audit.witnesses = Some(witnesses);
-    if !(off_unit.abs() <= 1e-3) {
+    let within = |change: f64, limit: f64| change.abs() <= limit;
+    if !within(off_unit, 1e-3) {
         audit.findings.push(Finding::NotUnit(off_unit));
     }
-    let grows = !(witnesses.energy <= 1.0);
+    let grows = witnesses.energy.is_nan() || witnesses.energy > 1.0;
     let drifts = [witnesses.energy, witnesses.momentum, witnesses.turned];
     if grows && audit.findings.is_empty() {
         audit.findings.push(Finding::Unstable(witnesses));
-    } else if !drifts.iter().all(|drift| drift.abs() <= DRIFT) {
+    } else if !drifts.iter().all(|drift| within(*drift, DRIFT)) {
         audit.findings.push(Finding::Drift(witnesses));
     }
 }

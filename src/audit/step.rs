@@ -188,7 +188,7 @@ fn rates(
         .iter()
         .map(|(at, limit)| (*at, limit.value.fixed_rows::<3>(0).into_owned()))
         .collect();
-    if !(error < 0.05) {
+    if error.is_nan() || error >= 0.05 {
         findings.push(Finding::NoLimit);
         return;
     }

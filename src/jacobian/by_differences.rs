@@ -9,7 +9,7 @@ use nalgebra::DVector;
 const RUNGS: usize = 60;
 
 /// An entry of the Jacobian from differences.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Quotient {
     /// The quotient of the step that tells most.
     pub(super) value: f64,

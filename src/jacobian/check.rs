@@ -147,52 +147,40 @@ impl Check {
         };
         let given = unsized_matrix(&jacobian(at));
         let at = DVector::from_iterator(at.len(), at.iter().copied());
-        let value = dynamic(&at);
-        let largest = at.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
-        let entry = |(r, c): (usize, usize)| given.get((r, c)).copied().unwrap_or(0.0);
-        // An input that is not zero tells its own scale, if roughly.
-        let scale = |x: f64| {
-            if x == 0.0 {
-                largest
-            } else {
-                largest.min(100.0 * x.abs())
-            }
-        };
-        let ladder = |c: usize| Ladder::new(&dynamic, &at, c, scale(at[c]));
-        let ladders: Vec<_> = (0..at.len()).map(ladder).collect();
-        let of_row = |r: usize| -> Vec<Quotient> {
-            let grain = Grain::of(&ladders, r);
-            let quotient = |(c, ladder): (usize, &Ladder)| ladder.quotient(r, grain, entry((r, c)));
-            ladders.iter().enumerate().map(quotient).collect()
-        };
-        let quotients: Vec<_> = (0..value.len()).map(of_row).collect();
-        let at_entry = |r: usize, c: usize| quotients[r][c];
+        let quotients = quotients(&dynamic, &at, &given);
+        self.by_differences(&at, &given, &quotients)
+    }
+
+    /// The verdicts from what differences tell of each entry.
+    fn by_differences(
+        &self,
+        at: &DVector<f64>,
+        given: &DMatrix<f64>,
+        quotients: &DMatrix<Quotient>,
+    ) -> Report {
         let right = Reference {
-            matrix: DMatrix::from_fn(value.len(), at.len(), |r, c| at_entry(r, c).value),
-            slack: DMatrix::from_fn(value.len(), at.len(), |r, c| {
-                let q = at_entry(r, c);
-                4.0 * q.error + self.tolerance * q.value.abs()
-            }),
+            matrix: quotients.map(|q| q.value),
+            slack: quotients.map(|q| 4.0 * q.error + self.tolerance * q.value.abs()),
         };
-        let told = |r: usize, c: usize| {
-            let q = at_entry(r, c);
+        let told = |q: Quotient| {
             if q.value.abs() > 4.0 * q.error {
                 q.value
             } else {
                 0.0
             }
         };
-        let (rows, columns) = equilibrate(&DMatrix::from_fn(value.len(), at.len(), told));
+        let (rows, columns) = equilibrate(&quotients.map(told));
+        let largest = largest(at);
         let judge = |r: usize, c: usize| {
-            let q = at_entry(r, c);
+            let q = quotients[(r, c)];
             let natural = (rows[r] * columns[c]).max(q.size / largest);
             let size = natural.max(q.value.abs()).max(given[(r, c)].abs());
             let off = (given[(r, c)] - q.value).abs();
+            let linear = || q.slope.is_some_and(|slope| (0.5..1.5).contains(&slope));
             let verdict = if !q.error.is_finite() || !q.smooth {
                 Verdict::Unsure
             } else if off > right.slack[(r, c)] {
-                let linear = q.slope.is_some_and(|slope| (0.5..1.5).contains(&slope));
-                if linear {
+                if linear() {
                     Verdict::Wrong
                 } else {
                     Verdict::Unsure
@@ -204,7 +192,7 @@ impl Check {
             };
             (verdict, q.slope)
         };
-        self.report(&given, &right, judge, true)
+        self.report(given, &right, judge, true)
     }
 
     fn report(
@@ -218,43 +206,7 @@ impl Check {
         if given.shape() != matrix.shape() {
             return self.misshapen(given, matrix, slack, black_box);
         }
-        let (rows, columns) = equilibrate(&matrix.map(|x| if x.is_finite() { x } else { 0.0 }));
-        let mut entries = vec![];
-        for (r, c) in (0..matrix.nrows()).flat_map(|r| (0..matrix.ncols()).map(move |c| (r, c))) {
-            let (given, right) = (given[(r, c)], matrix[(r, c)]);
-            let natural = (rows[r] * columns[c]).max(right.abs());
-            let off = (given - right).abs();
-            let (verdict, slope) = judge(r, c);
-            let verdict = if given.is_finite() {
-                verdict
-            } else {
-                Verdict::Wrong
-            };
-            entries.push(Entry {
-                row: r,
-                column: c,
-                given,
-                right,
-                error: slack[(r, c)],
-                discrepancy: if natural > 0.0 { off / natural } else { off },
-                verdict,
-                slope,
-            });
-        }
-        entries.sort_by(|a, b| {
-            let key = |e: &Entry| {
-                (
-                    e.verdict,
-                    if e.discrepancy.is_nan() {
-                        f64::INFINITY
-                    } else {
-                        e.discrepancy
-                    },
-                )
-            };
-            let (a, b) = (key(a), key(b));
-            b.0.cmp(&a.0).then(b.1.total_cmp(&a.1))
-        });
+        let entries = entries(given, right, judge);
         let wrong: BTreeSet<_> = entries
             .iter()
             .filter(|e| e.verdict == Verdict::Wrong)
@@ -322,6 +274,73 @@ impl Check {
             black_box,
         }
     }
+}
+
+/// The entries and what is known of each, the worst first.
+fn entries(
+    given: &DMatrix<f64>,
+    Reference { matrix, slack }: &Reference,
+    judge: impl Fn(usize, usize) -> (Verdict, Option<f64>),
+) -> Vec<Entry> {
+    let (rows, columns) = equilibrate(&matrix.map(|x| if x.is_finite() { x } else { 0.0 }));
+    let places = (0..matrix.nrows()).flat_map(|r| (0..matrix.ncols()).map(move |c| (r, c)));
+    let entry = |(r, c): (usize, usize)| {
+        let (given, right) = (given[(r, c)], matrix[(r, c)]);
+        let natural = (rows[r] * columns[c]).max(right.abs());
+        let off = (given - right).abs();
+        let (verdict, slope) = judge(r, c);
+        Entry {
+            row: r,
+            column: c,
+            given,
+            right,
+            error: slack[(r, c)],
+            discrepancy: if natural > 0.0 { off / natural } else { off },
+            verdict: if given.is_finite() {
+                verdict
+            } else {
+                Verdict::Wrong
+            },
+            slope,
+        }
+    };
+    let mut entries: Vec<_> = places.map(entry).collect();
+    let rank = |off: f64| if off.is_nan() { f64::INFINITY } else { off };
+    entries.sort_by(|a, b| {
+        let by_size = rank(b.discrepancy).total_cmp(&rank(a.discrepancy));
+        b.verdict.cmp(&a.verdict).then(by_size)
+    });
+    entries
+}
+
+/// The largest input, and at least 1: where an input is zero, the only scale that is known.
+fn largest(at: &DVector<f64>) -> f64 {
+    at.iter().fold(1.0_f64, |most, x| most.max(x.abs()))
+}
+
+/// What differences tell of each entry, with the slope of the remainder of what was given for it.
+fn quotients(
+    f: &impl Fn(&DVector<f64>) -> DVector<f64>,
+    at: &DVector<f64>,
+    given: &DMatrix<f64>,
+) -> DMatrix<Quotient> {
+    let largest = largest(at);
+    // An input that is not zero tells its own scale, if roughly.
+    let scale = |x: f64| {
+        if x == 0.0 {
+            largest
+        } else {
+            largest.min(100.0 * x.abs())
+        }
+    };
+    let ladder = |c: usize| Ladder::new(f, at, c, scale(at[c]));
+    let ladders: Vec<_> = (0..at.len()).map(ladder).collect();
+    let height = f(at).len();
+    let grains: Vec<_> = (0..height).map(|r| Grain::of(&ladders, r)).collect();
+    DMatrix::from_fn(height, at.len(), |r, c| {
+        let given = given.get((r, c)).copied().unwrap_or(0.0);
+        ladders[c].quotient(r, grains[r], given)
+    })
 }
 
 fn unsized_matrix<M: Dim, N: Dim>(matrix: &OMatrix<f64, M, N>) -> DMatrix<f64>

@@ -13,9 +13,8 @@ impl Problem<'_> {
         let (height, width) = self.right.shape();
         let (row_slots, column_slots) = (ranges(self.rows, height), ranges(self.columns, width));
         let strips = |slots: &[Range<usize>], size: usize| {
-            let mut strips = vec![0..size];
-            strips.extend(slots.iter().filter(|s| s.len() < size).cloned());
-            strips
+            let parts = slots.iter().filter(|s| s.len() < size).cloned();
+            std::iter::once(0..size).chain(parts).collect::<Vec<_>>()
         };
         for strip in strips(&row_slots, height) {
             for (a, b) in self.swapped_columns(&strip) {

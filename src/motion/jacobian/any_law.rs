@@ -281,13 +281,12 @@ fn seeded<const R: usize>(
 ) -> Covectors<R> {
     let mut covectors = [[0.0; R]; 7];
     let turns = turns(attitude, factor);
-    for r in 0..R {
-        for k in 0..3 {
-            for (component, turn) in turns.iter().enumerate() {
-                covectors[component][r] += turn[k] * seed(r, k);
-            }
-            covectors[4 + k][r] = seed(r, 3 + k);
+    for k in 0..3 {
+        let side: Side<R> = std::array::from_fn(|r| seed(r, k));
+        for (covector, turn) in covectors.iter_mut().zip(&turns) {
+            add(covector, &side, turn[k]);
         }
+        covectors[4 + k] = std::array::from_fn(|r| seed(r, 3 + k));
     }
     covectors
 }
