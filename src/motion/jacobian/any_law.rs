@@ -10,7 +10,7 @@
 use crate::mechanics::regressor;
 use crate::motion::registers::at_its_best;
 use crate::motion::torque::in_body;
-use crate::motion::{Number, Quaternion, Rates, State, StepJacobian, System, TorqueLaw};
+use crate::motion::{Frame, Number, Quaternion, Rates, State, StepJacobian, System, TorqueLaw};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 
@@ -257,9 +257,12 @@ where
             attitude: Quaternion::new(std::array::from_fn(|i| seed(attitude[i], i))),
             angular_velocity: Vector3::from_fn(|i, _| seed(omega[i], 4 + i)),
         };
-        let added = system.added().map(DualSVec64::<N>::from_re);
-        let torque =
-            system.law().torque(seed(time, 7), &seeded) + in_body(frame, &seeded.attitude, added);
+        let mut torque = system.law().torque(seed(time, 7), &seeded);
+        // An added torque depends on the attitude where it stands in space; none at all is the most frequent one.
+        if frame == Frame::Space && *system.added() != Vector3::zeros() {
+            let added = system.added().map(DualSVec64::<N>::from_re);
+            torque += in_body(frame, &seeded.attitude, added);
+        }
         for row in 0..3 {
             let Some(slopes) = torque[row].eps.0.as_ref() else {
                 continue;
