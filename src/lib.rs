@@ -29,9 +29,17 @@
 //!                                 ├─ algebra ─┐
 //! scalar ─────────────────────────┘           ├─ verify ─ grade ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
-//!             └─ motion (state, step, Jacobian, batch) ─ scene ─ bench
+//!             └─ motion (state, step, Jacobian, batch) ┬ scene ─ bench
+//!                                                      └ jacobian, audit (checks of code)
 //! ```
 
+/// Linear algebra in the version that this crate speaks.
+pub use nalgebra;
+/// Dual numbers in the version that this crate speaks.
+pub use num_dual;
+
+pub mod audit;
+pub mod jacobian;
 pub mod mechanics;
 pub mod motion;
 pub mod scalar;

@@ -4,7 +4,8 @@
 //! Each function is the formula of its doc and nothing else. None knows which scalar it runs on, none branches
 //! on a value: run them on `f64` and they compute, on polynomials and they prove.
 //!
-//! Two things are for `f64` alone, as they need an order: [`principal_axes()`] and [`possible_body()`].
+//! For `f64` alone, as they need an order or a logarithm, are [`principal_axes()`], [`possible_body()`], and the parameters of
+//! bodies that are possible by construction, [`log_cholesky()`] and [`possible_inertia`].
 //!
 //! Vectors are columns of components along the axes named in each doc; SI units throughout.
 //!
@@ -24,6 +25,7 @@ mod euler;
 mod inertia;
 mod inertial_loads;
 mod linear;
+mod log_cholesky;
 mod momentum;
 mod parallel_axis;
 mod possible_body;
@@ -45,6 +47,9 @@ pub use inertia::{
 };
 pub use inertial_loads::{centrifugal_moment, coriolis_moment, euler_moment};
 pub use linear::{adjugate, apply, cross, determinant, product, skew};
+pub use log_cholesky::{
+    TenParameters, inertial_parameters, log_cholesky, log_cholesky_of_inertia, possible_inertia,
+};
 pub use momentum::{angular_momentum, force, moment_about_moving_point, momentum_rate};
 pub use parallel_axis::parallel_axis;
 pub use possible_body::{ImpossibleInertia, possible_body};

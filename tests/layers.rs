@@ -20,6 +20,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("algebra", &["source", "diagnostic", "scalar", "notation"]),
     ("mechanics", &["scalar"]),
     ("motion", &["scalar", "mechanics"]),
+    ("jacobian", &["scalar", "mechanics", "motion"]),
+    ("audit", &["scalar", "mechanics", "motion"]),
     (
         "verify",
         &[

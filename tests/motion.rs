@@ -11,6 +11,7 @@ mod motion {
     mod geometric;
     mod numbers_and_limits;
     mod objectivity;
+    mod rollout;
     mod scales;
     mod step_jacobian;
     mod step_products;

@@ -15,6 +15,8 @@ pub enum MotionError {
     },
     /// The attitude is the quaternion 0, which has no direction.
     ZeroAttitude,
+    /// The body is at rest where its motion is asked for.
+    AtRest,
     /// The inertia tensor is that of no body.
     Inertia(ImpossibleInertia),
     /// The inertia tensor of one of many bodies is that of no body.
@@ -70,6 +72,9 @@ impl fmt::Display for MotionError {
                 f,
                 "the attitude quaternion is 0, and has to have a direction"
             ),
+            Self::AtRest => {
+                f.write_str("the body is at rest, and has to turn: give it an angular velocity")
+            }
             Self::Inertia(reason) => reason.fmt(f),
             Self::BodyInertia { body, reason } => write!(f, "body {body}: {reason}"),
             Self::Step { step } => {

@@ -36,12 +36,13 @@
 //! assert!((gradient[0] - (cost(3.001, 0.5) - cost(2.999, 0.5)) / 0.002).abs() < 1e-8);
 //! ```
 
+pub(crate) mod any_law;
 pub mod flow;
 pub(crate) mod runge_kutta;
 mod variation;
 
 use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
 use num_dual::{Dual64, DualSVec64};
 
 /// The state after a step and its Jacobian of 6 rows and `N` columns.
@@ -96,7 +97,85 @@ where
     read(&seed.stepped(scheme, system, time))
 }
 
+/// The columns by name. Asking for columns that `N` does not have is an error of the compiler.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Rk4, Scheme, State, System, Torque};
+/// let system = System::new(Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)), Torque::None)?;
+/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+/// let first = Rk4.step_with_jacobian::<9>(&system, 0.0, &start, 0.01);
+/// let second = Rk4.step_with_jacobian::<9>(&system, 0.01, &first.state, 0.01);
+/// let both = first.then(&second);
+/// assert_eq!(both.by_state(), second.by_state() * first.by_state());
+/// assert!((both.by_torque() - second.by_state() * first.by_torque() - second.by_torque()).norm() < 1e-15);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+///
+/// ```compile_fail
+/// # use polhode::motion::StepJacobian;
+/// fn no_torque(step: &StepJacobian<6>) {
+///     step.by_torque();
+/// }
+/// # let step = StepJacobian { state: polhode::motion::State::at_rest(), matrix: nalgebra::SMatrix::zeros() };
+/// # no_torque(&step);
+/// ```
 impl<const N: usize> StepJacobian<N> {
+    /// ∂(θ', ω')/∂(θ, ω): 6 × 6.
+    pub fn by_state(&self) -> Matrix6<f64> {
+        const { assert!(N >= 6, "the state takes 6 columns") };
+        self.columns::<6>(0)
+    }
+
+    /// ∂(θ', ω')/∂θ: 6 × 3, θ on the body side of the attitude.
+    pub fn by_attitude(&self) -> SMatrix<f64, 6, 3> {
+        const { assert!(N >= 3, "the attitude takes 3 columns") };
+        self.columns::<3>(0)
+    }
+
+    /// ∂(θ', ω')/∂ω: 6 × 3.
+    pub fn by_angular_velocity(&self) -> SMatrix<f64, 6, 3> {
+        const { assert!(N >= 6, "ω stands in columns 3 to 5") };
+        self.columns::<3>(3)
+    }
+
+    /// ∂(θ', ω')/∂ torque: 6 × 3, the torque constant in the axes that the law names.
+    pub fn by_torque(&self) -> SMatrix<f64, 6, 3> {
+        const { assert!(N >= 9, "ask for 9 columns or more to have the torque") };
+        self.columns::<3>(6)
+    }
+
+    /// ∂(θ', ω')/∂ inertia: 6 × 6, the tensor's entries xx, yy, zz, xy, xz, yz.
+    pub fn by_inertia(&self) -> Matrix6<f64> {
+        const { assert!(N >= 15, "ask for 15 columns or more to have the inertia") };
+        self.columns::<6>(9)
+    }
+
+    /// ∂(θ', ω')/∂ dt: the rate of the state at the end.
+    pub fn by_dt(&self) -> Vector6<f64> {
+        const { assert!(N >= 16, "ask for 16 columns to have the length") };
+        self.columns::<1>(15)
+    }
+
+    fn columns<const C: usize>(&self, first: usize) -> SMatrix<f64, 6, C> {
+        self.matrix.fixed_columns::<C>(first).into_owned()
+    }
+
+    /// This step and then the `next`, as one: torque, inertia and length are the same in both and move together.
+    #[must_use]
+    pub fn then(&self, next: &Self) -> Self {
+        let mut matrix = next.by_state() * self.matrix;
+        for column in 6..N {
+            for row in 0..6 {
+                matrix[(row, column)] += next.matrix[(row, column)];
+            }
+        }
+        Self {
+            state: next.state,
+            matrix,
+        }
+    }
+
     /// The state, and a covector of (θ', ω') times the matrix.
     pub(crate) fn pulled_back(&self, covector: &Vector6<f64>) -> (State<f64>, SVector<f64, N>) {
         (self.state, self.matrix.tr_mul(covector))

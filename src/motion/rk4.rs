@@ -4,8 +4,8 @@ mod lanes;
 
 use crate::motion::block::{Block, Lane, Tensors};
 use crate::motion::{
-    Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::runge_kutta,
-    stepper,
+    Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::any_law,
+    jacobian::runge_kutta, stepper,
 };
 use nalgebra::{SMatrix, SVector, Vector6};
 use num_dual::{Dual64, DualSVec64};
@@ -41,7 +41,8 @@ impl<L> Scheme<L> for Rk4 {
         }
     }
 
-    /// Backwards through the stages where the torque does not look at the attitude, else by dual numbers.
+    /// Backwards through the stages, in registers where the torque does not look at the attitude, else with the law alone on
+    /// dual numbers.
     #[inline(always)]
     fn step_with_jacobian<const N: usize>(
         &self,
@@ -59,7 +60,7 @@ impl<L> Scheme<L> for Rk4 {
             matrix: SMatrix::zeros(),
         };
         if !runge_kutta::step_with_jacobian(system, time, step, &mut out) {
-            out = jacobian::by_dual_numbers(self, system, time, state, step);
+            out = any_law::step_with_jacobian(system, time, state, step);
         }
         out
     }
@@ -117,7 +118,7 @@ impl<L> Scheme<L> for Rk4 {
         out
     }
 
-    /// Backwards through the stages where the torque does not look at the attitude, else by the whole matrix.
+    /// Backwards through the stages, as the Jacobian.
     #[inline(always)]
     fn vjp<const N: usize>(
         &self,
@@ -133,7 +134,7 @@ impl<L> Scheme<L> for Rk4 {
     {
         let mut out = (*state, SVector::zeros());
         if !runge_kutta::vjp(system, time, step, covector, &mut out) {
-            out = jacobian::by_dual_numbers(self, system, time, state, step).pulled_back(covector);
+            out = any_law::vjp(system, time, state, step, covector);
         }
         out
     }

@@ -58,6 +58,14 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
         }
     }
 
+    /// The same system with another constant torque added to its law, in the axes that the law names. Costs nothing: what is
+    /// known of the tensor is kept.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_torque(self, added: Vector3<T>) -> Self {
+        Self { added, ..self }
+    }
+
     /// The same system, its axes known to be principal or not.
     #[cfg(feature = "batch")]
     #[inline(always)]

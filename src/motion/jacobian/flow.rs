@@ -37,13 +37,12 @@ where
     {
         let span = end - self.time;
         let step = scheme.step_with_jacobian::<N>(system, self.time, &self.state, span);
-        let mut chained = step.matrix.fixed_view::<6, 6>(0, 0) * self.matrix;
-        for column in 6..N {
-            for row in 0..6 {
-                chained[(row, column)] += step.matrix[(row, column)];
-            }
+        let chained = StepJacobian {
+            state: self.state,
+            matrix: self.matrix,
         }
-        (self.time, self.state, self.matrix) = (end, step.state, chained);
+        .then(&step);
+        (self.time, self.state, self.matrix) = (end, chained.state, chained.matrix);
     }
 }
 

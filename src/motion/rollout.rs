@@ -1,0 +1,137 @@
+//! A trajectory of steps with a torque for each, and its derivatives.
+
+use crate::motion::{MotionError, Number, Scheme, State, StepJacobian, System, TorqueLaw, stepper};
+use nalgebra::{Vector3, Vector6};
+use num_dual::DualSVec64;
+
+/// The trajectory of a system in steps of one length, a torque of its own added in each.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3, Vector6};
+/// use polhode::motion::{Rk4, Rollout, State, System, Torque};
+///
+/// let system = System::new(Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)), Torque::None)?;
+/// let torques = vec![Vector3::new(0.1, 0.0, -0.2); 100];
+/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+/// let rollout = Rollout::new(Rk4, system, start, 0.01, &torques)?;
+/// // The cost ½ |ω|² at the end, and its gradient in every torque.
+/// let mut costs = vec![Vector6::zeros(); 101];
+/// let end = rollout.states()[100].angular_velocity;
+/// costs[100].fixed_rows_mut::<3>(3).copy_from(&end);
+/// let gradient = rollout.gradient(&costs);
+/// let mut other = torques.clone();
+/// other[40].y += 1e-4;
+/// let moved = Rollout::new(Rk4, system, start, 0.01, &other)?.states()[100].angular_velocity;
+/// let difference = (moved.norm_squared() - end.norm_squared()) / 2e-4;
+/// assert!((gradient.torques[40].y - difference).abs() < 1e-5);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Rollout<'a, S, L> {
+    scheme: S,
+    system: System<f64, L>,
+    step: f64,
+    torques: &'a [Vector3<f64>],
+    states: Vec<State<f64>>,
+}
+
+/// The gradient of a cost of a [`Rollout`] in everything that it depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RolloutGradient {
+    /// In the tangent (θ, ω) of the start.
+    pub start: Vector6<f64>,
+    /// In the torque of each step.
+    pub torques: Vec<Vector3<f64>>,
+    /// In the tensor's entries xx, yy, zz, xy, xz, yz.
+    pub inertia: Vector6<f64>,
+    /// In the length of all steps, the times at which the torque law is asked held.
+    pub step: f64,
+}
+
+impl<'a, S, L> Rollout<'a, S, L>
+where
+    S: Scheme<L>,
+    L: Copy + TorqueLaw<f64>,
+{
+    /// The trajectory from `start` at time 0, step `k` with `torques[k]` added to the law, in the axes that the law names.
+    ///
+    /// # Errors
+    /// A step that is not positive and finite; a state that stops being finite.
+    pub fn new(
+        scheme: S,
+        system: System<f64, L>,
+        start: State<f64>,
+        step: f64,
+        torques: &'a [Vector3<f64>],
+    ) -> Result<Self, MotionError> {
+        stepper::positive(step)?;
+        let mut states = Vec::with_capacity(torques.len() + 1);
+        states.push(start);
+        let mut state = start;
+        for (k, torque) in torques.iter().enumerate() {
+            let time = k as f64 * step;
+            state = scheme.step(&system.with_torque(*torque), time, &state, step);
+            if !state.is_finite() {
+                return Err(MotionError::Diverged { time });
+            }
+            states.push(state);
+        }
+        Ok(Self {
+            scheme,
+            system,
+            step,
+            torques,
+            states,
+        })
+    }
+
+    /// The states: one more than there are steps.
+    pub fn states(&self) -> &[State<f64>] {
+        &self.states
+    }
+
+    /// The gradient of a cost of which `costs[k]` is that in the tangent (θ, ω) of state `k`; what `costs` lacks is zero.
+    ///
+    /// Backwards through all steps, one product of a covector and a Jacobian each: no matrix is formed, and no more is kept
+    /// than the states.
+    pub fn gradient(&self, costs: &[Vector6<f64>]) -> RolloutGradient
+    where
+        L: TorqueLaw<DualSVec64<16>>,
+    {
+        let cost = |k: usize| costs.get(k).copied().unwrap_or_else(Vector6::zeros);
+        let steps = self.torques.len();
+        let mut gradient = RolloutGradient {
+            start: cost(steps),
+            torques: vec![Vector3::zeros(); steps],
+            inertia: Vector6::zeros(),
+            step: 0.0,
+        };
+        for k in (0..steps).rev() {
+            let system = self.system.with_torque(self.torques[k]);
+            let time = k as f64 * self.step;
+            let covector = gradient.start;
+            let (_, found) =
+                (self.scheme).vjp::<16>(&system, time, &self.states[k], self.step, &covector);
+            gradient.start = found.fixed_rows::<6>(0) + cost(k);
+            gradient.torques[k] = found.fixed_rows::<3>(6).into_owned();
+            gradient.inertia += found.fixed_rows::<6>(9);
+            gradient.step += found[15];
+        }
+        gradient
+    }
+
+    /// The Jacobian of each step, the blocks of a Gauss–Newton or multiple-shooting problem: with 9 columns
+    /// [`by_state`](StepJacobian::by_state) is A and [`by_torque`](StepJacobian::by_torque) is B of δx' = A δx + B δu.
+    pub fn jacobians<const N: usize>(&self) -> impl Iterator<Item = StepJacobian<N>> + '_
+    where
+        L: TorqueLaw<DualSVec64<N>>,
+        DualSVec64<N>: Number,
+    {
+        let steps = self.torques.iter().zip(&self.states).enumerate();
+        steps.map(|(k, (torque, state))| {
+            let system = self.system.with_torque(*torque);
+            let time = k as f64 * self.step;
+            (self.scheme).step_with_jacobian::<N>(&system, time, state, self.step)
+        })
+    }
+}
