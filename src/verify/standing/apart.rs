@@ -53,7 +53,7 @@ impl<'a> Apart<'a> {
         self.judge.reading.letters.customs.integrals = !entries;
         self.judge.document = document;
         self.judge.chain = Chain::default();
-        self.judge.headings = Headings::default();
+        self.judge.words.headings = Headings::default();
         self.judge.at = At::default();
         let written = written_symbols(document);
         self.judge.reading.letters.written.extend(written);
@@ -61,8 +61,8 @@ impl<'a> Apart<'a> {
         for item in &document.items {
             match item {
                 Item::Heading { level, text, .. } => {
-                    self.judge.headings.enter(*level, text);
-                    self.judge.at.sections = self.judge.headings.texts();
+                    self.judge.words.headings.enter(*level, text);
+                    self.judge.at.sections = self.judge.words.headings.texts();
                 }
                 Item::Formula(formula) => {
                     for row in &formula.rows {

@@ -109,7 +109,8 @@ impl Judge<'_> {
     fn other_bound(&self, link: &Link) -> Option<String> {
         let nodes = [&link.left, &link.right].into_iter();
         let mut all = nodes.flat_map(bounds_in);
-        let other = all.find(|(index, bound)| self.bounds.get(index).is_some_and(|b| b != bound));
+        let other =
+            all.find(|(index, bound)| self.written.bounds.get(index).is_some_and(|b| b != bound));
         other.map(|(_, bound)| format!("`{bound}`"))
     }
 
@@ -214,7 +215,7 @@ impl Judge<'_> {
             let mut lowering = Lowering::new(
                 &mut self.reading.system,
                 &self.reading.letters,
-                self.trial.as_ref().unwrap_or(&self.document.source),
+                self.written.trial.as_ref().unwrap_or(&self.document.source),
                 &self.at,
                 &self.shapes,
             );

@@ -52,6 +52,23 @@ struct Waiting {
     second_time: bool,
 }
 
+/// What is written, besides the line that is looked at.
+#[derive(Default)]
+pub(super) struct Written {
+    /// Up to where sums run over an index, as the document writes it first.
+    pub(super) bounds: BTreeMap<String, String>,
+    /// The text of a line that is tried and does not stand in the document.
+    pub(super) trial: Option<source::Source>,
+}
+
+/// The words before a line.
+#[derive(Default)]
+pub(super) struct Words {
+    /// The sentence so far.
+    pub(super) sentence: String,
+    pub(super) headings: Headings,
+}
+
 /// A document under way.
 pub(crate) struct Judge<'a> {
     pub(crate) document: &'a Document,
@@ -59,15 +76,11 @@ pub(crate) struct Judge<'a> {
     pub(crate) facts: Facts,
     /// Shapes of letters that lines have settled.
     pub(super) shapes: HashMap<String, Shape>,
-    /// Up to where sums run over an index, as the document writes it first.
-    pub(super) bounds: BTreeMap<String, String>,
-    /// The text of a line that is tried and does not stand in the document.
-    pub(super) trial: Option<source::Source>,
+    pub(super) written: Written,
     pub(super) chain: Chain,
     pub(super) at: At,
-    sentence: String,
+    pub(super) words: Words,
     pub(crate) judged: Vec<Judged>,
-    pub(super) headings: Headings,
     /// The accepted lines that are in force.
     pub(super) settled_taken: Vec<usize>,
     /// Lines of this paragraph and of the one before it that wait.
@@ -86,13 +99,14 @@ impl<'a> Judge<'a> {
             reading,
             facts: Facts::default(),
             shapes,
-            bounds: bounds_of_sums(document),
-            trial: None,
+            written: Written {
+                bounds: bounds_of_sums(document),
+                trial: None,
+            },
             chain: Chain::default(),
             at: At::default(),
-            sentence: String::new(),
+            words: Words::default(),
             judged: vec![],
-            headings: Headings::default(),
             settled_taken: vec![],
             waiting: vec![],
             defining: vec![],
@@ -105,14 +119,14 @@ impl<'a> Judge<'a> {
         for item in &document.items {
             match item {
                 Item::Heading { level, text, .. } => {
-                    self.headings.enter(*level, text);
-                    self.at.sections = self.headings.texts();
-                    self.sentence.clear();
+                    self.words.headings.enter(*level, text);
+                    self.at.sections = self.words.headings.texts();
+                    self.words.sentence.clear();
                 }
                 Item::Prose { text, .. } => self.hear(text),
                 Item::Break => {
                     self.look_again();
-                    self.sentence.push('\n');
+                    self.words.sentence.push('\n');
                 }
                 Item::Formula(formula) => self.formula(formula),
                 Item::Comment { .. } => {}
@@ -123,25 +137,40 @@ impl<'a> Judge<'a> {
 
     /// Words go on a sentence, or begin the next one.
     fn hear(&mut self, text: &str) {
-        self.sentence.push_str(text);
+        self.words.sentence.push_str(text);
         let ends = ['.', '!', '?', ':'];
-        let end = self.sentence.rmatch_indices(&ends[..3]).find(|(at, _)| {
-            let rest = &self.sentence[at + 1..];
-            rest.starts_with([' ', '\n']) || rest.is_empty()
-        });
+        let end = self
+            .words
+            .sentence
+            .rmatch_indices(&ends[..3])
+            .find(|(at, _)| {
+                let rest = &self.words.sentence[at + 1..];
+                rest.starts_with([' ', '\n']) || rest.is_empty()
+            });
         if let Some((at, _)) = end {
-            let rest = self.sentence.split_off(at + 1);
-            self.sentence = rest;
+            let rest = self.words.sentence.split_off(at + 1);
+            self.words.sentence = rest;
         }
-        let excess = self.sentence.len().saturating_sub(1_000);
-        if let Some((at, _)) = self.sentence.char_indices().find(|(at, _)| *at >= excess) {
-            self.sentence.drain(..at);
+        let excess = self.words.sentence.len().saturating_sub(1_000);
+        if let Some((at, _)) = self
+            .words
+            .sentence
+            .char_indices()
+            .find(|(at, _)| *at >= excess)
+        {
+            self.words.sentence.drain(..at);
         }
     }
 
     /// Whether the formula stands behind a name and a colon: "(c) Symmetric body: …" says of nothing that it is so.
     fn is_only_named(&self) -> bool {
-        let paragraph = self.sentence.rsplit('\n').next().unwrap_or("").trim_end();
+        let paragraph = self
+            .words
+            .sentence
+            .rsplit('\n')
+            .next()
+            .unwrap_or("")
+            .trim_end();
         paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
     }
 
@@ -151,11 +180,11 @@ impl<'a> Judge<'a> {
                 Row::Line(_) if !formula.display && self.is_only_named() => {}
                 Row::Line(line) if !formula.display && names_an_instant(line) => {}
                 Row::Line(line) => self.line(line, formula.display),
-                Row::Expression(_) => self.sentence.push_str(" ⟨⟩ "),
+                Row::Expression(_) => self.words.sentence.push_str(" ⟨⟩ "),
                 Row::Unreadable { .. } => {}
             }
         }
-        self.sentence.push_str(" ⟨=⟩ ");
+        self.words.sentence.push_str(" ⟨=⟩ ");
     }
 
     fn line(&mut self, line: &Line, display: bool) {
@@ -171,7 +200,7 @@ impl<'a> Judge<'a> {
         self.take_premises();
         self.enter_space();
         self.keep_from_start();
-        let mut purpose = purpose(&self.sentence).on(line.continues, &links);
+        let mut purpose = purpose(&self.words.sentence).on(line.continues, &links);
         if !display {
             purpose = purpose.in_text(&links);
         }

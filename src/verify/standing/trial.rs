@@ -37,9 +37,9 @@ impl Judge<'_> {
             return false;
         }
         let links = Chain::default().links(&without_number(new));
-        self.trial = Some(Source::new("", text));
+        self.written.trial = Some(Source::new("", text));
         let follows = !links.is_empty() && links.iter().all(|link| self.follows(link));
-        self.trial = None;
+        self.written.trial = None;
         follows
     }
 
