@@ -22,6 +22,7 @@ mod contact;
 mod energy;
 mod euler;
 mod inertia;
+mod inertial_loads;
 mod linear;
 mod momentum;
 mod parallel_axis;
@@ -42,6 +43,7 @@ pub use euler::{angular_acceleration, euler_principal, moment, moment_components
 pub use inertia::{
     Products, inertia, inertia_in_axes, inertia_of_points, inertia_rate, symmetric_inertia,
 };
+pub use inertial_loads::{centrifugal_moment, coriolis_moment, euler_moment};
 pub use linear::{adjugate, apply, cross, determinant, product, skew};
 pub use momentum::{angular_momentum, force, moment_about_moving_point, momentum_rate};
 pub use parallel_axis::parallel_axis;

@@ -13,6 +13,8 @@ pub(crate) enum Source {
     Line(Option<usize>, usize),
     /// A sentence by which the author declares something.
     Declared(String),
+    /// What is constant by what holds, with its value at the start.
+    Start,
 }
 
 impl Source {
@@ -21,6 +23,7 @@ impl Source {
         match self {
             Self::Line(_, line) => format!("line {line}"),
             Self::Declared(sentence) => format!("declared: {sentence}"),
+            Self::Start => "the initial values".to_owned(),
         }
     }
 }

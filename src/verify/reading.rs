@@ -6,6 +6,8 @@ pub(crate) mod builder;
 pub(crate) mod contact_read;
 pub(crate) mod frames_read;
 pub(crate) mod letters_read;
+pub(crate) mod load_quantities_read;
+pub(crate) mod loads_read;
 pub(crate) mod names;
 pub(crate) mod notation_read;
 pub(crate) mod points_read;
@@ -53,10 +55,24 @@ pub(crate) struct Reading {
     pub(crate) held: Vec<(Reach, Reach)>,
     /// Lines that hold to first order in these variables.
     pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
-    /// Lines that hold at one instant.
-    pub(crate) instants: Vec<Reach>,
+    pub(crate) start: Start,
     /// Sentences that nothing was made of.
     pub(crate) unused: Vec<Unused>,
+}
+
+/// What lines say of one instant, and what may be kept from it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Start {
+    /// The lines that hold then alone.
+    pub(crate) lines: Vec<Reach>,
+    /// When that is.
+    pub(crate) instants: BTreeSet<String>,
+    /// What may be constant by the equations of motion.
+    pub(crate) candidates: Vec<Fraction>,
+    /// These vanish then.
+    pub(crate) values: Vec<Fraction>,
+    /// How often first integrals were looked for.
+    pub(crate) tries: usize,
 }
 
 /// A sentence that nothing was made of.

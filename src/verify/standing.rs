@@ -4,6 +4,7 @@ pub(crate) mod chains;
 pub(crate) mod hold;
 pub(crate) mod indices;
 pub(crate) mod judge;
+pub(crate) mod kept;
 pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;

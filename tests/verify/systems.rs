@@ -1,6 +1,9 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
+mod loads;
 mod rolling;
+mod start;
+mod textbook;
 
 use polhode::notation::sentences;
 use polhode::notation::{document::Format, read};

@@ -93,9 +93,15 @@ impl World {
             self.values.insert(variable, root);
             return Some(());
         }
-        let unit_part = (0..atoms.len() as Variable)
-            .filter_map(|v| facts.square(v))
-            .any(|rule| rule.value.variables().contains(&variable));
+        let unit_part = (0..atoms.len() as Variable).any(|v| {
+            let told = facts.square(v).map(|rule| &rule.value);
+            let own = match &atoms.atom(v).nature {
+                Nature::UnitPart(square) => Some(square),
+                _ => None,
+            };
+            let mut squares = told.into_iter().chain(own);
+            squares.any(|square| square.variables().contains(&variable))
+        });
         let value = match unit_part {
             true => {
                 Rational::from([(2, 3), (1, 3), (2, 7), (3, 7), (6, 7)][(next(state) % 5) as usize])

@@ -4,7 +4,7 @@ use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statemen
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::{CUSTOMARY, slot};
-use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::reading::names::{PRINCIPAL_MOMENTS, name_of, node_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
@@ -134,7 +134,7 @@ impl Builder<'_> {
                 body = subjects.first().and_then(|s| self.frame(s));
             }
             let weight = match what.head {
-                "component" | "principal moments" | "axes" | "principal axes" => 3,
+                "component" | PRINCIPAL_MOMENTS | "axes" | "principal axes" => 3,
                 _ => 1,
             };
             let on = what.slot(Slot::On).or(match what.head {

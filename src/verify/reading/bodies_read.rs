@@ -306,7 +306,11 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let quantity = Quantity::Mass(Whole::Body(body));
-        self.denote(formula, Meaning::Quantity(quantity), declaration);
+        match self.told_there(formula, declaration) {
+            // Two bodies with one letter have the same mass.
+            Some(told) => self.hold_quantities(&told, &quantity, declaration),
+            None => self.denote(formula, Meaning::Quantity(quantity), declaration),
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
+use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
@@ -67,6 +68,7 @@ pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> 
     builder.read_letters();
     builder.read_premises();
     builder.read_roles();
+    builder.read_candidates();
     builder.say_unheard();
     builder.widen_unused();
     builder.reading
@@ -210,6 +212,7 @@ impl Builder<'_> {
                 let body = self.body(phrase.slot(Slot::Of)?)?;
                 Some(self.reading.system.bodies[body].centre)
             }
+            _ if acting_force(term).is_some() => self.where_acts(acting_force(term)?),
             _ => {
                 let name = name_of(term)?;
                 let particle = || {
@@ -318,19 +321,24 @@ impl System {
         variables.into_iter().all(|v| !self.atoms.is_unknown(v))
     }
 
-    /// Letters that stand in a declaration are told by it.
+    /// Letters that stand in a declaration are told by it, also inside sines and roots.
     pub(super) fn trust(&mut self, value: &Value) {
         use crate::verify::model::atoms::Nature;
-        for entry in &value.entries {
-            for variable in entry.variables() {
-                let mut at = Some(variable);
-                while let Some(variable) = at {
-                    let atom = self.atoms.atom_mut(variable);
-                    if atom.nature == Nature::Unknown {
-                        atom.nature = Nature::Quantity;
-                    }
-                    at = atom.rate_of;
+        let variables = |f: &Fraction| f.variables();
+        let mut waiting: Vec<_> = value.entries.iter().flat_map(variables).collect();
+        let mut seen = BTreeSet::new();
+        while let Some(variable) = waiting.pop() {
+            if !seen.insert(variable) {
+                continue;
+            }
+            let atom = self.atoms.atom_mut(variable);
+            waiting.extend(atom.rate_of);
+            match &atom.nature {
+                Nature::Unknown => atom.nature = Nature::Quantity,
+                Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of) => {
+                    waiting.extend(of.variables());
                 }
+                _ => {}
             }
         }
     }
@@ -342,6 +350,7 @@ const WHILES: [&str; 3] = ["before", "after", "during"];
 /// Whether a sentence holds under a condition alone: "at `\theta = 0`".
 fn has_condition(declaration: &Declaration) -> bool {
     let slots = match &declaration.statement {
+        Statement::Is { what, .. } if rests_before(what) => return false,
         Statement::Is { what, .. } | Statement::Premise(what) => &what.slots,
         Statement::Does { slots, .. } => slots,
         _ => return false,

@@ -6,14 +6,17 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{MASS_CENTRE, node_of, reach_of};
+use crate::verify::reading::loads_read::{acting_force, is_force_at, rests_for_long};
+use crate::verify::reading::names::{
+    MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR, node_of, reach_of,
+};
 use crate::verify::reading::turns_read::EULER_ANGLES;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 20] = [
-    "products of inertia",
+    PRODUCTS,
     "frame",
     "point",
     MASS_CENTRE,
@@ -40,6 +43,9 @@ impl Builder<'_> {
     pub(super) fn read_letters(&mut self) {
         let declarations = self.declarations;
         for pass in 0..4 {
+            if pass == 1 {
+                self.read_loads();
+            }
             for declaration in declarations {
                 let order = order_of(&declaration.statement);
                 if order == pass {
@@ -113,17 +119,23 @@ impl Builder<'_> {
 
     fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
         // What the products of inertia are is a rule of notation.
-        if matches!(subjects, [Term::Phrase(phrase)] if phrase.head == "products of inertia") {
+        if matches!(subjects, [Term::Phrase(phrase)] if phrase.head == PRODUCTS) {
             return;
+        }
+        if is_force_at(what) {
+            return;
+        }
+        if rests_for_long(what) {
+            return self.say_unused(declaration);
         }
         if WHOLES.contains(&what.head) || THINGS.contains(&what.head) || self.is_shape(what.head) {
             return;
         }
         match what.head {
             "component" => self.read_components(subjects, what, declaration),
-            "principal moments" => self.read_principal_moments(subjects, what, declaration),
+            PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
             "acceleration of gravity" => self.read_gravity(subjects, declaration),
-            "vector" | "unit vector" => self.read_vectors(subjects, what, declaration),
+            "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             "time" => {
                 for formula in formulas(subjects) {
@@ -214,7 +226,11 @@ impl Builder<'_> {
     }
 
     /// The quantity that another sentence gives a letter for the same part of the document, if this one may be the same.
-    fn told_there(&mut self, formula: &Formula, declaration: &Declaration) -> Option<Quantity> {
+    pub(super) fn told_there(
+        &self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
         if matches!(&declaration.statement, Statement::Is { what, .. } if what.is("also")) {
             return None;
         }
@@ -223,7 +239,9 @@ impl Builder<'_> {
         let mut letters = self.reading.letters.letters.iter().rev();
         let told = letters.find(|l| l.spelled == writing && l.reach == reach && !l.besides)?;
         match &told.meaning {
-            Meaning::Quantity(quantity @ Quantity::Scalar { .. }) => Some(quantity.clone()),
+            Meaning::Quantity(told @ (Quantity::Scalar { .. } | Quantity::Mass(_))) => {
+                Some(told.clone())
+            }
             _ => None,
         }
     }
@@ -369,9 +387,10 @@ fn order_of(statement: &Statement) -> usize {
             ..
         } => 2,
         Statement::Is { what, .. } => match what.head {
-            "acceleration of gravity" | "vector" | "unit vector" | "mass" | "position" => 0,
+            "position" if what.all(Slot::Of).any(|of| acting_force(of).is_some()) => 2,
+            "acceleration of gravity" | "vector" | UNIT_VECTOR | "mass" | "position" => 0,
             "constant" => 3,
-            "component" | "principal moments" | "Lagrangian" | "moment" | "magnitude" | "rate"
+            "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
             | "entry" => 2,
             "angle" | "total energy" => 2,
             _ => 1,

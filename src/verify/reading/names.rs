@@ -8,6 +8,18 @@ use crate::verify::term::letters::Reach;
 /// The point of a body by which its mass moves.
 pub(crate) const MASS_CENTRE: &str = "mass centre";
 
+/// The noun of the entries of a tensor off its diagonal.
+pub(crate) const PRODUCTS: &str = "products of inertia";
+
+/// The noun of the entries of a tensor on its principal axes.
+pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
+
+/// The noun of a vector of length one.
+pub(crate) const UNIT_VECTOR: &str = "unit vector";
+
+/// The noun of the energy that a body has by its place.
+pub(crate) const POTENTIAL: &str = "potential energy";
+
 /// A name as it is looked up: a letter in dollars and the same letter in plain text are one name.
 pub(crate) fn name_of(term: &Term) -> Option<String> {
     match term {

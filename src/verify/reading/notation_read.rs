@@ -5,7 +5,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{index_letter, node_of, reach_of, without_commands};
+use crate::verify::reading::names::{PRODUCTS, index_letter, node_of, reach_of, without_commands};
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, plain, spelled};
 
 impl Builder<'_> {
@@ -47,8 +47,7 @@ impl Builder<'_> {
 
     /// "Products of inertia are integrals."
     fn read_convention(&mut self, subjects: &[Term], what: &NounPhrase) {
-        let products =
-            |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
+        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
         if subjects.iter().any(products) {
             self.reading.letters.customs.integrals = what.head == "integral";
         }

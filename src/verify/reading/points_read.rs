@@ -80,13 +80,23 @@ impl Builder<'_> {
                     ..
                 } => {
                     for name in subjects.iter().filter_map(name_of) {
-                        entry(&mut all, &name).lies = Some(index);
+                        let particle = self.particle(&name);
+                        let spoken = entry(&mut all, &name);
+                        spoken.lies = Some(index);
+                        spoken.centre_of = spoken.centre_of.or(particle);
                     }
                 }
                 _ => {}
             }
         }
         all
+    }
+
+    /// The particle of a name: where it lies its mass does.
+    fn particle(&self, name: &str) -> Option<usize> {
+        let body = *self.bodies.get(name)?;
+        let whole = &self.reading.system.bodies[body];
+        (whole.frame.is_none() && whole.parts.is_empty()).then_some(body)
     }
 
     /// A point by its name; what is said of a part of the document alone comes later.

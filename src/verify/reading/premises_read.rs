@@ -6,12 +6,13 @@ use crate::verify::Role;
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
-use crate::verify::model::system::{FrameId, PointId, Vector};
+use crate::verify::model::bodies::Velocities;
+use crate::verify::model::system::{FrameId, PointId};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, reach_of, told};
-use crate::verify::term::letters::{Meaning, Reach};
+use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, reach_of, told};
+use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Basis, Value};
+use crate::verify::term::value::Value;
 use num_traits::Zero;
 
 impl Builder<'_> {
@@ -76,11 +77,11 @@ impl Builder<'_> {
             "principal axes" => self.principal_axes(premise, declaration),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
-            "load" if premise.is("only") => self.only_loads(premise, declaration),
+            "load" | "impulse" if premise.is("only") => self.only_loads(premise, declaration),
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),
-            "potential energy" | MASS_CENTRE => Some(()),
+            POTENTIAL | MASS_CENTRE => Some(()),
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
                     let reach = reach_of(&declaration.extent);
@@ -137,45 +138,6 @@ impl Builder<'_> {
         let body = self.body_of(premise)?;
         let force = self.system().total_force(body);
         self.hold_zero(&force, declaration);
-        Some(())
-    }
-
-    /// "The weight and the force at O are the only loads on the top": about O the weight alone has a moment.
-    fn only_loads(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        let body = self.body_of(premise)?;
-        let centre = self.centre_of(body);
-        let (mut held_at, mut weight, mut letter) = (None, None, None);
-        for load in premise.all(Slot::With).cloned().collect::<Vec<_>>() {
-            let Term::Phrase(load) = &load else {
-                return None;
-            };
-            match load.head {
-                "weight" => weight = Some(self.weight(premise)?),
-                "force" => {
-                    held_at = Some(self.point(load.slot(Slot::At)?)?);
-                    letter = load.slot(Slot::Which).cloned().or(letter);
-                }
-                _ => return None,
-            }
-        }
-        let force = match weight {
-            Some(weight) => self.system().value_of(&weight).ok()?.to_vector().ok()?,
-            None => Vector::zeros(),
-        };
-        if let Some(Term::Formula(letter)) = &letter {
-            let rest = self.system().total_force(body) - force.clone();
-            let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
-            self.denote(letter, Meaning::Quantity(known), declaration);
-        }
-        let about = held_at.unwrap_or(centre);
-        let arm = self.system().position(centre, about);
-        let moment =
-            self.system().total_moment(body, about) - crate::mechanics::cross(&arm, &force);
-        self.hold_zero(&moment, declaration);
-        if held_at.is_none() {
-            let rest = self.system().total_force(body) - force;
-            self.hold_zero(&rest, declaration);
-        }
         Some(())
     }
 
@@ -247,11 +209,13 @@ impl Builder<'_> {
             self.reading.first_order.push((lines, variables.collect()));
             return;
         }
-        if slots
-            .iter()
-            .any(|(slot, term)| *slot == Slot::At && matches!(term, Term::Formula(_)))
-        {
-            self.reading.instants.push(lines.clone());
+        let instant = slots.iter().find_map(|(slot, term)| match term {
+            Term::Formula(when) if *slot == Slot::At => Some(when.source.replace(' ', "")),
+            _ => None,
+        });
+        if let Some(when) = instant {
+            self.reading.start.lines.push(lines.clone());
+            self.reading.start.instants.insert(when);
             self.reading.roles.push((lines, Some(Role::Given)));
             return;
         }
@@ -299,6 +263,37 @@ impl Builder<'_> {
         for pair in values.windows(2) {
             if let [Some(left), Some(right)] = pair {
                 self.hold_equal(&left.clone(), &right.clone(), declaration);
+            }
+        }
+    }
+
+    /// Energies and components of momenta, which the equations of motion may keep constant.
+    pub(super) fn read_candidates(&mut self) {
+        if self.reading.start.lines.is_empty() {
+            return;
+        }
+        let ground = self.reading.system.ground;
+        for body in 0..self.reading.system.bodies.len() {
+            let energy = self.system().kinetic_energy(body, ground, false);
+            let potential = self.potential_energy(body);
+            let potential = potential.and_then(|v| self.system().value_of(&v).ok());
+            let potential = potential.and_then(|v| v.to_scalar().ok());
+            let sum = energy + potential.unwrap_or_else(Zero::zero);
+            self.reading.start.candidates.push(sum);
+            let centre = self.centre_of(body);
+            let points = &self.reading.system.points;
+            let about = points.iter().enumerate();
+            let about = about.filter(|(at, p)| *at == centre || p.fixed_in.contains(&ground));
+            for about in about.map(|(at, _)| at).collect::<Vec<_>>() {
+                let momentum =
+                    self.system()
+                        .angular_momentum(body, about, ground, Velocities::Absolute);
+                for frame in 0..self.reading.system.frames.len() {
+                    for axis in 0..3 {
+                        let along = self.system().axis(frame, axis).dot(&momentum);
+                        self.reading.start.candidates.push(along);
+                    }
+                }
             }
         }
     }

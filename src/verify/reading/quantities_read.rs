@@ -5,8 +5,11 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, name_of, told};
-use crate::verify::term::quantity::{Quantity, Spot, Whole};
+use crate::verify::reading::load_quantities_read::inertial;
+use crate::verify::reading::names::{
+    MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR, name_of, told,
+};
+use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
@@ -18,7 +21,7 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along)
-            && !matches!(phrase.head, "unit vector" | "moment of inertia")
+            && !matches!(phrase.head, UNIT_VECTOR | "moment of inertia")
             && phrase.slot(Slot::Upon).is_none()
         {
             let along = self.axis_quantity(&along.clone(), declaration)?;
@@ -30,7 +33,7 @@ impl Builder<'_> {
         if let Some(on) = phrase.slot(Slot::On)
             && !matches!(
                 phrase.head,
-                "component" | "principal moments" | "products of inertia" | "entry"
+                "component" | PRINCIPAL_MOMENTS | PRODUCTS | "entry"
             )
         {
             quantity = Quantity::On(quantity.boxed(), self.frame(on)?);
@@ -131,6 +134,7 @@ impl Builder<'_> {
                 }
             }
             "force" => self.force(phrase)?,
+            head if inertial(head).is_some() => self.inertial_force(phrase)?,
             "weight" => self.weight(phrase)?,
             "moment" => self.moment(phrase, declaration)?,
             _ => return self.energy(phrase, relative),
@@ -150,7 +154,7 @@ impl Builder<'_> {
         };
         match phrase.head {
             "kinetic energy" | "kinetic energy of rotation" => Some(kinetic),
-            "potential energy" => self.potential_energy(body?),
+            POTENTIAL => self.potential_energy(body?),
             "total energy" => Some(self.total_energy(body?, kinetic)),
             "Lagrangian" => {
                 let potential = body.and_then(|body| self.potential_energy(body));
@@ -247,7 +251,7 @@ impl Builder<'_> {
     }
 
     /// The rotors that a member is one of.
-    fn rotors_of(&self, of: &Whole) -> Option<Rotors> {
+    pub(super) fn rotors_of(&self, of: &Whole) -> Option<Rotors> {
         let Whole::Member(family, index) = of else {
             return None;
         };
@@ -257,7 +261,7 @@ impl Builder<'_> {
     }
 
     /// The moment along its axis that drives a wheel: J (Ω̇ + g·ω̇).
-    fn drive(&mut self, rotors: &Rotors, body: usize) -> Quantity {
+    pub(super) fn drive(&mut self, rotors: &Rotors, body: usize) -> Quantity {
         let frame = self.reading.system.bodies[body].frame.unwrap_or(0);
         let ground = self.reading.system.ground;
         let omega = self.system().angular_velocity(frame, ground);
@@ -290,93 +294,10 @@ impl Builder<'_> {
         }
     }
 
-    fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
-        let of = self.whole_of(phrase)?;
-        match of {
-            Whole::Member(family, index) if phrase.is("external") => {
-                Some(Quantity::ExternalForce(family, index))
-            }
-            of => Some(Quantity::Force(of)),
-        }
-    }
-
-    fn moment(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
-        if let Some(upon) = phrase.slot(Slot::Upon).and_then(|term| self.whole(term))
-            && let Some(rotors) = self.rotors_of(&upon)
-            && let Whole::Member(family, _) = &upon
-            && let Some(body) = self.reading.system.families[*family].body
-        {
-            return Some(self.drive(&rotors, body));
-        }
-        match phrase.slot(Slot::Of)? {
-            Term::Formula(formula) => {
-                let force = self.quantity_of(&formula.clone(), declaration)?;
-                let at = match &force {
-                    Quantity::ExternalForce(family, index) => Spot::Member(*family, index.clone()),
-                    _ => return None,
-                };
-                let about = phrase.slot(Slot::About).and_then(|term| self.point(term))?;
-                Some(Quantity::MomentOf {
-                    force: force.boxed(),
-                    at,
-                    about,
-                })
-            }
-            Term::Phrase(load) if load.head == "weight" => {
-                let body = self.body_of(load)?;
-                let force = self.weight(load)?;
-                let at = Spot::Point(self.centre_of(body));
-                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
-                let about = about.and_then(|term| self.point(term))?;
-                Some(Quantity::MomentOf {
-                    force: force.boxed(),
-                    at,
-                    about,
-                })
-            }
-            _ => {
-                let of = self.whole_of(phrase)?;
-                let about = self.about(phrase, &of)?;
-                match of {
-                    Whole::Body(of) => Some(Quantity::Moment { of, about }),
-                    Whole::Member(..) => None,
-                }
-            }
-        }
-    }
-
     pub(super) fn body_of(&self, phrase: &NounPhrase) -> Option<usize> {
         match self.whole_of(phrase)? {
             Whole::Body(body) => Some(body),
             Whole::Member(..) => None,
         }
-    }
-
-    /// m g of a body.
-    pub(super) fn weight(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
-        let body = self.body_of(phrase)?;
-        let mass = self.reading.system.mass(body);
-        let gravity = self.gravity.clone()?;
-        Some(Quantity::Scaled(gravity.boxed(), mass))
-    }
-
-    /// −m g · r, from the origin or from where it is said to be zero.
-    pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
-        use crate::verify::language::statement::Statement;
-        let gravity = self.gravity.clone()?;
-        let zero = self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Premise(p) if p.head == "potential energy" => {
-                p.slot(Slot::At).and_then(|term| self.point(term))
-            }
-            _ => None,
-        });
-        let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
-        let mass = self.reading.system.mass(body);
-        let way = self
-            .reading
-            .system
-            .position(self.centre_of(body), zero.unwrap_or(0));
-        let energy = -(value.dot(&way) * mass);
-        Some(Quantity::Known(Value::scalar(energy)))
     }
 }

@@ -9,7 +9,8 @@ use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{letter_names, spelled};
 
 /// Verbs that build the system or name letters.
-const HEARD: [&str; 8] = [
+const HEARD: [&str; 9] = [
+    "act",
     "roll",
     "turn",
     "take",

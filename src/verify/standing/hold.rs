@@ -333,6 +333,11 @@ impl Judge<'_> {
             ));
             return;
         }
+        if self.may_hold_from_start(&held.sides) {
+            held.doubt =
+                Some("it holds at the start, and the motion from there is not worked out".into());
+            return;
+        }
         let told = |v: &Variable| self.facts.rule(*v).is_some();
         let angles = residuals.iter().flat_map(Fraction::variables);
         let angles = angles.filter_map(|v| self.reading.system.atoms.angle_of(v));

@@ -63,7 +63,7 @@ pub(crate) struct Judge<'a> {
     pub(crate) judged: Vec<Judged>,
     headings: Headings,
     /// The accepted lines that are in force.
-    settled_taken: Vec<usize>,
+    pub(super) settled_taken: Vec<usize>,
     /// Lines of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
     /// The accepted lines that define letters.
@@ -162,6 +162,7 @@ impl<'a> Judge<'a> {
         }
         self.take_premises();
         self.enter_space();
+        self.keep_from_start();
         let mut purpose = purpose(&self.sentence).on(line.continues, &links);
         if !display {
             purpose = purpose.in_text(&links);
@@ -237,6 +238,7 @@ impl<'a> Judge<'a> {
             let own = self.source();
             self.take_premises_but(Some(&own));
             self.enter_space();
+            self.keep_from_start();
             let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
             let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
             if held.iter().all(told) {
@@ -357,15 +359,20 @@ impl<'a> Judge<'a> {
 
     /// Takes what an accepted line says into the facts.
     fn settle(&mut self, held: &Held, source: &Source) -> Answer {
-        if let Some((letter, left, _)) = &held.settles {
-            self.shapes.insert(letter.clone(), left.shape());
-        }
         // What holds at one instant tells nothing of the others.
         let instant = self
             .reading
-            .instants
+            .start
+            .lines
             .iter()
             .any(|lines| lines.covers(&self.at, 0));
+        if instant {
+            let values = held.sides.iter();
+            let values = values.map(|(left, right)| left.clone() - right.clone());
+            self.reading.start.values.extend(values);
+        } else if let Some((letter, left, _)) = &held.settles {
+            self.shapes.insert(letter.clone(), left.shape());
+        }
         if instant
             || matches!(
                 held.standing,

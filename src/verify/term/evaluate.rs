@@ -4,6 +4,7 @@ use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Motion, Nature, fraction, whole};
 use crate::verify::model::bodies::Velocities;
+use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::system::{FrameId, Matrix, PointId, System, Vector};
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value, Valued, beyond};
@@ -136,6 +137,31 @@ impl System {
         }
         let velocity = self.velocity_of(of, relative);
         self.rate_seen_from(relative, &velocity)
+    }
+
+    /// The force of a turning frame on a body or a member, or its moment about a point.
+    pub(super) fn inertial_load(
+        &mut self,
+        kind: Inertial,
+        of: &Whole,
+        frame: FrameId,
+        about: Option<PointId>,
+    ) -> Vector {
+        let (family, index) = match (of, about) {
+            (Whole::Body(body), None) => return self.inertial_force(kind, *body, frame),
+            (Whole::Body(body), Some(about)) => {
+                return self.inertial_moment(kind, *body, frame, about);
+            }
+            (Whole::Member(family, index), _) => (*family, index),
+        };
+        let way = self.member_position(family, index, self.fixed_point(frame));
+        let rate = self.rate_seen_from(frame, &way);
+        let mass = self.member_mass(family, index);
+        let force = self.inertial_field(kind, frame, &way, &rate) * mass;
+        match about {
+            Some(about) => mechanics::cross(&self.member_position(family, index, about), &force),
+            None => force,
+        }
     }
 
     pub(super) fn mass_of(&mut self, of: &Whole) -> Fraction {

@@ -31,6 +31,7 @@ impl Quantity {
             | Self::Momentum { of, .. }
             | Self::AngularMomentum { of, .. }
             | Self::KineticEnergy { of, .. }
+            | Self::InertialForce { of, .. }
             | Self::Force(of) => *of = whole(of),
             Self::ExternalForce(_, own)
             | Self::MemberScalar { index: own, .. }
@@ -72,6 +73,7 @@ impl Quantity {
             | Self::Momentum { of, .. }
             | Self::AngularMomentum { of, .. }
             | Self::KineticEnergy { of, .. }
+            | Self::InertialForce { of, .. }
             | Self::Force(of) => matches!(of, Whole::Member(..)),
             Self::Distance { of, .. } => matches!(of, Spot::Member(..)),
             Self::ExternalForce(..) | Self::MemberScalar { .. } | Self::MemberVector { .. } => true,

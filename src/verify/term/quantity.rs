@@ -5,6 +5,7 @@ use crate::mechanics;
 use crate::verify::model::atoms::{Key, Law, Motion, fraction};
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::contact::Carried;
+use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::system::{
     BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
 };
@@ -67,6 +68,13 @@ pub(crate) enum Quantity {
     },
     Force(Whole),
     ExternalForce(FamilyId, String),
+    /// The force of a turning frame, or its moment about a point.
+    InertialForce {
+        kind: Inertial,
+        of: Whole,
+        frame: FrameId,
+        about: Option<PointId>,
+    },
     Moment {
         of: BodyId,
         about: PointId,
@@ -166,6 +174,7 @@ impl Quantity {
             Self::Momentum { .. } | Self::AngularMomentum { .. } => "inertia",
             Self::KineticEnergy { .. } => "energy",
             Self::Force(_) | Self::ExternalForce(..) => "newton",
+            Self::InertialForce { .. } => "transport",
             Self::Moment { .. } | Self::MomentOf { .. } => "moment",
             Self::Rotation { .. } => "attitude",
             Self::Rate { of, .. }
@@ -271,6 +280,12 @@ impl System {
                 itself(self.rate_seen_from(self.ground, &momentum))
             }
             Quantity::ExternalForce(family, index) => itself(self.member_force(*family, index)),
+            Quantity::InertialForce {
+                kind,
+                of,
+                frame,
+                about,
+            } => itself(self.inertial_load(*kind, of, *frame, *about)),
             Quantity::Moment { of, about } => itself(self.total_moment(*of, *about)),
             Quantity::MomentOf { force, at, about } => {
                 let force = self.value_of(force)?.to_vector()?;
@@ -332,9 +347,10 @@ fn place_of(quantity: &Quantity) -> Place {
         Quantity::Position { .. } | Quantity::Rotation { .. } | Quantity::Axis(..) => {
             Place::Coordinate
         }
-        Quantity::Force(_) | Quantity::Moment { .. } | Quantity::MomentOf { .. } => {
-            Place::Acceleration
-        }
+        Quantity::Force(_)
+        | Quantity::InertialForce { .. }
+        | Quantity::Moment { .. }
+        | Quantity::MomentOf { .. } => Place::Acceleration,
         _ => Place::Rate,
     }
 }

@@ -1,0 +1,87 @@
+//! Loads: forces at points and couples, as long as they act or as a blow.
+
+use crate::mechanics;
+use crate::verify::model::system::{BodyId, PointId, System, Vector};
+
+/// How long a load acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lasting {
+    /// As long as the motion does: it changes the momentum at a rate.
+    Always,
+    /// For an instant, on a body at rest: the momentum is what it brings.
+    Blow,
+}
+
+/// A load on a body.
+#[derive(Clone, Debug)]
+pub(crate) struct Load {
+    /// The writing of its letter.
+    pub(crate) letter: String,
+    /// Where the force acts; a couple acts nowhere.
+    pub(crate) at: Option<PointId>,
+    /// The force, or the moment of the couple.
+    pub(crate) value: Vector,
+    pub(crate) lasting: Lasting,
+}
+
+impl Load {
+    fn force(&self) -> Vector {
+        match self.at {
+            Some(_) => self.value.clone(),
+            None => Vector::zeros(),
+        }
+    }
+}
+
+impl System {
+    /// What all loads on a body come to: its force, or the momentum that a blow brings it.
+    pub(crate) fn whole_load(&mut self, body: BodyId, lasting: Lasting) -> Vector {
+        match lasting {
+            Lasting::Always => self.total_force(body),
+            Lasting::Blow => self.momentum(body, self.ground),
+        }
+    }
+
+    /// The moment that all loads on a body have about a point, or the angular momentum that a blow brings it.
+    pub(crate) fn whole_moment(
+        &mut self,
+        body: BodyId,
+        about: PointId,
+        lasting: Lasting,
+    ) -> Vector {
+        use crate::verify::model::bodies::Velocities::Absolute;
+        match lasting {
+            Lasting::Always => self.total_moment(body, about),
+            Lasting::Blow => self.angular_momentum(body, about, self.ground, Absolute),
+        }
+    }
+
+    /// What is left of the whole load beside some.
+    pub(crate) fn rest_of_load(
+        &mut self,
+        body: BodyId,
+        loads: &[Load],
+        lasting: Lasting,
+    ) -> Vector {
+        let whole = self.whole_load(body, lasting);
+        loads.iter().fold(whole, |rest, load| rest - load.force())
+    }
+
+    /// What is left of the whole moment about a point beside that of some loads.
+    pub(crate) fn rest_of_moment(
+        &mut self,
+        body: BodyId,
+        about: PointId,
+        loads: &[Load],
+        lasting: Lasting,
+    ) -> Vector {
+        let mut rest = self.whole_moment(body, about, lasting);
+        for load in loads {
+            rest -= match load.at {
+                Some(at) => mechanics::cross(&self.position(at, about), &load.value),
+                None => load.value.clone(),
+            };
+        }
+        rest
+    }
+}

@@ -1,0 +1,158 @@
+//! Forces and moments by their nouns: of bodies and members, of weights, and of turning frames.
+
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::inertial_loads::Inertial;
+use crate::verify::model::system::PointId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::POTENTIAL;
+use crate::verify::term::quantity::{Quantity, Spot, Whole};
+use crate::verify::term::value::{Basis, Value};
+
+impl Builder<'_> {
+    pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let of = self.whole_of(phrase)?;
+        match of {
+            Whole::Member(family, index) if phrase.is("external") => {
+                Some(Quantity::ExternalForce(family, index))
+            }
+            of => Some(Quantity::Force(of)),
+        }
+    }
+
+    pub(super) fn moment(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        if let Some(upon) = phrase.slot(Slot::Upon).and_then(|term| self.whole(term))
+            && let Some(rotors) = self.rotors_of(&upon)
+            && let Whole::Member(family, _) = &upon
+            && let Some(body) = self.reading.system.families[*family].body
+        {
+            return Some(self.drive(&rotors, body));
+        }
+        match phrase.slot(Slot::Of)? {
+            Term::Formula(formula) => {
+                let about = phrase.slot(Slot::About).and_then(|term| self.point(term))?;
+                self.moment_of_letter(&formula.clone(), about, declaration)
+            }
+            Term::Phrase(load) if inertial(load.head).is_some() => {
+                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
+                let about = about.and_then(|term| self.point(term))?;
+                about_point(self.inertial_force(load)?, about)
+            }
+            Term::Phrase(load) if load.head == "weight" => {
+                let body = self.body_of(load)?;
+                let force = self.weight(load)?;
+                let at = Spot::Point(self.centre_of(body));
+                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
+                let about = about.and_then(|term| self.point(term))?;
+                Some(Quantity::MomentOf {
+                    force: force.boxed(),
+                    at,
+                    about,
+                })
+            }
+            _ => {
+                let of = self.whole_of(phrase)?;
+                let about = self.about(phrase, &of)?;
+                match of {
+                    Whole::Body(of) => Some(Quantity::Moment { of, about }),
+                    Whole::Member(..) => None,
+                }
+            }
+        }
+    }
+
+    /// "the Coriolis force on P in A".
+    pub(super) fn inertial_force(&self, phrase: &NounPhrase) -> Option<Quantity> {
+        let frame = phrase.slot(Slot::RelativeTo);
+        Some(Quantity::InertialForce {
+            kind: inertial(phrase.head)?,
+            of: self.whole(phrase.slot(Slot::Of)?)?,
+            frame: self.frame(frame?)?,
+            about: None,
+        })
+    }
+
+    /// The moment of a force by its letter.
+    fn moment_of_letter(
+        &self,
+        letter: &Formula,
+        about: PointId,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let force = self.quantity_of(letter, declaration)?;
+        if matches!(force, Quantity::InertialForce { .. }) {
+            return about_point(force, about);
+        }
+        let (force, at) = match force {
+            Quantity::ExternalForce(family, ref index) => {
+                let at = Spot::Member(family, index.clone());
+                (force, at)
+            }
+            _ => {
+                let (at, vector) = self.acting_there(letter)?;
+                let force = Quantity::Known(Value::vector(&vector, Basis::Itself));
+                (force, Spot::Point(at))
+            }
+        };
+        Some(Quantity::MomentOf {
+            force: force.boxed(),
+            at,
+            about,
+        })
+    }
+
+    /// m g of a body.
+    pub(super) fn weight(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let body = self.body_of(phrase)?;
+        let mass = self.reading.system.mass(body);
+        let gravity = self.gravity.clone()?;
+        Some(Quantity::Scaled(gravity.boxed(), mass))
+    }
+
+    /// −m g · r, from the origin or from where it is said to be zero.
+    pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
+        let gravity = self.gravity.clone()?;
+        let zero = self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Premise(p) if p.head == POTENTIAL => {
+                p.slot(Slot::At).and_then(|term| self.point(term))
+            }
+            _ => None,
+        });
+        let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
+        let mass = self.reading.system.mass(body);
+        let way = self
+            .reading
+            .system
+            .position(self.centre_of(body), zero.unwrap_or(0));
+        let energy = -(value.dot(&way) * mass);
+        Some(Quantity::Known(Value::scalar(energy)))
+    }
+}
+
+/// The force of a turning frame that a noun names.
+pub(super) fn inertial(head: &str) -> Option<Inertial> {
+    Some(match head {
+        "Coriolis force" => Inertial::Coriolis,
+        "centrifugal force" => Inertial::Centrifugal,
+        "Euler force" => Inertial::Euler,
+        _ => return None,
+    })
+}
+
+/// The moment of the force of a turning frame.
+fn about_point(force: Quantity, point: PointId) -> Option<Quantity> {
+    match force {
+        Quantity::InertialForce {
+            kind, of, frame, ..
+        } => Some(Quantity::InertialForce {
+            kind,
+            of,
+            frame,
+            about: Some(point),
+        }),
+        _ => None,
+    }
+}

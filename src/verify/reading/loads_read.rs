@@ -1,0 +1,363 @@
+//! Loads that sentences name, and what it says that there are no others.
+
+use crate::algebra::Place;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::loads::{Lasting, Load};
+use crate::verify::model::system::{PointId, Vector};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
+
+/// Nouns of what acts at a point.
+pub(super) const FORCES: [&str; 7] = [
+    "force", "thrust", "lift", "drag", "tension", "friction", IMPULSE,
+];
+
+/// The noun of a blow.
+const IMPULSE: &str = "impulse";
+
+/// What a body is before a blow.
+const AT_REST: &str = "at rest";
+
+/// The noun of the point where a force acts.
+const POINT_OF_ACTION: &str = "point of action";
+
+/// What a sentence says of one load.
+struct Acting<'s> {
+    head: &'s str,
+    letter: &'s Formula,
+    at: Option<PointId>,
+    along: Option<&'s Term>,
+}
+
+impl Builder<'_> {
+    /// "The force `F` acts at P", "`T` is the thrust at P along z".
+    pub(super) fn read_loads(&mut self) {
+        for declaration in self.declarations {
+            let read = match &declaration.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "act",
+                    slots,
+                } => self.read_acting(subjects, slots, declaration),
+                Statement::Is { subjects, what } if is_force_at(what) => {
+                    let said = |subject| (what.head, subject);
+                    let mut all = subjects.iter().map(said);
+                    all.try_for_each(|(head, subject)| match subject {
+                        Term::Formula(letter) => {
+                            self.add_load(head, letter, &what.slots, declaration)
+                        }
+                        _ => None,
+                    })
+                }
+                _ => continue,
+            };
+            read.unwrap_or_else(|| self.say_unused(declaration));
+        }
+        self.place_forces();
+    }
+
+    /// The points where forces act that no other sentence places.
+    fn place_forces(&mut self) {
+        for declaration in self.declarations {
+            for letter in declaration
+                .statement
+                .terms()
+                .into_iter()
+                .filter_map(acting_force)
+            {
+                if self.load(letter, Lasting::Always).is_some() {
+                    continue;
+                }
+                let text = format!("r_{{{}}}", letter.source);
+                let way = self.system().free_vector(&text, Place::Coordinate, None);
+                let at = self.system().add_point(&text, Some((0, way)), vec![]);
+                let acting = Acting {
+                    head: "force",
+                    letter,
+                    at: Some(at),
+                    along: None,
+                };
+                if let Some(value) = self.value_of_load(&acting, declaration) {
+                    self.push_load(&acting, value);
+                }
+            }
+        }
+    }
+
+    fn read_acting(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        for subject in subjects {
+            match subject {
+                Term::Formula(letter) => self.add_load("force", letter, slots, declaration)?,
+                Term::Phrase(load) => {
+                    for letter in load.all(Slot::Which) {
+                        let Term::Formula(letter) = letter else {
+                            return None;
+                        };
+                        self.add_load(load.head, letter, slots, declaration)?;
+                    }
+                    load.slot(Slot::Which)?;
+                }
+                _ => return None,
+            }
+        }
+        Some(())
+    }
+
+    fn add_load(
+        &mut self,
+        head: &str,
+        letter: &Formula,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let at = match slot(slots, Slot::At) {
+            Some(term) => Some(self.point(term)?),
+            None => None,
+        };
+        if at.is_some() != FORCES.contains(&head) || at.is_none() && head != "moment" {
+            return None;
+        }
+        let acting = Acting {
+            head,
+            letter,
+            at,
+            along: slot(slots, Slot::Along),
+        };
+        let value = self.value_of_load(&acting, declaration)?;
+        self.push_load(&acting, value);
+        Some(())
+    }
+
+    fn push_load(&mut self, acting: &Acting<'_>, value: Vector) {
+        let letter = node_of(acting.letter).map(spelled).unwrap_or_default();
+        self.system().loads.push(Load {
+            letter,
+            at: acting.at,
+            value,
+            lasting: lasting_of(acting.head),
+        });
+    }
+
+    /// A letter that is told already, the size of a load along an axis, or a vector by its letter.
+    fn value_of_load(&mut self, acting: &Acting<'_>, declaration: &Declaration) -> Option<Vector> {
+        let known = self.quantity_of(acting.letter, declaration);
+        let text = acting.letter.source.clone();
+        let quantity = known.clone().unwrap_or(match acting.along {
+            Some(_) => Quantity::Scalar {
+                text,
+                constant: false,
+            },
+            None => Quantity::Vector {
+                text,
+                carried: None,
+            },
+        });
+        if known.is_none() {
+            let meaning = Meaning::Quantity(quantity.clone());
+            self.denote(acting.letter, meaning, declaration);
+        }
+        let value = self.system().value_of(&quantity).ok()?;
+        match acting.along {
+            Some(along) if value.is_scalar() => {
+                let along = self.direction(along, declaration, None)?;
+                Some(along * value.to_scalar().ok()?)
+            }
+            _ => value.to_vector().ok(),
+        }
+    }
+
+    /// A load by its letter.
+    fn load(&self, letter: &Formula, lasting: Lasting) -> Option<Load> {
+        let writing = spelled(node_of(letter)?);
+        let mut loads = self.reading.system.loads.iter();
+        loads
+            .find(|load| load.letter == writing && load.lasting == lasting)
+            .cloned()
+    }
+
+    /// Where a force acts, by its letter.
+    pub(super) fn where_acts(&self, letter: &Formula) -> Option<PointId> {
+        Some(self.acting_there(letter)?.0)
+    }
+
+    /// A force by its letter, and the point where it acts.
+    pub(super) fn acting_there(&self, letter: &Formula) -> Option<(PointId, Vector)> {
+        let load = self.load(letter, Lasting::Always)?;
+        Some((load.at?, load.value))
+    }
+
+    /// "The weight and the force at O are the only loads on the top." One force that nothing tells is what the others
+    /// leave of the whole; about the point where it acts it has no moment.
+    pub(super) fn only_loads(
+        &mut self,
+        premise: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let body = self.body_of(premise)?;
+        let lasting = lasting_of(premise.head);
+        if lasting == Lasting::Blow && !self.rests_before_blow(body) {
+            return None;
+        }
+        let (mut loads, mut open): (Vec<Load>, Option<(PointId, Option<Formula>)>) = (vec![], None);
+        for load in premise.all(Slot::With) {
+            if let Term::Formula(letter) = load {
+                loads.push(self.load(letter, lasting)?);
+                continue;
+            }
+            let Term::Phrase(load) = load else {
+                return None;
+            };
+            if load.head == "weight" {
+                let weight = self.weight(premise)?;
+                loads.push(Load {
+                    letter: String::new(),
+                    at: Some(self.centre_of(body)),
+                    value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
+                    lasting,
+                });
+                continue;
+            }
+            let letters: Vec<&Formula> = letters_of(load);
+            let known = letters.iter().map(|letter| self.load(letter, lasting));
+            if let Some(known) = known
+                .collect::<Option<Vec<Load>>>()
+                .filter(|k| !k.is_empty())
+            {
+                loads.extend(known);
+                continue;
+            }
+            let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
+            if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1
+            {
+                return None;
+            }
+            let letter = letters.first().map(|letter| (*letter).clone());
+            match (&open, letter) {
+                (None, letter) => open = Some((at, letter)),
+                (Some(_), letter) => {
+                    loads.push(self.open_load(load.head, at, letter, declaration)?)
+                }
+            }
+        }
+        self.hold_loads(body, &loads, open, lasting, declaration);
+        Some(())
+    }
+
+    /// A force that nothing tells, beside another one: a vector of its own.
+    fn open_load(
+        &mut self,
+        head: &str,
+        at: PointId,
+        letter: Option<Formula>,
+        declaration: &Declaration,
+    ) -> Option<Load> {
+        let text = format!("F_{{{}}}", self.reading.system.points[at].name);
+        let quantity = Quantity::Vector {
+            text: letter.as_ref().map_or(text, |l| l.source.clone()),
+            carried: None,
+        };
+        if let Some(letter) = &letter {
+            let meaning = Meaning::Quantity(quantity.clone());
+            self.denote(letter, meaning, declaration);
+        }
+        Some(Load {
+            letter: String::new(),
+            at: Some(at),
+            value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
+            lasting: lasting_of(head),
+        })
+    }
+
+    fn hold_loads(
+        &mut self,
+        body: usize,
+        loads: &[Load],
+        open: Option<(PointId, Option<Formula>)>,
+        lasting: Lasting,
+        declaration: &Declaration,
+    ) {
+        let about = match &open {
+            Some((at, _)) => *at,
+            None => self.centre_of(body),
+        };
+        if let Some((_, Some(letter))) = &open {
+            let rest = self.system().rest_of_load(body, loads, lasting);
+            let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
+            self.denote(letter, Meaning::Quantity(known), declaration);
+        }
+        let moment = self.system().rest_of_moment(body, about, loads, lasting);
+        self.hold_zero(&moment, declaration);
+        if open.is_none() {
+            let rest = self.system().rest_of_load(body, loads, lasting);
+            self.hold_zero(&rest, declaration);
+        }
+    }
+
+    /// "The rod is at rest before the impulse."
+    fn rests_before_blow(&self, body: usize) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if rests_before(what) => {
+                let mut bodies = subjects.iter().map(|subject| self.body(subject));
+                bodies.any(|of| of == Some(body))
+            }
+            _ => false,
+        })
+    }
+}
+
+/// Whether a noun is that of a force at a point.
+pub(super) fn is_force_at(what: &NounPhrase) -> bool {
+    FORCES.contains(&what.head) && what.slot(Slot::At).is_some()
+}
+
+/// Whether it is said that something is at rest, and of no blow that comes then.
+pub(super) fn rests_for_long(what: &NounPhrase) -> bool {
+    what.head == AT_REST && !rests_before(what)
+}
+
+/// Whether it is said that something is at rest before a blow.
+pub(super) fn rests_before(what: &NounPhrase) -> bool {
+    let blow = |term: &Term| matches!(term, Term::Phrase(of) if of.head == IMPULSE);
+    what.head == AT_REST
+        && what.slots.iter().any(|(_, term)| match term {
+            Term::Phrase(when) if when.head == "before" => when.all(Slot::Of).any(blow),
+            _ => false,
+        })
+}
+
+fn lasting_of(head: &str) -> Lasting {
+    match head {
+        IMPULSE => Lasting::Blow,
+        _ => Lasting::Always,
+    }
+}
+
+fn letters_of(load: &NounPhrase) -> Vec<&Formula> {
+    let mut letters = vec![];
+    for term in load.all(Slot::Which) {
+        if let Term::Formula(letter) = term {
+            letters.push(letter);
+        }
+    }
+    letters
+}
+
+/// Whether a term is the point where a force acts, and which force.
+pub(super) fn acting_force(term: &Term) -> Option<&Formula> {
+    match term {
+        Term::Phrase(point) if point.head == POINT_OF_ACTION => match point.slot(Slot::Of)? {
+            Term::Formula(letter) => Some(letter),
+            _ => None,
+        },
+        _ => None,
+    }
+}
