@@ -10,13 +10,16 @@ use crate::verify::model::atoms::{Atoms, Key, Nature, whole};
 use crate::verify::reading::Premise;
 use crate::verify::standing::judge::Judge;
 use num_traits::{One, Zero};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// First integrals are looked for at no more lines.
 const MOST_TRIES: usize = 12;
 
 /// Values of more terms are not put in.
 const MOST_TERMS: usize = 2_000;
+
+/// Values of variables at the start.
+type Images = BTreeMap<Variable, Fraction>;
 
 impl Judge<'_> {
     /// Puts in what is kept from the start, as far as it is known by now.
@@ -83,8 +86,8 @@ impl Judge<'_> {
     }
 
     /// What variables are at the start. A rate that vanishes then need not stay so: nothing is differentiated.
-    fn images_at_start(&mut self, facts: &mut Facts) -> Option<HashMap<Variable, Fraction>> {
-        let mut images: HashMap<Variable, Fraction> = HashMap::new();
+    fn images_at_start(&mut self, facts: &mut Facts) -> Option<Images> {
+        let mut images = Images::new();
         for value in self.reading.start.values.clone() {
             let atoms = &mut self.reading.system.atoms;
             if let Some(kernels) = angle_at_start(atoms, &value) {
@@ -97,7 +100,7 @@ impl Judge<'_> {
                 continue;
             }
             let (variable, solved) = solved_for_motion(atoms, then.numerator())?;
-            let own = HashMap::from([(variable, solved.clone())]);
+            let own = Images::from([(variable, solved.clone())]);
             for image in images.values_mut() {
                 *image = put_in(image, &own)?;
             }
@@ -124,8 +127,9 @@ impl Judge<'_> {
 }
 
 /// A fraction with values put in for variables; `None` where its denominator vanishes.
-fn put_in(of: &Fraction, images: &HashMap<Variable, Fraction>) -> Option<Fraction> {
-    let put = |p: &Polynomial| compose(p, images, MOST_TERMS).ok();
+fn put_in(of: &Fraction, images: &Images) -> Option<Fraction> {
+    let images: HashMap<Variable, Fraction> = images.clone().into_iter().collect();
+    let put = |p: &Polynomial| compose(p, &images, MOST_TERMS).ok();
     let (top, bottom) = (put(of.numerator())?, put(of.denominator())?);
     (!bottom.is_zero()).then(|| top / bottom)
 }
@@ -208,6 +212,7 @@ fn cosine_of_steps(atoms: &mut Atoms, steps: i64) -> Option<Fraction> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use num_traits::ToPrimitive;
 
     #[test]
     fn cosines_of_common_angles_are_exact() {
@@ -218,10 +223,12 @@ mod tests {
                 "\\sqrt{3}" => 3f64.sqrt(),
                 _ => 2f64.sqrt(),
             };
-            let value = cosine.numerator().evaluate(root, |c: &Rational| c.to_f64());
+            let value = cosine
+                .numerator()
+                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
             let below = cosine
                 .denominator()
-                .evaluate(root, |c: &Rational| c.to_f64());
+                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
             let angle = (15.0 * steps as f64).to_radians();
             assert!((value / below - angle.cos()).abs() < 1e-12, "{steps}");
         }
