@@ -2,7 +2,7 @@
 //!
 //! [`check`] holds a Jacobian against dual numbers: there is no step size, and the answer is right to rounding. It takes
 //! any function that is generic over its number. [`check_black_box`] takes a function of which only values can be had, and
-//! holds the Jacobian against differences over a whole range of steps. [`assert_jacobian!`](macro@polhode::assert_jacobian) is the
+//! holds the Jacobian against differences over a whole range of steps. `assert_jacobian!` is the
 //! first of them for tests.
 //!
 //! ```

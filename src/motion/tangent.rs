@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 /// The right Jacobian of SO(3): exp(θ + δ) = exp(θ) exp(J δ) to first order in δ.
 ///
-/// J = 1 − (1 − cos θ)/θ² [θ]× + (θ − sin θ)/θ³ [θ]×². Chirikjian (2012), *Stochastic Models, Information Theory, and Lie
+/// `J = 1 − (1 − cos θ)/θ² [θ]× + (θ − sin θ)/θ³ [θ]×²`. Chirikjian (2012), *Stochastic Models, Information Theory, and Lie
 /// Groups* 2, section 10.6. Singular at a full turn.
 pub fn right_jacobian(theta: &Vector3<f64>) -> Matrix3<f64> {
     let cross = theta.cross_matrix();
@@ -15,7 +15,7 @@ pub fn right_jacobian(theta: &Vector3<f64>) -> Matrix3<f64> {
 
 /// The inverse of [`right_jacobian`]: Log(exp(θ) exp(δ)) = θ + J⁻¹ δ to first order in δ.
 ///
-/// J⁻¹ = 1 + ½ [θ]× + (1/θ² − (1 + cos θ)/(2 θ sin θ)) [θ]×². Not finite at a full turn.
+/// `J⁻¹ = 1 + ½ [θ]× + (1/θ² − (1 + cos θ)/(2 θ sin θ)) [θ]×²`. Not finite at a full turn.
 pub fn right_jacobian_inverse(theta: &Vector3<f64>) -> Matrix3<f64> {
     let cross = theta.cross_matrix();
     let square = theta.norm_squared();
