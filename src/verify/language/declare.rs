@@ -120,8 +120,15 @@ fn read(
         line,
         sentence.trim_end().trim_end_matches('.').chars().count() + 1,
     );
-    let strictly = |tokens: &[Token]| Reader::new(tokens, end, lexicon, macros, bodies).sentence();
-    let said = understood(tokens, lexicon, &strictly)?;
+    let reader = |tokens| Reader::new(tokens, end, lexicon, macros, bodies);
+    let mut before = reader(tokens);
+    let extents = before.extents().map_or(0, |_| before.at);
+    let (extents, clauses) = tokens.split_at(extents);
+    let strictly = |clauses: &[Token]| {
+        let tokens = [extents, clauses].concat();
+        Reader::new(&tokens, end, lexicon, macros, bodies).sentence()
+    };
+    let said = understood(clauses, lexicon, &strictly)?;
     let declaration = |(extent, statement)| Declaration {
         statement,
         extent,
@@ -145,10 +152,6 @@ fn understood(
         Ok(said) => return Ok(said),
         Err(error) => error,
     };
-    let reached = |tokens: &[Token], error: &Misread| {
-        let before = tokens.iter().position(|t| t.column >= error.column);
-        before.unwrap_or(tokens.len())
-    };
     let mut left = MOST_READINGS;
     let mut now = plainly(&possessives(&axes(tokens), lexicon));
     let mut error = match strictly(&now) {
@@ -165,8 +168,7 @@ fn understood(
         }
     }
     loop {
-        let end = reached(&now, &error);
-        let mut joints: Vec<usize> = (0..now.len().min(end + 1)).rev().collect();
+        let mut joints: Vec<usize> = (0..now.len()).rev().collect();
         // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
         joints.sort_by_key(|&at| joint_weakness(&now, at));
         let parted = joints

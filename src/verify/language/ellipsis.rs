@@ -6,8 +6,8 @@ use super::rewrite::put_in;
 use super::words::{Kind, Token};
 
 /// Words by which clauses are joined.
-const JOINS: [&str; 9] = [
-    "and", "while", "whereas", "so", "where", "but", "with", "likewise", "then",
+const JOINS: [&str; 8] = [
+    "and", "while", "whereas", "where", "but", "with", "likewise", "then",
 ];
 
 /// Words that go on from a thing named just before.
@@ -115,6 +115,9 @@ fn completed(
         .first()
         .is_some_and(|t| ["so", "as"].contains(&t.lower.as_str()));
     let skipped = usize::from(likewise);
+    if likewise {
+        all.push((whole.clone(), second[1..].to_vec()));
+    }
     if let Some(word) = second.get(skipped)
         && matches!(word.lower.as_str(), "is" | "are" | "does" | "do")
     {
@@ -176,7 +179,9 @@ fn clause<'t>(
             return Some((at, 1));
         }
         let verb = lexicon.find(&words[at..], &[Class::Verb])?;
-        Some((at, verb.length))
+        let nouns = [Class::Noun, Class::Place, Class::Thing];
+        let noun = lexicon.find(&words[at..], &nouns);
+        noun.is_none().then_some((at, verb.length))
     })?;
     let (subject, rest) = tokens.split_at(at);
     let (verb, rest) = rest.split_at(length);

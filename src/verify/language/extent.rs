@@ -64,6 +64,10 @@ impl Reader<'_> {
         }
         if self.take("from line") {
             let first = self.number()?;
+            if self.take("to") {
+                self.take_any(&LINES);
+                return Ok(vec![lines(first, Some(self.number()?))]);
+            }
             return match self.take("on") {
                 true => Ok(vec![lines(first, None)]),
                 false => Err(self.unexpected("end of an extent", "say `from line 38 on`", &[])),

@@ -228,7 +228,13 @@ impl<'a> Reader<'a> {
             return;
         }
         for (slot, term) in &mut phrase.slots {
-            if *slot == Slot::Of && matches!(term, Term::Formula(_)) {
+            let of_thing = |p: &NounPhrase| p.slot(Slot::Of) == Some(thing);
+            let names_quantity = match term {
+                Term::Formula(_) => true,
+                Term::Phrase(p) => of_thing(p),
+                _ => false,
+            };
+            if *slot == Slot::Of && names_quantity {
                 *term = thing.clone();
             }
         }
@@ -298,7 +304,17 @@ impl<'a> Reader<'a> {
 
     /// A noun with its article, its adjectives and what hangs on it.
     pub(crate) fn phrase(&mut self) -> Read<NounPhrase> {
-        self.phrase_of(vec![])
+        let owned = matches!(self.word(), "its" | "their");
+        let mut owner = match owned {
+            true => self.owner.clone(),
+            false => vec![],
+        };
+        if self.word() == "its" {
+            owner.truncate(1);
+        }
+        let mut phrase = self.phrase_of(owner)?;
+        self.belongs_to_thing(&mut phrase, owned);
+        Ok(phrase)
     }
 
     fn phrase_of(&mut self, owner: Vec<Term>) -> Read<NounPhrase> {

@@ -84,12 +84,10 @@ fn piece(text: &str) -> Piece {
 pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
     let mut tokens = tokens.to_vec();
     for _ in 0..MOST_TIMES {
-        let Some(next) = rules().iter().find_map(|rule| rule.applied(&tokens)) else {
+        let applied = rules().iter().filter_map(|rule| rule.applied(&tokens));
+        let Some(next) = applied.into_iter().find(|next| *next != tokens) else {
             break;
         };
-        if next == tokens {
-            break;
-        }
         tokens = next;
     }
     tokens
@@ -192,7 +190,11 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             } else {
                 1
             };
-            (shortest..=tokens.len()).find_map(|length| {
+            let verb = |t: &Token| {
+                matches!(piece, Piece::Phrase(_)) && COPULAS.contains(&t.lower.as_str())
+            };
+            let longest = tokens.iter().position(verb).unwrap_or(tokens.len());
+            (shortest..=longest).find_map(|length| {
                 let (used, mut bound) = behind(length)?;
                 bound.push((*c, &tokens[..length]));
                 Some((used, bound))

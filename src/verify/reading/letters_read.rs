@@ -137,6 +137,8 @@ impl Builder<'_> {
             "acceleration of gravity" => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
+            // That letters are small says nothing that lines need; to which order they hold is said of lines.
+            "disturbance" if what.slots.is_empty() => {}
             "time" => {
                 for formula in formulas(subjects) {
                     self.denote(formula, Meaning::Time, declaration);
