@@ -13,11 +13,11 @@ const MOST: [(&str, usize); 6] = [
     ),
     ("fields of `Checker`", 66),
     ("fields of `Reading`", 63),
-    ("files outside the new rooms", 280),
+    ("files outside the new rooms", 279),
 ];
 
 /// The rooms of the new house, which have rules of their own.
-pub(super) const ROOMS: [&str; 7] = [
+pub(super) const ROOMS: [&str; 8] = [
     "model",
     "term",
     "facts",
@@ -25,6 +25,7 @@ pub(super) const ROOMS: [&str; 7] = [
     "reading",
     "standing",
     "derivation",
+    "correction",
 ];
 
 #[test]

@@ -5,7 +5,7 @@ use super::source::{Source, files, functions, parts, structs};
 use std::path::Path;
 
 /// A room and the rooms that it may name. The sentences of `language` know the system's names and nothing else of it.
-const BEFORE: [(&str, &[&str]); 7] = [
+const BEFORE: [(&str, &[&str]); 8] = [
     ("model", &[]),
     ("language", &["model"]),
     ("term", &["model"]),
@@ -14,6 +14,10 @@ const BEFORE: [(&str, &[&str]); 7] = [
     (
         "standing",
         &["model", "term", "facts", "language", "reading"],
+    ),
+    (
+        "correction",
+        &["model", "term", "facts", "language", "reading", "standing"],
     ),
     (
         "derivation",

@@ -3,11 +3,11 @@
 use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::source::Span;
+use crate::verify::Diagnosis;
 use crate::verify::correction::edit::{Edit, edited};
 use crate::verify::correction::slips::slips;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::verdicts::Answer;
-use crate::verify::verdict::Diagnosis;
 use std::collections::{BTreeSet, HashMap};
 
 /// A line longer than this is not put right.

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol, Term};
 use crate::source::{Source, Span};
 use crate::verify::correction::edit::{Edit, dotted, other_axis, replaced_index, undotted};
+use crate::verify::language::messages;
 
 /// Letters that are tried in the place of one.
 const MOST_LETTERS: usize = 40;
@@ -79,23 +80,17 @@ impl<'a> Slips<'a> {
             format!("{half}{whole}"),
             "factor",
             14,
-            "a factor ½ is missing",
+            messages::HALF_MISSING,
         );
         self.push(
             node.span,
             format!("2 {whole}"),
             "factor",
             17,
-            "a factor 2 is missing",
+            messages::TWO_MISSING,
         );
         if last {
-            self.push(
-                node.span,
-                format!("-{whole}"),
-                "sign",
-                13,
-                "the sign is wrong",
-            );
+            self.push(node.span, format!("-{whole}"), "sign", 13, messages::SIGN);
         }
     }
 
@@ -104,7 +99,7 @@ impl<'a> Slips<'a> {
             Kind::Sum(terms) => self.sum(terms),
             Kind::Negate(inside) => {
                 let text = self.slice(inside);
-                self.push(node.span, text, "sign", 10, "the sign is wrong");
+                self.push(node.span, text, "sign", 10, messages::SIGN);
             }
             Kind::Product(factors) => self.product(factors),
             Kind::Symbol(symbol) => self.symbol(node, symbol),
@@ -114,7 +109,7 @@ impl<'a> Slips<'a> {
             Kind::Power(base, exponent) => self.power(node, base, exponent),
             Kind::Transpose(inside) => {
                 let text = self.slice(inside);
-                self.push(node.span, text, "transpose", 16, "a transpose too many");
+                self.push(node.span, text, "transpose", 16, messages::TRANSPOSED);
             }
             Kind::Function(function, _) => self.function(node, *function),
             Kind::Number(_) => self.number(node),
@@ -128,17 +123,11 @@ impl<'a> Slips<'a> {
         for (place, term) in terms.iter().enumerate() {
             let written = term.sign.start < term.sign.end;
             match (written, term.negative) {
-                (false, _) => self.push(
-                    term.node.span.before(),
-                    "-",
-                    "sign",
-                    11,
-                    "the sign is wrong",
-                ),
-                (true, false) => self.push(term.sign, "-", "sign", 10, "the sign is wrong"),
+                (false, _) => self.push(term.node.span.before(), "-", "sign", 11, messages::SIGN),
+                (true, false) => self.push(term.sign, "-", "sign", 10, messages::SIGN),
                 (true, true) => {
                     let plus = if place == 0 { "" } else { "+" };
-                    self.push(term.sign, plus, "sign", 10, "the sign is wrong");
+                    self.push(term.sign, plus, "sign", 10, messages::SIGN);
                 }
             }
             let half = if self.unicode {
@@ -147,11 +136,11 @@ impl<'a> Slips<'a> {
                 "\\tfrac{1}{2} "
             };
             let before = term.node.span.before();
-            self.push(before, half, "factor", 19, "a factor ½ is missing");
-            self.push(before, "2 ", "factor", 19, "a factor 2 is missing");
+            self.push(before, half, "factor", 19, messages::HALF_MISSING);
+            self.push(before, "2 ", "factor", 19, messages::TWO_MISSING);
             if written {
                 let whole = term.sign.to(term.node.span);
-                let message = "this term does not belong here";
+                let message = messages::EXTRA_TERM;
                 self.push(whole, "", "extra-term", 30, message);
             }
         }
@@ -161,9 +150,9 @@ impl<'a> Slips<'a> {
         for pair in factors.windows(2) {
             let [first, second] = [&pair[0].node, &pair[1].node];
             let (kind, cost, message) = match pair[1].operator {
-                Operator::Cross => ("cross-order", 11, "the factors of × are swapped"),
-                Operator::Tensor => ("factor-order", 11, "the factors are swapped"),
-                Operator::Juxtaposed => ("factor-order", 18, "the factors are swapped"),
+                Operator::Cross => ("cross-order", 11, messages::CROSS_ORDER),
+                Operator::Tensor => ("factor-order", 11, messages::ORDER),
+                Operator::Juxtaposed => ("factor-order", 18, messages::ORDER),
                 Operator::Dot => continue,
             };
             let sign = self.source.slice(pair[1].sign).trim();
@@ -183,11 +172,11 @@ impl<'a> Slips<'a> {
             dotted(text),
             "missing-dot",
             10,
-            "a dot is missing",
+            messages::DOT_MISSING,
         );
         let square = if self.unicode { "²" } else { "^2" };
         let squared = format!("{text}{square}");
-        self.push(node.span, squared, "factor", 22, "a square is missing");
+        self.push(node.span, squared, "factor", 22, messages::SQUARE_MISSING);
         let transpose = if self.unicode { "ᵀ" } else { "^T" };
         let transposed = format!("{text}{transpose}");
         self.push(
@@ -195,7 +184,7 @@ impl<'a> Slips<'a> {
             transposed,
             "transpose",
             24,
-            "a transpose is missing",
+            messages::TRANSPOSE_MISSING,
         );
         for index in &symbol.subscripts {
             self.index(node, text, index);
@@ -217,7 +206,7 @@ impl<'a> Slips<'a> {
                 new[place] = other;
                 let new: String = new.into_iter().collect();
                 if let Some(text) = replaced_index(text, index, &new).filter(|_| other != c) {
-                    let message = format!("the index should be {new}");
+                    let message = messages::should_be(index, &new);
                     self.push(node.span, text, "index", 12, message);
                 }
             }
@@ -227,7 +216,7 @@ impl<'a> Slips<'a> {
     fn other_letters(&mut self, node: &Node, text: &str) {
         let others = self.letters.iter().filter(|other| **other != text);
         for other in others.take(MOST_LETTERS) {
-            let message = format!("{text} should be {other}");
+            let message = messages::should_be(text, other);
             self.push(node.span, *other, "symbol", 26, message);
         }
     }
@@ -237,11 +226,11 @@ impl<'a> Slips<'a> {
         if order == 1
             && let Some(text) = undotted(text)
         {
-            self.push(node.span, text, "extra-dot", 13, "a dot too many");
+            self.push(node.span, text, "extra-dot", 13, messages::EXTRA_DOT);
         }
         for (from, to, kind, message) in [
-            ("\\ddot", "\\dot", "extra-dot", "a dot too many"),
-            ("\\dot", "\\ddot", "missing-dot", "a dot is missing"),
+            ("\\ddot", "\\dot", "extra-dot", messages::EXTRA_DOT),
+            ("\\dot", "\\ddot", "missing-dot", messages::DOT_MISSING),
         ] {
             if text.starts_with(from) {
                 let text = text.replacen(from, to, 1);
@@ -253,8 +242,8 @@ impl<'a> Slips<'a> {
     fn power(&mut self, node: &Node, base: &Node, exponent: &Node) {
         let text = self.slice(base);
         match self.slice(exponent).trim_matches(['{', '}', ' ']) {
-            "2" => self.push(node.span, text, "factor", 20, "a square too many"),
-            "-1" => self.push(node.span, text, "inverse", 16, "an inverse too many"),
+            "2" => self.push(node.span, text, "factor", 20, messages::EXTRA_SQUARE),
+            "-1" => self.push(node.span, text, "inverse", 16, messages::EXTRA_INVERSE),
             _ => {}
         }
     }
@@ -267,7 +256,7 @@ impl<'a> Slips<'a> {
         };
         let text = self.slice(node);
         if text.contains(from) {
-            let message = format!("{from} should be {to}");
+            let message = messages::should_be(from, to);
             self.push(
                 node.span,
                 text.replacen(from, to, 1),
@@ -284,18 +273,18 @@ impl<'a> Slips<'a> {
         };
         if number > 1 && number.is_multiple_of(2) {
             let half = (number / 2).to_string();
-            self.push(node.span, half, "factor", 18, "a factor 2 too many");
+            self.push(node.span, half, "factor", 18, messages::EXTRA_TWO);
         }
         if let Some(double) = number.checked_mul(2).filter(|_| number > 0) {
             let double = double.to_string();
-            self.push(node.span, double, "factor", 18, "a factor ½ too many");
+            self.push(node.span, double, "factor", 18, messages::EXTRA_HALF);
         }
     }
 
     fn quotient(&mut self, node: &Node, top: &Node, bottom: &Node) {
         let [above, below] = [top, bottom].map(|node| self.slice(node).trim());
         if above == "1" && below == "2" {
-            self.push(node.span, "", "factor", 15, "a factor ½ too many");
+            self.push(node.span, "", "factor", 15, messages::EXTRA_HALF);
         }
     }
 }

@@ -11,12 +11,62 @@ pub(crate) const LONGEST_NAME: usize = 4;
 /// A text introduces so many bodies.
 const MOST_BODIES: usize = 300;
 
+/// The words before the name of a body.
+const BEFORE: [&str; 46] = [
+    "fixed in",
+    "fixed to",
+    "attached to",
+    "at rest in",
+    "mass of",
+    "masses of",
+    "centre of",
+    "center of",
+    "gravity of",
+    "consists of",
+    "consist of",
+    "numbers",
+    "force on",
+    "forces on",
+    "moment on",
+    "moments on",
+    "torque on",
+    "force of",
+    "forces of",
+    "moment of",
+    "torque of",
+    "loads on",
+    "load on",
+    "acts on",
+    "act on",
+    "rolls on",
+    "slides on",
+    "touches",
+    "weight of",
+    "inertia of",
+    "point where",
+    "impulse of",
+    "impulse on",
+    "velocity of",
+    "speed of",
+    "momentum of",
+    "energy of",
+    "lagrangian of",
+    "tension of",
+    "axis of",
+    "angle of",
+    "strikes",
+    "leaves",
+    "attitude of",
+    "frame of",
+    "tensor of",
+];
+
 /// The bodies that some sentences introduce, by their names in lower case.
 pub(crate) fn introduced<'a>(
     sentences: impl Iterator<Item = &'a [Token]> + Clone,
     lexicon: &Lexicon,
 ) -> BTreeSet<String> {
-    let contexts = lexicon.forms_of(&[Class::Preposition, Class::Verb]);
+    let contexts: Vec<Vec<&str>> = BEFORE.iter().map(|b| b.split(' ').collect()).collect();
     let mut found = BTreeSet::new();
     for tokens in sentences.clone() {
         found.extend(names(tokens, &contexts, lexicon));
@@ -71,14 +121,13 @@ fn mistyped(name: &str, lexicon: &Lexicon) -> bool {
 }
 
 /// The bodies that one sentence introduces.
-fn names(tokens: &[Token], contexts: &[&[String]], lexicon: &Lexicon) -> Vec<String> {
+fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<String> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let mut names = vec![];
     for at in 0..words.len() {
-        let before = contexts.iter().any(|context| {
-            let start = at.checked_sub(context.len());
-            start.is_some_and(|start| words[start..at].iter().eq(context.iter()))
-        });
+        let before = contexts
+            .iter()
+            .any(|context| words[..at].ends_with(context));
         if before {
             listed(tokens, at, lexicon, &mut names);
         } else if let Some((name, end)) = name(tokens, at, lexicon)

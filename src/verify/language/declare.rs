@@ -2,11 +2,10 @@
 
 use super::bodies::introduced;
 use super::clause::Said;
-use super::ellipsis::{
-    axes, described_first, joint_weakness, parted_at, possessives, without_brackets,
-};
+use super::ellipsis::{joint_weakness, parted_at};
 use super::lexicon::Lexicon;
 use super::reader::Reader;
+use super::reorder::{axes, described_first, possessives, without_brackets};
 use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement};
 use super::words::{Token, tokens, wrong};
@@ -168,33 +167,52 @@ fn understood(
         }
     }
     loop {
-        let mut joints: Vec<usize> = (0..now.len()).rev().collect();
-        // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
-        joints.sort_by_key(|&at| joint_weakness(&now, at));
-        let parted = joints
-            .into_iter()
-            .flat_map(|at| parted_at(&now, at, lexicon));
-        let mut further = None;
-        for candidate in parted {
-            if left == 0 {
-                return Err(first);
-            }
-            left -= 1;
-            let candidate = plainly(&candidate);
-            match strictly(&candidate) {
-                Ok(said) if said.iter().all(|(_, statement)| statement.says_something()) => {
-                    return Ok(said);
-                }
-                Ok(_) => {}
-                Err(other) if other.column > error.column && further.is_none() => {
-                    further = Some((candidate, other));
-                }
-                Err(_) => {}
-            }
-        }
-        match further {
-            Some(next) => (now, error) = next,
-            None => return Err(first),
+        match parted_further(&now, &error, lexicon, strictly, &mut left) {
+            Parted::Understood(said) => return Ok(said),
+            Parted::Further(next, later) => (now, error) = (next, later),
+            Parted::Stuck => return Err(first),
         }
     }
+}
+
+/// What parting a sentence at one more place brought.
+enum Parted {
+    Understood(Vec<Said>),
+    /// It is read further, to another error.
+    Further(Vec<Token>, Misread),
+    Stuck,
+}
+
+/// Parts a sentence at each place where it may join clauses, until it is understood.
+fn parted_further(
+    now: &[Token],
+    error: &Misread,
+    lexicon: &Lexicon,
+    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Misread>,
+    left: &mut usize,
+) -> Parted {
+    let mut joints: Vec<usize> = (0..now.len()).rev().collect();
+    // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
+    joints.sort_by_key(|&at| joint_weakness(now, at));
+    let mut further = None;
+    for candidate in joints
+        .into_iter()
+        .flat_map(|at| parted_at(now, at, lexicon))
+    {
+        let Some(fewer) = left.checked_sub(1) else {
+            return Parted::Stuck;
+        };
+        *left = fewer;
+        let candidate = plainly(&candidate);
+        match strictly(&candidate) {
+            Ok(said) if said.iter().all(|(_, statement)| statement.says_something()) => {
+                return Parted::Understood(said);
+            }
+            Err(other) if other.column > error.column && further.is_none() => {
+                further = Some((candidate, other));
+            }
+            _ => {}
+        }
+    }
+    further.map_or(Parted::Stuck, |(next, later)| Parted::Further(next, later))
 }

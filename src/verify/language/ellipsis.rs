@@ -110,20 +110,11 @@ fn completed(
     let whole = first.to_vec();
     let relative = related(first, second, lexicon);
     all.extend(relative.into_iter().map(|second| (whole.clone(), second)));
-    // "and so is C", "as are A and k"
-    let likewise = second
-        .first()
-        .is_some_and(|t| ["so", "as"].contains(&t.lower.as_str()));
-    let skipped = usize::from(likewise);
-    if likewise {
-        all.push((whole.clone(), second[1..].to_vec()));
-    }
-    if let Some(word) = second.get(skipped)
-        && matches!(word.lower.as_str(), "is" | "are" | "does" | "do")
-    {
-        let same = [&second[skipped + 1..], verb, rest].concat();
-        all.push((whole.clone(), same));
-    }
+    all.extend(
+        likewise(second, verb, rest)
+            .into_iter()
+            .map(|second| (whole.clone(), second)),
+    );
     let reminded = match agrees(second) {
         true => reminded(second, rest, lexicon),
         false => return all,
@@ -140,32 +131,50 @@ fn completed(
         // "and is fixed in B": the subject of the first
         let same = [subject, second].concat();
         all.push((whole.clone(), same));
-        let same = [subject, verb, second].concat();
-        all.push((whole.clone(), same));
     }
-    // "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end
-    for second in all.clone().into_iter().map(|(_, second)| second) {
-        let shared = second.iter().enumerate().skip(1).find(|(at, t)| {
-            let rest: Vec<&str> = second[*at..].iter().map(|t| t.lower.as_str()).collect();
-            let hangs = lexicon.find(&rest, &[Class::Preposition]).is_some();
-            hangs && second[at - 1].kind == Kind::Comma
-                || ["both", "all"].contains(&t.lower.as_str())
-        });
-        if let Some((at, word)) = shared {
-            let quantifier = usize::from(["both", "all"].contains(&word.lower.as_str()));
-            let tail = &second[at + quantifier..];
-            let own = &second[..at];
-            let own = own
-                .strip_suffix(&[put_in(Kind::Comma, ",", word)][..])
-                .unwrap_or(own);
-            let own = match own.last() {
-                Some(last) if last.kind == Kind::Comma => &own[..own.len() - 1],
-                _ => own,
-            };
-            all.push(([first, tail].concat(), [own, tail].concat()));
-        }
+    let shared = all
+        .iter()
+        .filter_map(|(_, second)| shared_tail(first, second, lexicon));
+    let shared: Vec<_> = shared.collect();
+    all.extend(shared);
+    all
+}
+
+/// "and so is C", "as are A and k": the same is said of another subject.
+fn likewise(second: &[Token], verb: &[Token], rest: &[Token]) -> Vec<Vec<Token>> {
+    let mut all = vec![];
+    let led = second
+        .first()
+        .is_some_and(|t| ["so", "as"].contains(&t.lower.as_str()));
+    if led {
+        all.push(second[1..].to_vec());
+    }
+    let skipped = usize::from(led);
+    if let Some(word) = second.get(skipped)
+        && matches!(word.lower.as_str(), "is" | "are" | "does" | "do")
+    {
+        all.push([&second[skipped + 1..], verb, rest].concat());
     }
     all
+}
+
+/// "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end.
+fn shared_tail(
+    first: &[Token],
+    second: &[Token],
+    lexicon: &Lexicon,
+) -> Option<(Vec<Token>, Vec<Token>)> {
+    let all = |t: &Token| ["both", "all"].contains(&t.lower.as_str());
+    let (at, word) = second.iter().enumerate().skip(1).find(|(at, t)| {
+        let rest: Vec<&str> = second[*at..].iter().map(|t| t.lower.as_str()).collect();
+        let hangs = lexicon.find(&rest, &[Class::Preposition]).is_some();
+        hangs && second[at - 1].kind == Kind::Comma || all(t)
+    })?;
+    let tail = &second[at + usize::from(all(word))..];
+    let own = &second[..at];
+    let comma = own.last().is_some_and(|last| last.kind == Kind::Comma);
+    let own = &own[..own.len() - usize::from(comma)];
+    Some(([first, tail].concat(), [own, tail].concat()))
 }
 
 /// Subject, verb, and the rest of a clause.
@@ -281,132 +290,4 @@ fn subject_of_gap(tokens: &[Token]) -> usize {
         t.kind == Kind::Word && t.lower == t.text && t.text.chars().count() > 1 && t.lower != "and"
     };
     tokens.iter().position(ends).unwrap_or(0)
-}
-
-/// "the z axis" as "the axis z", "the sequence 3-1-3" as "the sequence 3, 1, 3".
-pub(crate) fn axes(tokens: &[Token]) -> Vec<Token> {
-    let mut plain: Vec<Token> = vec![];
-    for token in tokens {
-        let parts: Vec<&str> = token.text.split('-').collect();
-        let short = |part: &&str| part.chars().count() == 1;
-        let axis = |t: &Token| matches!(t.lower.as_str(), "axis" | "axes");
-        let (letter, noun) = (parts[0], parts.get(1).copied().unwrap_or(""));
-        if token.kind == Kind::Word && parts.len() > 2 && parts.iter().all(short) {
-            for (place, part) in parts.iter().enumerate() {
-                if place > 0 {
-                    plain.push(put_in(Kind::Comma, ",", token));
-                }
-                let kind = match part.chars().all(|c| c.is_ascii_digit()) {
-                    true => Kind::Number,
-                    false => Kind::Word,
-                };
-                plain.push(put_in(kind, part, token));
-            }
-        } else if short(&letter) && matches!(noun, "axis" | "axes") {
-            plain.push(put_in(Kind::Word, noun, token));
-            plain.push(put_in(Kind::Word, letter, token));
-        } else if axis(token)
-            && let Some(last) =
-                plain.pop_if(|t| t.kind == Kind::Word && short(&t.text.as_str()) && t.text != "a")
-        {
-            plain.push(token.clone());
-            plain.push(last);
-        } else {
-            plain.push(token.clone());
-        }
-    }
-    plain
-}
-
-/// "the wheel's mass" as "the mass of the wheel".
-pub(crate) fn possessives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
-    let mut tokens = tokens.to_vec();
-    let mut from = 0;
-    while let Some(at) = (from..tokens.len()).find(|&at| owner(&tokens[at]).is_some()) {
-        from = at + 1;
-        let Some(name) = owner(&tokens[at]) else {
-            break;
-        };
-        let words: Vec<&str> = tokens[at + 1..].iter().map(|t| t.lower.as_str()).collect();
-        let adjectives = usize::from(lexicon.find(&words, &[Class::Adjective]).is_some());
-        let noun = [Class::Noun, Class::Place];
-        let Some(found) = [0, adjectives].iter().find_map(|&skip| {
-            let found = lexicon.find(words.get(skip..)?, &noun)?;
-            Some(skip + found.length)
-        }) else {
-            continue;
-        };
-        let article = at > 0 && ARTICLES.contains(&tokens[at - 1].lower.as_str());
-        let start = at - usize::from(article);
-        let named = tokens.get(at + 1 + found).is_some_and(|t| {
-            t.kind == Kind::Word && t.text.chars().all(char::is_uppercase)
-                || t.kind == Kind::Formula
-        });
-        let end = at + 1 + found + usize::from(named);
-        let the = put_in(Kind::Word, "the", &tokens[start]);
-        let of = put_in(Kind::Word, "of", &tokens[at]);
-        let owner = Token {
-            text: name.clone(),
-            lower: name.to_lowercase(),
-            ..tokens[at].clone()
-        };
-        let article: &[Token] = if article { &tokens[start..at] } else { &[] };
-        tokens = [
-            &tokens[..start],
-            &[the],
-            &tokens[at + 1..end],
-            &[of],
-            article,
-            &[owner],
-            &tokens[end..],
-        ]
-        .concat();
-    }
-    tokens
-}
-
-/// Whose: "wheel's".
-fn owner(token: &Token) -> Option<String> {
-    let text = token.text.replace('’', "'");
-    let name = text.strip_suffix("'s")?;
-    (token.kind == Kind::Word && !name.is_empty()).then(|| name.to_owned())
-}
-
-/// The sentence with what stands in brackets in its place among the other words.
-pub(crate) fn without_brackets(tokens: &[Token]) -> Vec<Token> {
-    let bracket = |t: &&Token| !matches!(t.kind, Kind::Open | Kind::Close);
-    tokens.iter().filter(bracket).cloned().collect()
-}
-
-/// "O, the tip of the top, is fixed in N" as "O is fixed in N; O is the tip of the top". Any verb may follow.
-pub(crate) fn described_first(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let comma = |t: &Token| t.kind == Kind::Comma;
-    let open = tokens.iter().position(comma).filter(|&at| at > 0)?;
-    let close = open + 1 + tokens[open + 1..].iter().position(comma)?;
-    let (subject, inside, rest) = (
-        &tokens[..open],
-        &tokens[open + 1..close],
-        &tokens[close + 1..],
-    );
-    let words: Vec<&str> = rest.iter().map(|t| t.lower.as_str()).collect();
-    let first = words.first()?;
-    let verb = COPULAS.contains(first) || lexicon.find(&words, &[Class::Verb]).is_some();
-    if !verb || inside.is_empty() {
-        return None;
-    }
-    let near = inside.first()?;
-    let word = |text: &str| put_in(Kind::Word, text, near);
-    let semicolon = put_in(Kind::Semicolon, "", near);
-    let second: Vec<Token> = match near.lower.as_str() {
-        "of" => [subject, &[word("is"), word("a"), word("body")], inside].concat(),
-        "denoted" | "called" | "written" => {
-            let name = inside.iter().position(|t| {
-                !["denoted", "called", "written", "by", "as"].contains(&t.lower.as_str())
-            })?;
-            [&inside[name..], &[word("is")], subject].concat()
-        }
-        _ if near.kind == Kind::Formula => [inside, &[word("is")], subject].concat(),
-        _ => [subject, &[word("is")], inside].concat(),
-    };
-    Some([subject, rest, &[semicolon], &second].concat())
 }

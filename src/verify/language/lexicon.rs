@@ -191,13 +191,6 @@ impl Lexicon {
         })
     }
 
-    /// The words of all forms of some classes.
-    pub(crate) fn forms_of(&self, classes: &[Class]) -> Vec<&[String]> {
-        let forms = self.forms.values().flatten();
-        let wanted = forms.filter(|form| classes.contains(&self.entries[form.entry].class));
-        wanted.map(|form| form.words.as_slice()).collect()
-    }
-
     /// The words of a preposition that is written with hyphens.
     pub(crate) fn words_of(&self, preposition: &str) -> String {
         let same = |e: &&Entry| {

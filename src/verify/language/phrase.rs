@@ -1,8 +1,9 @@
 //! Things and quantities: names, formulas, and nouns with what hangs on them.
 
 use super::bodies::singular;
+use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
-use super::reader::{ARTICLES, Read, Reader, is_glue};
+use super::reader::{ARTICLES, Read, Reader};
 use super::statement::{Formula, NounPhrase, Slot, Term};
 use super::words::Kind;
 
@@ -14,30 +15,6 @@ pub(crate) const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "f
 
 /// Nouns that add nothing to the name of what they are.
 const NAMED: [&str; 6] = ["frame", "point", "vector", "tensor", "matrix", "index"];
-
-/// Words before a noun that nobody knows, at most.
-const MOST_UNKNOWN: usize = 2;
-
-/// Nouns for what belongs to a letter, and not to the thing whose quantity it is.
-const OF_LETTERS: [&str; 10] = [
-    "rate",
-    "second rate",
-    "component",
-    "magnitude",
-    "direction",
-    "value",
-    "reference value",
-    "disturbance",
-    "first-order change",
-    "entry",
-];
-
-/// Places that belong to the body that a sentence speaks of, where it says no other: "the moment on the hub about the mass
-/// centre".
-const OWNED: [&str; 3] = ["mass centre", "symmetry axis", "spin axis"];
-
-/// Nouns whose letter says which one is meant.
-const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
 
 const WANTED: &str = "a name, a formula or a noun with its article could stand here";
 
@@ -154,7 +131,7 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let first = self.word();
         let owned = matches!(first, "its" | "their");
-        self.take_any(&ARTICLES);
+        let article = self.take_any(&ARTICLES);
         if self.at_name() {
             return Ok(self.name());
         }
@@ -202,56 +179,13 @@ impl<'a> Reader<'a> {
                 named.clone()
             }
             [(Slot::Which, named @ (Term::Name(_) | Term::Formula(_)))]
-                if self.hangs() && self.is_named(&phrase)
+                if article && self.hangs() && self.is_named(&phrase)
                     || NAMED.contains(&phrase.head) && phrase.adjectives.is_empty() =>
             {
                 named.clone()
             }
             _ => Term::Phrase(Box::new(phrase)),
         })
-    }
-
-    /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
-    fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) {
-        let Some(thing) = self.thing.as_ref().filter(|_| owned) else {
-            return;
-        };
-        let of_letters = self
-            .lexicon
-            .entry(phrase.head, &[Class::Noun])
-            .is_none_or(|noun| {
-                noun.slot("in components on").is_none()
-                    && noun.slot("at").is_none()
-                    && noun.name != "mass"
-            });
-        if of_letters || OF_LETTERS.contains(&phrase.head) {
-            return;
-        }
-        for (slot, term) in &mut phrase.slots {
-            let of_thing = |p: &NounPhrase| p.slot(Slot::Of) == Some(thing);
-            let names_quantity = match term {
-                Term::Formula(_) => true,
-                Term::Phrase(p) => of_thing(p),
-                _ => false,
-            };
-            if *slot == Slot::Of && names_quantity {
-                *term = thing.clone();
-            }
-        }
-    }
-
-    /// Whether a body is named only to say which noun is meant: "the string tension", "the ship frame B".
-    fn qualifies(&self, ahead: usize) -> bool {
-        let rest = self.following(ahead);
-        let noun = self.lexicon.find(rest, &[Class::Noun, Class::Place]);
-        let verb = self.lexicon.find(rest, &[Class::Verb]);
-        noun.is_some_and(|noun| verb.is_none_or(|verb| verb.length < noun.length))
-    }
-
-    /// Whether a noun only says what kind of thing a name or a letter is: "the pivot O", "the speed `$u$`".
-    fn is_named(&self, phrase: &NounPhrase) -> bool {
-        let kinds = [Class::Noun, Class::Place];
-        self.lexicon.entry(phrase.head, &kinds).is_some() && !INDEXED.contains(&phrase.head)
     }
 
     /// A body that the text introduces, or a member of a family of such.
@@ -390,27 +324,6 @@ impl<'a> Reader<'a> {
             self.apposition(&mut phrase, many)?;
         }
         Ok((phrase, entry))
-    }
-
-    /// How many words that nobody knows stand before a noun with its name: "the stability axes S". The name says enough.
-    fn unknown_before_name(&self) -> Option<usize> {
-        let unknown = |ahead: usize| {
-            let word = self.word_at(ahead);
-            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word)
-        };
-        let skipped = (0..MOST_UNKNOWN)
-            .take_while(|&ahead| unknown(ahead))
-            .count();
-        let noun = self
-            .lexicon
-            .find(self.following(skipped), &[Class::Noun, Class::Place])?;
-        let named = self.tokens.get(self.at + skipped + noun.length)?;
-        let name = match named.kind {
-            Kind::Formula | Kind::Plain => true,
-            Kind::Word => named.text.starts_with(char::is_uppercase),
-            _ => false,
-        };
-        (skipped > 0 && name).then_some(skipped)
     }
 
     /// Whether a noun or an adjective follows behind some words.

@@ -1,6 +1,7 @@
 //! What is said of something behind "is", "means" and "lies between".
 
 use super::clause::as_formula;
+use super::implied::each_of_its_own;
 use super::lexicon::{Class, Entry, Inflection};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, Read, Reader};
@@ -397,32 +398,4 @@ fn decide(
     }
     statements.extend(each_of_its_own(subjects, what));
     statements
-}
-
-/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`" says one thing of each; as many subjects as they are of.
-fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
-    let of: Vec<Term> = what.all(Slot::Of).cloned().collect();
-    let alike = |terms: &[Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
-    let things = |terms: &[Term]| {
-        terms
-            .iter()
-            .all(|t| matches!(t, Term::Name(_) | Term::Member { .. }))
-    };
-    if subjects.len() < 2
-        || subjects.len() != of.len()
-        || !alike(&subjects)
-        || !(alike(&of) || things(&of))
-    {
-        return vec![Statement::Is { subjects, what }];
-    }
-    let one = |(subject, of): (Term, Term)| {
-        let mut own = what.clone();
-        own.slots.retain(|(slot, _)| *slot != Slot::Of);
-        own.slots.insert(0, (Slot::Of, of));
-        Statement::Is {
-            subjects: vec![subject],
-            what: own,
-        }
-    };
-    subjects.into_iter().zip(of).map(one).collect()
 }

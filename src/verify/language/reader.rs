@@ -54,8 +54,8 @@ pub(crate) struct Reader<'a> {
     macros: &'a Macros,
     named: &'a BTreeSet<String>,
     lower: Vec<&'a str>,
-    line: usize,
-    end: usize,
+    /// The line of the sentence, and the column at which it ends.
+    place: (usize, usize),
     depth: usize,
 }
 
@@ -64,7 +64,7 @@ impl<'a> Reader<'a> {
     /// bodies that the text introduces.
     pub(crate) fn new(
         tokens: &'a [Token],
-        (line, end): (usize, usize),
+        place: (usize, usize),
         lexicon: &'a Lexicon,
         macros: &'a Macros,
         named: &'a BTreeSet<String>,
@@ -80,8 +80,7 @@ impl<'a> Reader<'a> {
             macros,
             named,
             lower: tokens.iter().map(|t| t.lower.as_str()).collect(),
-            line,
-            end,
+            place,
             depth: 0,
         }
     }
@@ -244,8 +243,9 @@ impl<'a> Reader<'a> {
 
     /// An error at the next piece.
     pub(crate) fn error(&self, message: &str, help: &str) -> Misread {
-        let column = self.peek().map_or(self.end, |token| token.column);
-        wrong(self.line, column, message, help)
+        let (line, end) = self.place;
+        let column = self.peek().map_or(end, |token| token.column);
+        wrong(line, column, message, help)
     }
 
     /// An error at the next piece, which is none of some classes; `wanted` says what could stand there.

@@ -64,6 +64,21 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
                 "say it in several",
             ));
         }
+        // What stands behind a colon says more of the letters before it.
+        let letters = tokens
+            .last()
+            .is_some_and(|t: &Token| t.kind == Kind::Formula);
+        if first == ':' && letters {
+            tokens.push(Token {
+                kind: Kind::Comma,
+                text: ":".into(),
+                lower: String::new(),
+                column,
+            });
+            column += 1;
+            rest = &trimmed[1..];
+            continue;
+        }
         let (kind, text, length) =
             token(trimmed, first).map_err(|(message, help)| wrong(line, column, message, help))?;
         let text = match kind {
@@ -89,7 +104,7 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
 fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {
     let single = |kind| Ok((kind, &text[..1], 1));
     match first {
-        ',' | ':' => single(Kind::Comma),
+        ',' => single(Kind::Comma),
         '—' | '–' => Ok((Kind::Comma, &text[..first.len_utf8()], first.len_utf8())),
         ';' => single(Kind::Semicolon),
         '(' => single(Kind::Open),

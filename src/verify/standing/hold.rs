@@ -6,6 +6,7 @@ use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Facts, OutOfBudget};
 use crate::verify::facts::proof::prove;
 use crate::verify::facts::world::World;
+use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::indices::{assignments, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
@@ -76,7 +77,7 @@ impl Judge<'_> {
             return Held::open(nothing_made_of(sentence));
         }
         if let Some(bound) = self.other_bound(link) {
-            return Held::open(format!("no sentence says how far a sum up to {bound} runs"));
+            return Held::open(messages::unknown_bound(&bound));
         }
         match link.relation {
             Relation::Equal | Relation::Defined => self.hold_equal(link),
@@ -111,7 +112,7 @@ impl Judge<'_> {
         let mut all = nodes.flat_map(bounds_in);
         let other =
             all.find(|(index, bound)| self.written.bounds.get(index).is_some_and(|b| b != bound));
-        other.map(|(_, bound)| format!("`{bound}`"))
+        other.map(|(_, bound)| bound)
     }
 
     /// "= const": the rate of the other side vanishes.

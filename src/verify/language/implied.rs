@@ -1,0 +1,124 @@
+//! What a noun leaves to the words around it: whose it is, which one, and what is meant by several.
+
+use super::lexicon::Class;
+use super::reader::{Reader, is_glue};
+use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::words::Kind;
+
+/// Words before a noun that nobody knows, at most.
+const MOST_UNKNOWN: usize = 2;
+
+/// Nouns for what belongs to a letter, and not to the thing whose quantity it is.
+const OF_LETTERS: [&str; 10] = [
+    "rate",
+    "second rate",
+    "component",
+    "magnitude",
+    "direction",
+    "value",
+    "reference value",
+    "disturbance",
+    "first-order change",
+    "entry",
+];
+
+/// Places that belong to the body that a sentence speaks of, where it says no other: "the moment on the hub about the mass
+/// centre".
+pub(crate) const OWNED: [&str; 3] = ["mass centre", "symmetry axis", "spin axis"];
+
+/// Nouns whose letter says which one is meant.
+const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
+
+impl Reader<'_> {
+    /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
+    pub(crate) fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) {
+        let Some(thing) = self.thing.as_ref().filter(|_| owned) else {
+            return;
+        };
+        let of_letters = self
+            .lexicon
+            .entry(phrase.head, &[Class::Noun])
+            .is_none_or(|noun| {
+                noun.slot("in components on").is_none()
+                    && noun.slot("at").is_none()
+                    && noun.name != "mass"
+            });
+        if of_letters || OF_LETTERS.contains(&phrase.head) {
+            return;
+        }
+        for (slot, term) in &mut phrase.slots {
+            let of_thing = |p: &NounPhrase| p.slot(Slot::Of) == Some(thing);
+            let names_quantity = match term {
+                Term::Formula(_) => true,
+                Term::Phrase(p) => of_thing(p),
+                _ => false,
+            };
+            if *slot == Slot::Of && names_quantity {
+                *term = thing.clone();
+            }
+        }
+    }
+
+    /// Whether a body is named only to say which noun is meant: "the string tension", "the ship frame B".
+    pub(crate) fn qualifies(&self, ahead: usize) -> bool {
+        let rest = self.following(ahead);
+        let noun = self.lexicon.find(rest, &[Class::Noun, Class::Place]);
+        let verb = self.lexicon.find(rest, &[Class::Verb]);
+        noun.is_some_and(|noun| verb.is_none_or(|verb| verb.length < noun.length))
+    }
+
+    /// Whether a noun only says what kind of thing a name or a letter is: "the pivot O", "the speed `$u$`".
+    pub(crate) fn is_named(&self, phrase: &NounPhrase) -> bool {
+        let kinds = [Class::Noun, Class::Place];
+        self.lexicon.entry(phrase.head, &kinds).is_some() && !INDEXED.contains(&phrase.head)
+    }
+
+    /// How many words that nobody knows stand before a noun with its name: "the stability axes S". The name says enough.
+    pub(crate) fn unknown_before_name(&self) -> Option<usize> {
+        let unknown = |ahead: usize| {
+            let word = self.word_at(ahead);
+            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word)
+        };
+        let skipped = (0..MOST_UNKNOWN)
+            .take_while(|&ahead| unknown(ahead))
+            .count();
+        let noun = self
+            .lexicon
+            .find(self.following(skipped), &[Class::Noun, Class::Place])?;
+        let named = self.tokens.get(self.at + skipped + noun.length)?;
+        let name = match named.kind {
+            Kind::Formula | Kind::Plain => true,
+            Kind::Word => named.text.starts_with(char::is_uppercase),
+            _ => false,
+        };
+        (skipped > 0 && name).then_some(skipped)
+    }
+}
+
+/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`" says one thing of each; as many subjects as they are of.
+pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
+    let of: Vec<Term> = what.all(Slot::Of).cloned().collect();
+    let alike = |terms: &[Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
+    let things = |terms: &[Term]| {
+        terms
+            .iter()
+            .all(|t| matches!(t, Term::Name(_) | Term::Member { .. }))
+    };
+    if subjects.len() < 2
+        || subjects.len() != of.len()
+        || !alike(&subjects)
+        || !(alike(&of) || things(&of))
+    {
+        return vec![Statement::Is { subjects, what }];
+    }
+    let one = |(subject, of): (Term, Term)| {
+        let mut own = what.clone();
+        own.slots.retain(|(slot, _)| *slot != Slot::Of);
+        own.slots.insert(0, (Slot::Of, of));
+        Statement::Is {
+            subjects: vec![subject],
+            what: own,
+        }
+    };
+    subjects.into_iter().zip(of).map(one).collect()
+}

@@ -1,0 +1,27 @@
+//! What is said of slips and of lines that stay open.
+
+pub(crate) const HALF_MISSING: &str = "a factor ½ is missing";
+pub(crate) const TWO_MISSING: &str = "a factor 2 is missing";
+pub(crate) const SIGN: &str = "the sign is wrong";
+pub(crate) const TRANSPOSED: &str = "a transpose too many";
+pub(crate) const EXTRA_TERM: &str = "this term does not belong here";
+pub(crate) const CROSS_ORDER: &str = "the factors of × are swapped";
+pub(crate) const ORDER: &str = "the factors are swapped";
+pub(crate) const DOT_MISSING: &str = "a dot is missing";
+pub(crate) const SQUARE_MISSING: &str = "a square is missing";
+pub(crate) const TRANSPOSE_MISSING: &str = "a transpose is missing";
+pub(crate) const EXTRA_DOT: &str = "a dot too many";
+pub(crate) const EXTRA_SQUARE: &str = "a square too many";
+pub(crate) const EXTRA_INVERSE: &str = "an inverse too many";
+pub(crate) const EXTRA_TWO: &str = "a factor 2 too many";
+pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
+
+/// What was written, and what should be.
+pub(crate) fn should_be(written: &str, wanted: &str) -> String {
+    format!("{written} should be {wanted}")
+}
+
+/// A sum runs up to a letter of which nothing is told.
+pub(crate) fn unknown_bound(bound: &str) -> String {
+    format!("no sentence says how far a sum up to `{bound}` runs")
+}

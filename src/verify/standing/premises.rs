@@ -1,0 +1,89 @@
+//! What is in force at a place: declared premises, and what accepted lines say.
+
+use crate::algebra::Fraction;
+use crate::verify::facts::Source;
+use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
+use crate::verify::reading::Premise;
+use crate::verify::standing::hold::Held;
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::verdicts::{Answer, Standing};
+use crate::verify::term::letters::Reach;
+
+impl Judge<'_> {
+    /// Puts in the declared premises that reach this place, and takes out those that do not.
+    pub(super) fn take_premises(&mut self) {
+        self.take_premises_but(None);
+    }
+
+    /// The same without what one source says.
+    pub(super) fn take_premises_but(&mut self, own: Option<&Source>) {
+        let active = self.reading.active_premises(&self.at);
+        let reaching = |p: &Premise| p.reach.covers(&self.at, 0) && Some(&p.source) != own;
+        let settled: Vec<usize> = (0..self.reading.settled.len())
+            .filter(|&i| reaching(&self.reading.settled[i]))
+            .collect();
+        if active == self.reading.taken && settled == self.settled_taken {
+            return;
+        }
+        self.reading.taken = active;
+        self.settled_taken = settled;
+        let all = self.premises();
+        self.facts = Facts::default();
+        self.facts.extend_all(&mut self.reading.system.atoms, all);
+    }
+
+    /// What is declared or was accepted, and is in force.
+    pub(super) fn premises(&self) -> Vec<(Fraction, Source)> {
+        let declared = self.reading.premises_in_force().into_iter();
+        let lines = self.settled_taken.iter().map(|&i| &self.reading.settled[i]);
+        let lines = lines.map(|p| (p.equation.clone(), p.source.clone()));
+        declared.chain(lines).collect()
+    }
+
+    /// Takes what an accepted line says into the facts.
+    pub(super) fn settle(&mut self, held: &Held, source: &Source) -> Answer {
+        // What holds at one instant tells nothing of the others.
+        let instant = self
+            .reading
+            .start
+            .lines
+            .iter()
+            .any(|lines| lines.covers(&self.at, 0));
+        if instant {
+            let values = held.sides.iter();
+            let values = values.map(|(left, right)| left.clone() - right.clone());
+            self.reading.start.values.extend(values);
+        } else if let Some((letter, left, _)) = &held.settles {
+            self.shapes.insert(letter.clone(), left.shape());
+        }
+        if instant
+            || matches!(
+                held.standing,
+                Standing::Entailed | Standing::Open | Standing::Differs
+            )
+        {
+            return Answer::Accepted;
+        }
+        for (left, right) in &held.sides {
+            let equation = left.clone() - right.clone();
+            let atoms = &mut self.reading.system.atoms;
+            match self.facts.extend(atoms, &equation, source) {
+                Ok(Extended::Contradicts) => return Answer::Refuted,
+                Ok(Extended::Follows) => continue,
+                Ok(Extended::Solved(_) | Extended::Square) => {}
+                Ok(Extended::Unsolved) | Err(OutOfBudget) => self.facts.miss(source),
+            }
+            let reach = match held.standing {
+                Standing::Settles => Reach::All,
+                _ => self.reading.reach_of_line(&self.at),
+            };
+            self.settled_taken.push(self.reading.settled.len());
+            self.reading.settled.push(Premise {
+                equation,
+                source: source.clone(),
+                reach,
+            });
+        }
+        Answer::Accepted
+    }
+}
