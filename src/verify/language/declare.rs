@@ -137,6 +137,9 @@ fn read(
     Ok(said.into_iter().map(declaration).collect())
 }
 
+/// A sentence of more words is not parted.
+const LONGEST_JOINED: usize = 120;
+
 /// A sentence is read in so many ways at most.
 const MOST_READINGS: usize = 150;
 
@@ -151,6 +154,9 @@ fn understood(
         Ok(said) => return Ok(said),
         Err(error) => error,
     };
+    if tokens.len() > LONGEST_JOINED {
+        return Err(first);
+    }
     let mut left = MOST_READINGS;
     let mut now = plainly(&possessives(&axes(tokens), lexicon));
     let mut error = match strictly(&now) {
