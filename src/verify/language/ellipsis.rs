@@ -28,7 +28,7 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
     let second = &tokens[at + joined..];
     let end = second.iter().position(|t| t.kind == Kind::Semicolon);
     let (second, behind) = second.split_at(end.unwrap_or(second.len()));
-    let relative = second.first().is_some_and(|t| is_relative(t));
+    let relative = second.first().is_some_and(is_relative);
     if joined == 0 && !relative || first.is_empty() || second.is_empty() {
         return vec![];
     }
@@ -84,8 +84,8 @@ pub(crate) fn joint_weakness(tokens: &[Token], at: usize) -> u8 {
     let comma = |t: &&Token| t.kind == Kind::Comma;
     let joined: Vec<&Token> = tokens[at..].iter().take_while(|t| joins(t)).collect();
     match (
-        joined.iter().any(|t| comma(&t)),
-        joined.iter().any(|t| !comma(&t)),
+        joined.iter().any(|t| comma(t)),
+        joined.iter().any(|t| !comma(t)),
     ) {
         (true, true) => 0,
         (false, true) => 1,
