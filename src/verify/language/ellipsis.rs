@@ -83,10 +83,7 @@ fn nouns_end(tokens: &[Token], lexicon: &Lexicon) -> usize {
 pub(crate) fn joint_weakness(tokens: &[Token], at: usize) -> u8 {
     let comma = |t: &&Token| t.kind == Kind::Comma;
     let joined: Vec<&Token> = tokens[at..].iter().take_while(|t| joins(t)).collect();
-    match (
-        joined.iter().any(|t| comma(t)),
-        joined.iter().any(|t| !comma(t)),
-    ) {
+    match (joined.iter().any(comma), joined.iter().any(|t| !comma(t))) {
         (true, true) => 0,
         (false, true) => 1,
         _ => 2,
