@@ -19,7 +19,7 @@
 //!
 //! A step is audited at its own length: what it does as the length goes to zero tells which equation it integrates, and a
 //! free run at its full length tells whether it is stable, with the drift of energy and of the momentum in space as witnesses.
-//! See [`step`].
+//! See [`step()`].
 
 mod acceleration;
 mod finding;

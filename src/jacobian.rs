@@ -1,6 +1,6 @@
 //! Jacobians for optimisation: is the one that I wrote by hand right, and if not, what is wrong with it?
 //!
-//! [`check`] holds a Jacobian against dual numbers: there is no step size, and the answer is right to rounding. It takes
+//! [`check()`] holds a Jacobian against dual numbers: there is no step size, and the answer is right to rounding. It takes
 //! any function that is generic over its number. [`check_black_box`] takes a function of which only values can be had, and
 //! holds the Jacobian against differences over a whole range of steps. `assert_jacobian!` is the
 //! first of them for tests.
@@ -123,7 +123,7 @@ pub use slot::{Other, Slot};
 
 /// Fails with a [`Report`] as its message unless a Jacobian is right.
 ///
-/// Takes what [`check`] takes, `assert_jacobian!(f, jacobian, at)`, with rows and columns named if wished, or a report that
+/// Takes what [`check()`] takes, `assert_jacobian!(f, jacobian, at)`, with rows and columns named if wished, or a report that
 /// has been made otherwise.
 ///
 /// ```
