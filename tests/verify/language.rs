@@ -401,3 +401,33 @@ fn the_manual_shows_every_noun() {
         assert!(text.contains(word), "{word}");
     }
 }
+
+#[test]
+fn clauses_leave_out_what_the_one_before_says() {
+    let said = |text: &str| -> Vec<Statement> {
+        let declarations = read(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+        declarations.into_iter().map(|d| d.statement).collect()
+    };
+    let same = [
+        (
+            "The point O is fixed in N, and so is C.",
+            "The point O is fixed in N; C is fixed in N.",
+        ),
+        (
+            "$a$ is the rate of $x$ and $b$ that of $y$.",
+            "$a$ is the rate of $x$; $b$ is the rate of $y$.",
+        ),
+        (
+            "$a$ and $b$ are the rates of $x$ and $y$.",
+            "$a$ is the rate of $x$; $b$ is the rate of $y$.",
+        ),
+        (
+            "By $L$ we mean the angular momentum of the top about O.",
+            "$L$ is the angular momentum of the top about O.",
+        ),
+        ("Let N be an inertial frame.", "N is an inertial frame."),
+    ];
+    for (short, long) in same {
+        assert_eq!(said(short), said(long), "{short}");
+    }
+}

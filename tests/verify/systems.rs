@@ -46,6 +46,23 @@ $$ \vec M = \mathbf J\dot{\vec\omega} - \vec\omega\times\mathbf J\vec\omega $$
 }
 
 #[test]
+fn a_false_line_is_put_right_by_one_change() {
+    let text = r"
+$$ \vec M = \mathbf J\dot{\vec\omega} - \vec\omega\times\mathbf J\vec\omega $$
+$$ \vec M = \mathbf J\vec\omega + \vec\omega\times\mathbf J\vec\omega $$
+";
+    let (document, _) = read("a document", text, Format::Markdown);
+    let sheet = Sheet {
+        sentences: sentences(BODY),
+        source: Source::new("what is declared", BODY),
+    };
+    let report = check_declared(&document, &declarations(&document, &[sheet]));
+    let diagnoses = report.findings.iter().map(|f| f.diagnosis.as_ref());
+    let kinds: Vec<Option<&str>> = diagnoses.map(|d| d.map(|d| d.kind)).collect();
+    assert_eq!(kinds, [Some("sign"), Some("missing-dot")]);
+}
+
+#[test]
 fn components_on_principal_axes() {
     let sentences = format!(
         "{BODY}$p$, $q$, $r$ are the components of $\\vec\\omega$ on B.
