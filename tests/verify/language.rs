@@ -426,8 +426,63 @@ fn clauses_leave_out_what_the_one_before_says() {
             "$L$ is the angular momentum of the top about O.",
         ),
         ("Let N be an inertial frame.", "N is an inertial frame."),
+        (
+            "N is an inertial frame, and O is a point fixed in it.",
+            "N is an inertial frame; O is a point fixed in N.",
+        ),
+        (
+            "N is an inertial frame, B a frame fixed in the hub and W a frame fixed in the wheel.",
+            "N is an inertial frame; B is a frame fixed in the hub; W is a frame fixed in the wheel.",
+        ),
+        (
+            "A dot means the rate seen from N, and a prime the rate seen from B.",
+            "A dot means the rate seen from N; a prime means the rate seen from B.",
+        ),
+        (
+            "Relative to B the wheel turns about $n$ at the rate $w$.",
+            "The wheel turns about $n$ at the rate $w$ relative to B.",
+        ),
+        (
+            "G is the mass centre of the hub and also of the wheel.",
+            "G is the mass centre of the hub; G is the mass centre of the wheel.",
+        ),
+        (
+            "$a$, $b$, $c$ are the components of $u$ on B, $d$, $e$, $f$ those of $v$.",
+            "$a$, $b$, $c$ are the components of $u$ on B; $d$, $e$, $f$ are the components of $v$.",
+        ),
+        (
+            "$J$ is the inertia tensor of the hub about G, with the entries $J_{jk}$.",
+            "$J$ is the inertia tensor of the hub about G; $J_{jk}$ are the entries of $J$.",
+        ),
     ];
     for (short, long) in same {
         assert_eq!(said(short), said(long), "{short}");
     }
+}
+
+#[test]
+fn a_clause_may_have_a_part_of_the_document_of_its_own() {
+    let sentence = "$w$ is the rate of $x$ seen from N; on line 3 it is written $v$.";
+    let declarations = read(sentence).expect("a sentence of the language");
+    let [whole, line] = declarations.as_slice() else {
+        panic!("{declarations:?}");
+    };
+    assert_eq!(whole.extent, Extent::Document);
+    let third = Extent::Lines {
+        cell: None,
+        first: 3,
+        last: Some(3),
+    };
+    assert_eq!(line.extent, third);
+}
+
+#[test]
+fn what_a_sentence_says_first_is_kept_where_the_rest_is_not_understood() {
+    let text = "$r$ is the position of P from O, $s$ its gribble.\nP consists of Q, $s$ its gribble.";
+    let (declarations, misread) =
+        read_declarations(text, &Macros::default(), &Lexicon::default());
+    assert_eq!(misread.len(), 2);
+    let read = |d: &&Declaration| !matches!(d.statement, Statement::Unread { .. });
+    let kept: Vec<usize> = declarations.iter().filter(read).map(|d| d.line).collect();
+    assert_eq!(kept, [1], "what goes on may change what is said of things");
 }

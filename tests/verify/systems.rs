@@ -1,6 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod loads;
+mod members;
 mod rolling;
 mod start;
 mod textbook;

@@ -188,7 +188,7 @@ impl<'a> Lexer<'a> {
                 let _ = self.braced();
             }
             _ if is_text(name) => {
-                let text = self.braced();
+                let text = unwrapped(self.braced());
                 self.push(Lexeme::Text(text), start);
             }
             _ if is_size(name) => self.sized = Some(start),
@@ -353,4 +353,19 @@ impl<'a> Lexer<'a> {
             start,
         );
     }
+}
+
+/// Words in upright letters may be wrapped more than once: `\text{\text{hub}}`.
+fn unwrapped(mut text: &str) -> &str {
+    while let Some((name, inner)) = text
+        .trim()
+        .strip_prefix('\\')
+        .and_then(|rest| rest.split_once('{'))
+        && is_text(name)
+        && let Some(inner) = inner.strip_suffix('}')
+        && !inner.contains(['{', '}'])
+    {
+        text = inner;
+    }
+    text
 }

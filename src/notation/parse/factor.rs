@@ -210,6 +210,17 @@ impl<'a> Parser<'_, 'a> {
         node
     }
 
+    /// `\prescript{N}{}{\omega}`: what stands at the upper and the lower left, and the letter.
+    fn prescript(&mut self, start: usize) -> Node {
+        let labels = [self.frame_label(), self.frame_label()];
+        let mut node = self.argument_node();
+        for label in labels.into_iter().filter(|label| !label.text.is_empty()) {
+            node = super::script::marked(node, label);
+        }
+        node.span = self.since(start);
+        self.scripts(node, start)
+    }
+
     fn command(&mut self, name: &'a str, start: usize) -> Node {
         self.at += 1;
         match name {
@@ -240,6 +251,7 @@ impl<'a> Parser<'_, 'a> {
             }
             "crossof" | "dotof" => self.product_of(name == "crossof", start),
             "inverseof" | "transposeof" => self.matrix_call(name == "inverseof", start),
+            "prescript" => self.prescript(start),
             "cbrt" => {
                 let argument = self.argument_node();
                 let kind = self.root_as_power(argument, "3");

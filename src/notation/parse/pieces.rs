@@ -226,10 +226,35 @@ impl<'a> Splitter<'a> {
         true
     }
 
+    /// Lines in braces, as plain TeX has them: `\displaylines{a = b \\ c = d}`.
+    fn lines_in_braces(&mut self, tokens: &[Token<'a>], i: usize, level: u32) -> Option<usize> {
+        let open = i + 1;
+        if tokens.get(open)?.kind != Lexeme::Open {
+            return None;
+        }
+        let mut depth = 0;
+        let close = (open..tokens.len()).find(|&at| {
+            match tokens[at].kind {
+                Lexeme::Open => depth += 1,
+                Lexeme::Close => depth -= 1,
+                _ => {}
+            }
+            depth == 0
+        })?;
+        self.split(&tokens[open + 1..close], "gathered", level + 1);
+        Some(close + 1)
+    }
+
     /// An environment of lines, or a bracket around one, is gone into; the index behind it is returned.
     fn structure(&mut self, tokens: &[Token<'a>], i: usize, level: u32) -> Option<usize> {
         if level > 8 {
             return None;
+        }
+        if matches!(
+            tokens[i].kind,
+            Lexeme::Command("displaylines" | "eqalign" | "eqalignno")
+        ) {
+            return self.lines_in_braces(tokens, i, level);
         }
         let opens = matches!(
             tokens[i].kind,

@@ -122,7 +122,9 @@ impl Namer<'_> {
             .filter_map(|&b| system.bodies[b].frame)
             .collect();
         let has_centre = |b: &BodyId| system.bodies[*b].centre != 0 || self.is_point(system, *b);
-        if !wholes.iter().all(has_centre) {
+        // Members that move on their own are no unknowns that could be solved for here.
+        let single = |b: &BodyId| system.bodies[*b].members.is_none();
+        if !wholes.iter().all(|b| has_centre(b) && single(b)) {
             return None;
         }
         let fixed = |point: PointId| {

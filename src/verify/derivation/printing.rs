@@ -101,7 +101,11 @@ impl Letters {
         let (mut above, mut below) = (above.clone(), below.clone());
         let system = &self.reading.system;
         let wholes = (0..system.bodies.len()).filter(|&b| !system.bodies[b].parts.is_empty());
-        for mass in wholes.map(|body| system.mass(body)) {
+        let mass = |body| {
+            let parts = system.wholes(body).into_iter();
+            parts.fold(Fraction::zero(), |sum, part| sum + system.bodies[part].mass.clone())
+        };
+        for mass in wholes.map(mass) {
             let factor = mass.numerator();
             while let (Some(a), Some(b)) =
                 (above.exact_quotient(factor), below.exact_quotient(factor))

@@ -1,5 +1,6 @@
 //! Whole sentences.
 
+use super::implied::of_letters;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
@@ -22,12 +23,14 @@ pub(crate) type Said = (Extent, Statement);
 impl<'a> Reader<'a> {
     /// A sentence. It says several things if it has several clauses or speaks of several parts of the document.
     pub(crate) fn sentence(&mut self) -> Read<Vec<Said>> {
-        let mut extents = self.extents()?;
-        let mut said = vec![];
+        let whole = self.extents()?;
+        let mut said: Vec<Said> = vec![];
         let mut spoken_of: Vec<Term> = vec![];
         loop {
             let mut statements = vec![];
             self.in_predicate = false;
+            let own = self.extents_of_clause(&whole)?;
+            let mut extents = own.unwrap_or_else(|| whole.clone());
             let before = self.conditions()?;
             match self.apart()? {
                 Some(several) => statements.extend(several),
@@ -49,6 +52,9 @@ impl<'a> Reader<'a> {
             }
             for statement in &mut statements {
                 self.limit(statement, &before)?;
+            }
+            if let Some(behind) = self.extents_of_clause(&extents)? {
+                extents = behind;
             }
             for statement in statements {
                 said.extend(
@@ -93,11 +99,12 @@ impl<'a> Reader<'a> {
         let mut formulas = vec![];
         let mut rule = false;
         self.at = 0;
+        let told = self.at_formula();
         while !self.done() {
             match self.at_formula() {
                 true => formulas.extend(self.formulas()),
                 false => {
-                    rule |= self.at_rule();
+                    rule |= self.at_rule(told);
                     self.at += 1;
                 }
             }
@@ -329,15 +336,23 @@ impl<'a> Reader<'a> {
     /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
     /// whose it is. Says where it ends.
     fn gap(&mut self, start: usize, statements: &mut Vec<Statement>) -> Read<usize> {
-        let Some(Statement::Is { what, .. }) = statements.last() else {
+        let Some(Statement::Is {
+            subjects: told,
+            what,
+        }) = statements.last()
+        else {
             return Ok(start);
         };
-        let owner = what.slot(Slot::Of).cloned();
+        let (letter, owner) = (told.first().cloned(), what.slot(Slot::Of).cloned());
         let mut subjects = vec![];
         self.term(&mut subjects)?;
         let its = self.take_any(&["its"]);
         let mut what = self.phrase()?;
         if its {
+            let owner = match of_letters(what.head) {
+                true => letter,
+                false => owner,
+            };
             what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
         }
         statements.push(Statement::Is { subjects, what });

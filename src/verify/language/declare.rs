@@ -2,13 +2,13 @@
 
 use super::bodies::introduced;
 use super::clause::Said;
-use super::ellipsis::{joint_weakness, parted_at};
+use super::ellipsis::{joins, joint_weakness, parted_at, with_its};
 use super::lexicon::Lexicon;
 use super::reader::Reader;
-use super::reorder::{axes, described_first, possessives, without_brackets};
+use super::reorder::{axes, described_first, fronted, possessives, without_brackets};
 use super::rewrite::plainly;
-use super::statement::{Declaration, Extent, Misread, Statement};
-use super::words::{Token, tokens, wrong};
+use super::statement::{Declaration, Extent, Misread, Statement, Term};
+use super::words::{Kind, Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
 
@@ -45,7 +45,10 @@ pub fn read_declarations(
             Ok(said) => declarations.extend(said),
             Err(error) => {
                 let tokens = tokens.unwrap_or_default();
-                declarations.push(unread(&tokens, sentence, line, macros, lexicon));
+                let reader = |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
+                let (begun, rest) = begun(&tokens, &reader);
+                declarations.extend(begun);
+                declarations.push(unread(rest, sentence, line, macros, lexicon));
                 misread.push(error);
             }
         }
@@ -75,6 +78,33 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
         )),
         false => tokens(sentence, line),
     }
+}
+
+/// What a sentence says before the clause that is not understood, and that clause. It has to be one of its own, with a
+/// letter as its subject, for what goes on from a clause may change what it says.
+fn begun<'t>(
+    tokens: &'t [Token],
+    reader: &impl Fn(&[Token]) -> Result<Vec<Declaration>, Misread>,
+) -> (Vec<Declaration>, &'t [Token]) {
+    let letters = |said: &Declaration| match &said.statement {
+        Statement::Is { subjects, .. } => subjects.iter().all(|s| matches!(s, Term::Formula(_))),
+        _ => false,
+    };
+    for at in (1..tokens.len()).rev() {
+        let joined = tokens[at..].iter().take_while(|t| joins(t)).count();
+        let next = tokens.get(at + joined..at + joined + 2);
+        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        let clause = next.is_some_and(|next| formula(&next[0]) && next[1].kind == Kind::Word);
+        if joined == 0 || !clause {
+            continue;
+        }
+        if let Ok(said) = reader(&tokens[..at])
+            && said.iter().all(letters)
+        {
+            return (said, &tokens[at + joined..]);
+        }
+    }
+    (vec![], tokens)
 }
 
 /// A sentence that is not understood: of which part of the document, and of which letters it speaks.
@@ -163,8 +193,12 @@ fn understood(
         Ok(said) => return Ok(said),
         Err(error) => error,
     };
-    let others = [Some(without_brackets(&now)), described_first(&now, lexicon)];
-    for other in others.into_iter().flatten() {
+    let others = [
+        Some(without_brackets(&now)),
+        described_first(&now, lexicon),
+        with_its(&now, lexicon),
+    ];
+    for other in others.into_iter().flatten().chain(fronted(&now, lexicon)) {
         let other = plainly(&other);
         match strictly(&other) {
             Ok(said) => return Ok(said),
@@ -200,7 +234,7 @@ fn parted_further(
     let mut joints: Vec<usize> = (0..now.len()).rev().collect();
     // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
     joints.sort_by_key(|&at| joint_weakness(now, at));
-    let mut further = None;
+    let mut further: Option<(Vec<Token>, Misread)> = None;
     for candidate in joints
         .into_iter()
         .flat_map(|at| parted_at(now, at, lexicon))
@@ -214,10 +248,13 @@ fn parted_further(
             Ok(said) if said.iter().all(|(_, statement)| statement.says_something()) => {
                 return Parted::Understood(said);
             }
-            Err(other) if other.column > error.column && further.is_none() => {
-                further = Some((candidate, other));
+            Err(other) => {
+                let best = further.as_ref().map_or(error.column, |(_, best)| best.column);
+                if other.column > best {
+                    further = Some((candidate, other));
+                }
             }
-            _ => {}
+            Ok(_) => {}
         }
     }
     further.map_or(Parted::Stuck, |(next, later)| Parted::Further(next, later))

@@ -29,17 +29,37 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
     let end = second.iter().position(|t| t.kind == Kind::Semicolon);
     let (second, behind) = second.split_at(end.unwrap_or(second.len()));
     let relative = second.first().is_some_and(is_relative);
-    if joined == 0 && !relative || first.is_empty() || second.is_empty() {
+    if joined == 0 && !relative || first.is_empty() || second.is_empty() || in_list(tokens, at) {
         return vec![];
     }
     let sentence = |clauses: (Vec<Token>, Vec<Token>)| {
         let semicolon = put_in(Kind::Semicolon, "", &tokens[at]);
         [before, &clauses.0, &[semicolon], &clauses.1, behind].concat()
     };
-    completed(first, second, lexicon)
-        .into_iter()
-        .map(sentence)
-        .collect()
+    let clauses = match joined {
+        0 => related(first, second, lexicon)
+            .into_iter()
+            .map(|second| (first.to_vec(), second))
+            .collect(),
+        _ => completed(first, second, lexicon),
+    };
+    clauses.into_iter().map(sentence).collect()
+}
+
+/// Whether a comma stands between the letters of a list that begins behind another comma: "on B, `$a$`, `$b$` those of C".
+fn in_list(tokens: &[Token], at: usize) -> bool {
+    let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+    let mut before = &tokens[..at];
+    while let [rest @ .., comma, letter] = before
+        && formula(letter)
+        && joins(comma)
+    {
+        if rest.last().is_some_and(|t| !formula(t) && !joins(t)) {
+            return true;
+        }
+        before = rest;
+    }
+    false
 }
 
 fn is_relative(token: &Token) -> bool {
@@ -61,9 +81,10 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     };
     [last, subject]
         .iter()
-        .map(|owner| match relative.lower.as_str() {
-            "whose" => whose(owner),
-            _ => [owner, rest].concat(),
+        .flat_map(|owner| match relative.lower.as_str() {
+            "whose" => vec![whose(owner)],
+            // "which is fixed in B", "which line 7 defines"
+            _ => vec![[owner, rest].concat(), [rest, owner].concat()],
         })
         .collect()
 }
@@ -90,7 +111,8 @@ pub(crate) fn joint_weakness(tokens: &[Token], at: usize) -> u8 {
     }
 }
 
-fn joins(token: &Token) -> bool {
+/// Whether a word or a comma may join clauses.
+pub(crate) fn joins(token: &Token) -> bool {
     token.kind == Kind::Comma || token.kind == Kind::Word && JOINS.contains(&token.lower.as_str())
 }
 
@@ -107,27 +129,27 @@ fn completed(
     let whole = first.to_vec();
     let relative = related(first, second, lexicon);
     all.extend(relative.into_iter().map(|second| (whole.clone(), second)));
-    all.extend(
-        likewise(second, verb, rest)
-            .into_iter()
-            .map(|second| (whole.clone(), second)),
-    );
-    let reminded = match agrees(second) {
-        true => reminded(second, rest, lexicon),
-        false => return all,
-    };
-    all.push((whole.clone(), reminded.clone()));
+    let others = likewise(second, verb, rest);
+    let others = others
+        .into_iter()
+        .chain(instead(first, second, lexicon))
+        .chain(meant_by_it(subject, second));
+    all.extend(others.map(|second| (whole.clone(), second)));
+    if !agrees(second) {
+        return all;
+    }
+    let reminded = [rest, subject].map(|spoken| reminded(second, spoken, lexicon));
+    all.extend(reminded.iter().map(|second| (whole.clone(), second.clone())));
     // "and `$b$` the mass of C": the verb of the first
-    for second in [second, &reminded] {
-        let end = subject_of_gap(second);
-        if end > 0 {
+    for second in [second, &reminded[0]] {
+        for end in subjects_of_gap(second, lexicon) {
             let verb = in_number(verb, &second[..end]);
             let filled = [&second[..end], &verb, &second[end..]].concat();
             all.push((whole.clone(), filled));
         }
-        // "and is fixed in B": the subject of the first
-        let same = [subject, second].concat();
-        all.push((whole.clone(), same));
+        // "and is fixed in B", "and fixed in B": the subject of the first
+        all.push((whole.clone(), [subject, second].concat()));
+        all.push((whole.clone(), [subject, verb, second].concat()));
     }
     let shared = all
         .iter()
@@ -153,6 +175,38 @@ fn likewise(second: &[Token], verb: &[Token], rest: &[Token]) -> Vec<Vec<Token>>
         all.push([&second[skipped + 1..], verb, rest].concat());
     }
     all
+}
+
+/// "and also of the wheel": the same is said with another end.
+fn instead(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let also = second.first().is_some_and(|t| t.lower == "also");
+    let second = &second[usize::from(also)..];
+    let word = second.first()?;
+    preposition(second, lexicon)?;
+    let at = first.iter().rposition(|t| t.lower == word.lower)?;
+    Some([&first[..at], second].concat())
+}
+
+/// Whether a preposition comes next.
+fn preposition(tokens: &[Token], lexicon: &Lexicon) -> Option<usize> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    Some(lexicon.find(&words, &[Class::Preposition])?.length)
+}
+
+/// "and O is a point fixed in it": the thing of which the first clause speaks.
+fn meant_by_it(subject: &[Token], second: &[Token]) -> Option<Vec<Token>> {
+    let meant = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
+    let at = second.iter().position(meant)?;
+    Some([&second[..at], subject, &second[at + 1..]].concat())
+}
+
+/// "…; on line 3 it is written `$w$`": each "it" with what the clause before speaks of.
+pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let semicolon = tokens.iter().position(|t| t.kind == Kind::Semicolon)?;
+    let (first, second) = tokens.split_at(semicolon);
+    let (subject, ..) = clause(first, lexicon)?;
+    let second = meant_by_it(subject, second)?;
+    Some([first, &second].concat())
 }
 
 /// "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end.
@@ -221,7 +275,7 @@ fn in_number(verb: &[Token], subject: &[Token]) -> Vec<Token> {
 }
 
 /// The clause with the noun of the first one for "that" and "those".
-fn reminded(second: &[Token], rest: &[Token], lexicon: &Lexicon) -> Vec<Token> {
+fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
     let reminds = |at: usize| {
         let rest: Vec<&str> = second[at + 1..].iter().map(|t| t.lower.as_str()).collect();
         REMINDERS.contains(&second[at].lower.as_str())
@@ -234,8 +288,8 @@ fn reminded(second: &[Token], rest: &[Token], lexicon: &Lexicon) -> Vec<Token> {
     let the = put_in(Kind::Word, "the", &second[at]);
     // "the one about P" is of the same thing
     let noun = match second[at + 1].lower.as_str() {
-        "of" => head(rest, lexicon),
-        _ => owned(rest, lexicon),
+        "of" => head(spoken, lexicon),
+        _ => owned(spoken, lexicon),
     };
     let before = &second[..at - usize::from(article)];
     [before, &[the], noun, &second[at + 1..]].concat()
@@ -284,7 +338,26 @@ fn owned<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
 /// How many pieces the subject of a clause takes that has lost its verb: formulas or names up to an article or a preposition.
 fn subject_of_gap(tokens: &[Token]) -> usize {
     let ends = |t: &Token| {
-        t.kind == Kind::Word && t.lower == t.text && t.text.chars().count() > 1 && t.lower != "and"
+        let word = t.lower == t.text && t.text.chars().count() > 1 && t.lower != "and";
+        t.kind == Kind::Word && (word || t.text == "a")
     };
     tokens.iter().position(ends).unwrap_or(0)
+}
+
+/// The same where the subject may be a phrase as well, "a prime", "the label S": it ends where another article stands, or
+/// something that hangs on it.
+fn subjects_of_gap(tokens: &[Token], lexicon: &Lexicon) -> Vec<usize> {
+    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    match subject_of_gap(tokens) {
+        0 if tokens.first().is_some_and(article) => {
+            let ends = |&at: &usize| {
+                article(&tokens[at])
+                    || tokens[at].lower == "that"
+                    || preposition(&tokens[at..], lexicon).is_some()
+            };
+            (2..tokens.len()).find(ends).into_iter().collect()
+        }
+        0 => vec![],
+        end => vec![end],
+    }
 }

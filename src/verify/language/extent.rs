@@ -32,6 +32,34 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether a part of the document is named here: "on line 3", "in the section …".
+    pub(crate) fn at_extent(&self) -> bool {
+        let next = self.word_at(1);
+        let number = |ahead: usize| {
+            let token = self.tokens.get(self.at + ahead);
+            token.is_some_and(|token| token.kind == Kind::Number)
+        };
+        match self.word() {
+            "on" | "in" if LINES.contains(&next) => number(2),
+            "in" if matches!(next, "cell" | "cells") => number(2),
+            "in" => next == "section" || next == "the" && self.word_at(2) == "section",
+            "from" => next == "line" && number(2),
+            _ => false,
+        }
+    }
+
+    /// The extents of one clause of several, or those that stand behind what it says.
+    pub(crate) fn extents_of_clause(&mut self, whole: &[Extent]) -> Read<Option<Vec<Extent>>> {
+        let start = self.at;
+        self.take_sign(Kind::Comma);
+        if !self.at_extent() {
+            self.at = start;
+            return Ok(None);
+        }
+        let own = self.extents()?;
+        self.together(whole, &own).map(Some)
+    }
+
     /// Each of some extents with each of others.
     fn together(&self, some: &[Extent], others: &[Extent]) -> Read<Vec<Extent>> {
         if some.len() * others.len() > MOST_EXTENTS {

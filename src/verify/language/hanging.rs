@@ -47,6 +47,10 @@ impl<'a> Reader<'a> {
             let start = self.at;
             let comma = self.take_sign(Kind::Comma);
             let and = self.take("and");
+            if self.at_extent() {
+                self.at = start;
+                break;
+            }
             let Some(found) = self.take_entry(&[Class::Preposition]) else {
                 self.at = start;
                 break;

@@ -9,7 +9,7 @@ use super::words::Kind;
 const MOST_UNKNOWN: usize = 2;
 
 /// Nouns for what belongs to a letter, and not to the thing whose quantity it is.
-const OF_LETTERS: [&str; 10] = [
+const OF_LETTERS: [&str; 9] = [
     "rate",
     "second rate",
     "component",
@@ -17,10 +17,14 @@ const OF_LETTERS: [&str; 10] = [
     "direction",
     "value",
     "reference value",
-    "disturbance",
     "first-order change",
     "entry",
 ];
+
+/// Whether "its" before a noun means a letter, and not the thing whose quantity this is.
+pub(crate) fn of_letters(noun: &str) -> bool {
+    OF_LETTERS.contains(&noun)
+}
 
 /// Places that belong to the body that a sentence speaks of, where it says no other: "the moment on the hub about the mass
 /// centre".
@@ -43,7 +47,7 @@ impl Reader<'_> {
                     && noun.slot("at").is_none()
                     && noun.name != "mass"
             });
-        if of_letters || OF_LETTERS.contains(&phrase.head) {
+        if of_letters || OF_LETTERS.contains(&phrase.head) || phrase.head == "disturbance" {
             return;
         }
         for (slot, term) in &mut phrase.slots {
@@ -99,11 +103,7 @@ impl Reader<'_> {
 pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
     let of: Vec<Term> = what.all(Slot::Of).cloned().collect();
     let alike = |terms: &[Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
-    let things = |terms: &[Term]| {
-        terms
-            .iter()
-            .all(|t| matches!(t, Term::Name(_) | Term::Member { .. }))
-    };
+    let things = |terms: &[Term]| terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
     if subjects.len() < 2
         || subjects.len() != of.len()
         || !alike(&subjects)

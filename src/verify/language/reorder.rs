@@ -132,3 +132,23 @@ pub(crate) fn described_first(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec
     };
     Some([subject, rest, &[semicolon], &second].concat())
 }
+
+/// "Relative to B the wheel turns about z" with what stands in front at its end, for each place where that may end.
+pub(crate) fn fronted(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Token>> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let Some(preposition) = lexicon.find(&words, &[Class::Preposition]) else {
+        return vec![];
+    };
+    let clause = tokens.iter().position(|t| t.kind == Kind::Semicolon);
+    let (clause, behind) = tokens.split_at(clause.unwrap_or(tokens.len()));
+    let ends = preposition.length + 1..clause.len().min(LONGEST_FRONT);
+    let moved = |end: usize| {
+        let (front, rest) = clause.split_at(end);
+        let comma = usize::from(rest[0].kind == Kind::Comma);
+        [&rest[comma..], front, behind].concat()
+    };
+    ends.map(moved).collect()
+}
+
+/// What stands in front of a clause takes no more pieces than this.
+const LONGEST_FRONT: usize = 9;

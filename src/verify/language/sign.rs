@@ -67,14 +67,15 @@ impl<'a> Reader<'a> {
         Ok(Some(Statement::Notation { sign, meaning }))
     }
 
-    /// Whether a word comes next that rules of notation are made of, or conventions.
-    pub(crate) fn at_rule(&self) -> bool {
+    /// Whether a word comes next that rules of notation are made of, or conventions; a sentence that is `told` of a letter
+    /// speaks of its components, and makes no convention of them.
+    pub(crate) fn at_rule(&self, told: bool) -> bool {
         let convention = self.find(&[Class::Noun]);
         LABELS.contains(&self.word())
             || self
                 .find(&[Class::Mark, Class::Custom, Class::Meaning])
                 .is_some_and(|sign| !self.speaks_of_body(sign.length))
-            || convention.is_some_and(|noun| CONVENTIONS.contains(&noun.entry.name))
+            || !told && convention.is_some_and(|noun| CONVENTIONS.contains(&noun.entry.name))
     }
 
     /// Whether the word for a mark is one for a body here: "the bar is a uniform rod".

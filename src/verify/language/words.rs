@@ -64,11 +64,8 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
                 "say it in several",
             ));
         }
-        // What stands behind a colon says more of the letters before it.
-        let letters = tokens
-            .last()
-            .is_some_and(|t: &Token| t.kind == Kind::Formula);
-        if first == ':' && letters {
+        // What stands behind a colon says more of what stands before it.
+        if first == ':' && !tokens.is_empty() {
             tokens.push(Token {
                 kind: Kind::Comma,
                 text: ":".into(),

@@ -42,6 +42,7 @@ impl System {
             parts: vec![],
             rotors: None,
             round: None,
+            members: None,
         });
         self.bodies.len() - 1
     }
@@ -56,11 +57,33 @@ impl System {
     }
 
     /// The mass of a body.
-    pub(crate) fn mass(&self, body: BodyId) -> Fraction {
-        let wholes = self.wholes(body);
-        wholes
-            .into_iter()
-            .fold(Fraction::zero(), |sum, b| sum + self.bodies[b].mass.clone())
+    pub(crate) fn mass(&mut self, body: BodyId) -> Fraction {
+        let mut sum = Fraction::zero();
+        for part in self.wholes(body) {
+            let mass = self.bodies[part].mass.clone();
+            sum += self.over_members(part, mass);
+        }
+        sum
+    }
+
+    /// What a part contributes: where it stands for each member of a family, the sum over all of them.
+    pub(crate) fn over_members(&mut self, part: BodyId, of: Fraction) -> Fraction {
+        let Some(index) = self.bodies[part].members.clone() else {
+            return of;
+        };
+        self.sum(&of, &index).unwrap_or_else(|| {
+            let key = Key::new(format!("\\sum_{{{index}}} {}", self.bodies[part].name));
+            fraction(self.atoms.variable(key, Place::Rate, Motion::Free))
+        })
+    }
+
+    /// The same of a vector or a tensor, entry by entry.
+    pub(crate) fn each_over_members<const C: usize>(
+        &mut self,
+        part: BodyId,
+        of: nalgebra::SMatrix<Fraction, 3, C>,
+    ) -> nalgebra::SMatrix<Fraction, 3, C> {
+        of.map(|entry| self.over_members(part, entry))
     }
 
     /// The inertia tensor of a whole body about its mass centre.
@@ -112,7 +135,8 @@ impl System {
         for part in self.wholes(body) {
             let central = self.central_inertia(part);
             let way = self.position(self.bodies[part].centre, about);
-            sum += mechanics::parallel_axis(&central, &self.bodies[part].mass.clone(), &way);
+            let own = mechanics::parallel_axis(&central, &self.bodies[part].mass.clone(), &way);
+            sum += self.each_over_members(part, own);
         }
         sum
     }
@@ -128,7 +152,8 @@ impl System {
         let mut sum = Vector::zeros();
         for part in self.wholes(body) {
             let velocity = self.velocity(self.bodies[part].centre, frame);
-            sum += velocity * self.bodies[part].mass.clone();
+            let own = velocity * self.bodies[part].mass.clone();
+            sum += self.each_over_members(part, own);
         }
         sum
     }
@@ -153,7 +178,8 @@ impl System {
             }
             let velocity = self.velocity(centre, frame) - base.clone();
             let way = self.position(centre, about);
-            sum += mechanics::cross(&way, &velocity) * mass;
+            let own = mechanics::cross(&way, &velocity) * mass;
+            sum += self.each_over_members(part, own);
             sum += self.momentum_of_rotors(part);
         }
         sum
@@ -185,7 +211,8 @@ impl System {
             }
             if !rotation_alone {
                 let velocity = self.velocity(centre, frame);
-                sum += half.clone() * mass * velocity.dot(&velocity);
+                let own = half.clone() * mass * velocity.dot(&velocity);
+                sum += self.over_members(part, own);
             }
         }
         sum

@@ -40,7 +40,8 @@ impl System {
     ) -> Vector {
         let mut sum = Vector::zeros();
         for part in self.wholes(body) {
-            sum += self.inertial_force_on_part(kind, part, frame);
+            let own = self.inertial_force_on_part(kind, part, frame);
+            sum += self.each_over_members(part, own);
         }
         sum
     }
@@ -67,7 +68,8 @@ impl System {
         for part in self.wholes(body) {
             let force = self.inertial_force_on_part(kind, part, frame);
             let centre = self.bodies[part].centre;
-            sum += mechanics::cross(&self.position(centre, about), &force);
+            let own = mechanics::cross(&self.position(centre, about), &force);
+            sum += self.each_over_members(part, own);
             if let Some(own) = self.bodies[part].frame {
                 let inertia = self.inertia(part, centre);
                 sum += match kind {

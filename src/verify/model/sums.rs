@@ -59,6 +59,11 @@ impl System {
         index: &str,
         from: PointId,
     ) -> Vector {
+        if let Some(member) = self.families[family].member
+            && self.bodies[member].members.as_deref() == Some(index)
+        {
+            return self.position(self.bodies[member].centre, from);
+        }
         let offset = self.member_offset(family, index);
         let centre = match self.families[family].body {
             Some(body) => self.bodies[body].centre,

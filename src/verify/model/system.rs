@@ -100,6 +100,8 @@ pub(crate) struct Body {
     pub(crate) rotors: Option<Rotors>,
     /// By what it touches planes, if it is round.
     pub(crate) round: Option<Round>,
+    /// The index of the family for each of whose members it stands: what is said of it is said of all.
+    pub(crate) members: Option<String>,
 }
 
 /// A family of symmetric wheels that turn about axes fixed in a body.
@@ -124,6 +126,8 @@ pub(crate) struct Family {
     pub(crate) body: Option<BodyId>,
     /// The letters that number them.
     pub(crate) indices: Vec<String>,
+    /// The body that stands for each of them, where they move on their own.
+    pub(crate) member: Option<BodyId>,
 }
 
 /// All that a document speaks of.

@@ -11,6 +11,24 @@ use crate::verify::term::quantity::{Quantity, Whole};
 /// Nouns of bodies that say no more than that there is one.
 pub(super) const WHOLES: [&str; 4] = ["body", "rigid body", "particle", "system"];
 
+/// The name of the body that stands for each particle of several.
+pub(super) const EACH: &str = "each particle";
+
+/// Quantities that only bodies have.
+const OF_BODIES: [&str; 6] = [
+    "angular momentum",
+    "momentum",
+    "inertia tensor",
+    "kinetic energy",
+    "principal moments",
+    "moment of inertia",
+];
+
+/// Things that are fixed, and on which others stand or roll.
+const GROUNDS: [&str; 7] = [
+    "floor", "incline", "table", "wall", "track", "support", "earth",
+];
+
 /// Members that any body has.
 const PARTICLES: [&str; 2] = ["particle", "element"];
 
@@ -26,9 +44,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "consist",
                     slots,
-                } => {
-                    self.bodies_of_parts(subjects, slots, declaration);
-                }
+                } => self.bodies_of_parts(subjects, slots),
                 Statement::Does {
                     subjects,
                     verb: "number",
@@ -37,7 +53,9 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        self.bodies_with_quantities();
         self.number_members();
+        self.stand_for_members();
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
@@ -58,7 +76,7 @@ impl Builder<'_> {
         for (whole, hub) in self.hubs.clone() {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }
-        self.add_frames_of_shapes();
+        self.add_frames_of_bodies();
     }
 
     fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {
@@ -84,6 +102,41 @@ impl Builder<'_> {
         }
     }
 
+    /// What has a momentum, or points that are fixed in it, is a body, also where no sentence says that it is one.
+    fn bodies_with_quantities(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { what, .. } = &declaration.statement else {
+                continue;
+            };
+            let slot = match what.head {
+                "point" => Slot::FixedIn,
+                head if OF_BODIES.contains(&head) => Slot::Of,
+                _ => continue,
+            };
+            for term in what.all(slot) {
+                if let Term::Name(name) = term
+                    && name.starts_with(char::is_lowercase)
+                    && singular(name).is_none()
+                    && !self.frames.contains_key(name)
+                    && !self.is_plane(name)
+                {
+                    self.add_named_body(name);
+                }
+            }
+        }
+    }
+
+    /// Whether a sentence says that something is a plane, or a frame.
+    fn is_plane(&self, name: &str) -> bool {
+        let said = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if matches!(what.head, "plane" | "frame") => {
+                subjects.iter().any(|s| name_of(s).as_deref() == Some(name))
+            }
+            _ => false,
+        });
+        said || GROUNDS.contains(&name)
+    }
+
     pub(super) fn add_named_body(&mut self, name: &str) -> BodyId {
         if let Some(&known) = self.bodies.get(name) {
             return known;
@@ -99,18 +152,11 @@ impl Builder<'_> {
         &mut self,
         subjects: &[Term],
         slots: &[(Slot, Term)],
-        declaration: &Declaration,
     ) {
         let [subject] = subjects else { return };
         let Some(name) = name_of(subject) else { return };
-        let parts = slots.iter().filter(|(slot, _)| *slot == Slot::Of);
-        let particles = |term: &Term| matches!(term, Term::Name(part) if part == "particles");
-        if parts.clone().count() > 1 && parts.clone().any(|(_, term)| particles(term)) {
-            // Particles beside other parts move on their own: they make up no rigid body with these.
-            self.add_family("particle", None);
-            return self.say_unused(declaration);
-        }
         let whole = self.add_named_body(&name);
+        let beside = slots.iter().filter(|(slot, _)| *slot == Slot::Of).count() > 1;
         let (mut parts, mut families) = (vec![], 0);
         for (slot, term) in slots {
             if *slot != Slot::Of {
@@ -125,6 +171,11 @@ impl Builder<'_> {
                         .push(index_letter(index));
                 }
                 Term::Name(part) => match singular(part) {
+                    // Particles beside other parts move on their own: they make up no rigid body with these.
+                    Some("particle") if beside => {
+                        self.add_family("particle", None);
+                        parts.push(self.add_named_body(EACH));
+                    }
                     Some(family) => {
                         self.add_family(family, Some(whole));
                         families += 1;
@@ -158,6 +209,7 @@ impl Builder<'_> {
             name: name.to_owned(),
             body,
             indices: vec![],
+            member: None,
         };
         self.reading.system.families.push(family);
         self.families
@@ -194,6 +246,20 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// The body that stands for each of the particles has the mass of one.
+    fn stand_for_members(&mut self) {
+        let (Some(&family), Some(&body)) = (self.families.get("particle"), self.bodies.get(EACH))
+        else {
+            return;
+        };
+        let system = &mut self.reading.system;
+        let index = system.families[family].indices.first().cloned();
+        let index = index.unwrap_or_else(|| "i".to_owned());
+        system.bodies[body].mass = system.member_mass(family, &index);
+        system.bodies[body].members = Some(index);
+        system.families[family].member = Some(body);
     }
 
     fn number_with(&mut self, family: &str, letter: String) {

@@ -66,7 +66,9 @@ pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> 
     builder.finish_bodies();
     builder.place_contacts();
     builder.read_letters();
+    builder.make_up_of_references();
     builder.read_premises();
+    builder.read_obeyed();
     builder.read_roles();
     builder.read_candidates();
     builder.say_unheard();

@@ -1,7 +1,7 @@
 //! Frames, and how they turn against one another.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
@@ -56,11 +56,11 @@ impl Builder<'_> {
             self.add_named_frame(name, &parents, &names, 0);
         }
         for (name, frame) in self.frames.clone() {
-            self.reading
-                .letters
-                .frame_names
-                .push((name.replace("~cal", ""), frame));
-            self.reading.letters.frame_names.push((name, frame));
+            // A frame with a label is written so as a label of others: `S_0` is `S0` there.
+            let plain = name.replace("~cal", "");
+            let names = [plain.replace('_', ""), plain, name];
+            let names = names.into_iter().map(|name| (name, frame));
+            self.reading.letters.frame_names.extend(names);
         }
         self.same_frames();
     }
@@ -285,9 +285,18 @@ impl Builder<'_> {
                     return self.formula_value(formula, declaration)?.to_vector().ok();
                 }
                 // An axis about which a frame turns is fixed in both.
-                let unit = Quantity::UnitVector {
-                    text: formula.source.clone(),
-                    carried,
+                let text = formula.source.clone();
+                let member = name_of(term).and_then(|name| {
+                    let (_, label) = name.split_once('_')?;
+                    Some(self.reading.system.index_in(label)?.1)
+                });
+                let unit = match member {
+                    Some(index) => Quantity::MemberVector {
+                        text,
+                        carried: self.said_fixed(formula).or(carried),
+                        index,
+                    },
+                    None => Quantity::UnitVector { text, carried },
                 };
                 let meaning = Meaning::Quantity(unit.clone());
                 self.denote_within(formula, meaning, Reach::All, declaration);
@@ -302,6 +311,23 @@ impl Builder<'_> {
             }
             _ => None,
         }
+    }
+}
+
+impl Builder<'_> {
+    /// The frame in which a sentence says that a vector is fixed.
+    fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
+        let says = |declaration: &&Declaration| match &declaration.statement {
+            Statement::Is { subjects, .. } => subjects.iter().any(
+                |subject| matches!(subject, Term::Formula(f) if f.source == letter.source),
+            ),
+            _ => false,
+        };
+        let mut said = self.declarations.iter().filter(says);
+        said.find_map(|declaration| match &declaration.statement {
+            Statement::Is { what, .. } => self.frame(what.slot(Slot::FixedIn)?),
+            _ => None,
+        })
     }
 }
 

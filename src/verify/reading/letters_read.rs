@@ -139,6 +139,11 @@ impl Builder<'_> {
             "constant" => self.read_constants(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             "disturbance" if what.slots.is_empty() => {}
+            "reference value" | "disturbance" => {
+                if self.read_reference(subjects, what, declaration).is_none() {
+                    self.say_unused(declaration);
+                }
+            }
             "time" => {
                 for formula in formulas(subjects) {
                     self.denote(formula, Meaning::Time, declaration);
@@ -251,7 +256,9 @@ impl Builder<'_> {
     /// The square of a length that is no root of its own.
     fn square_of_length(&mut self, quantity: &Quantity) -> Option<crate::algebra::Fraction> {
         let across = match quantity {
-            Quantity::Magnitude(of) => self.system().value_of(of).ok()?.to_vector().ok()?,
+            Quantity::Magnitude(of) if !of.is_indexed() => {
+                self.system().value_of(of).ok()?.to_vector().ok()?
+            }
             Quantity::Distance { of, from, axis }
                 if !matches!(of, crate::verify::term::quantity::Spot::Member(..)) =>
             {

@@ -2,7 +2,8 @@
 
 use crate::algebra::Place;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::{FrameId, PointId, Vector};
+use crate::verify::model::system::{FrameId, Point, PointId, Vector};
+use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, name_of, reach_of};
@@ -14,6 +15,8 @@ struct Spoken {
     name: String,
     fixed_in: Vec<FrameId>,
     centre_of: Option<usize>,
+    /// The other bodies whose mass centre it is as well.
+    also_centre_of: Vec<usize>,
     /// Where it lies, by the sentence that says so.
     lies: Option<usize>,
 }
@@ -24,7 +27,12 @@ impl Builder<'_> {
         let mut spoken = self.spoken_points();
         self.add_centres(&mut spoken);
         let ground = self.reading.system.ground;
+        let each = |s: &Spoken| {
+            let body = s.centre_of.map(|body| &self.reading.system.bodies[body]);
+            body.is_some_and(|body| body.members.is_some())
+        };
         let rank = |s: &Spoken| match s {
+            s if each(s) => 5,
             s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
             s if s.fixed_in.contains(&ground) => 1,
             s if s
@@ -79,7 +87,7 @@ impl Builder<'_> {
                     verb: "lie" | "place",
                     ..
                 } => {
-                    for name in subjects.iter().filter_map(name_of) {
+                    for name in subjects.iter().filter_map(name_of_particle) {
                         let particle = self.particle(&name);
                         let spoken = entry(&mut all, &name);
                         spoken.lies = Some(index);
@@ -109,7 +117,13 @@ impl Builder<'_> {
         let spoken = entry(all, name);
         spoken.fixed_in.extend(self.frames_fixed(what));
         if what.head == MASS_CENTRE {
-            spoken.centre_of = what.slot(Slot::Of).and_then(|term| self.body(term));
+            for body in what.all(Slot::Of).filter_map(|term| self.body(term)) {
+                match spoken.centre_of {
+                    None => spoken.centre_of = Some(body),
+                    Some(known) if known == body => {}
+                    Some(_) => spoken.also_centre_of.push(body),
+                }
+            }
         }
     }
 
@@ -128,7 +142,9 @@ impl Builder<'_> {
     /// A mass centre without a name is a point as well.
     fn add_centres(&self, spoken: &mut Vec<Spoken>) {
         for (body, whole) in self.reading.system.bodies.iter().enumerate() {
-            let known = spoken.iter().any(|s| s.centre_of == Some(body));
+            let is_its =
+                |s: &Spoken| s.centre_of == Some(body) || s.also_centre_of.contains(&body);
+            let known = spoken.iter().any(is_its);
             let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
             let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
             if !known && !stands_for && !hub {
@@ -157,7 +173,9 @@ impl Builder<'_> {
         let mut sum = Vector::zeros();
         for &part in &parts {
             let mass = self.reading.system.bodies[part].mass.clone();
-            sum += self.reading.system.position(self.centre_of(part), first) * mass;
+            let centre = self.centre_of(part);
+            let own = self.reading.system.position(centre, first) * mass;
+            sum += self.reading.system.each_over_members(part, own);
         }
         Some((first, sum / self.reading.system.mass(body)))
     }
@@ -167,11 +185,14 @@ impl Builder<'_> {
         let in_ground = spoken.fixed_in.contains(&ground);
         let first = self.points.is_empty() && in_ground;
         let mut fixed_in = spoken.fixed_in.clone();
-        if let Some(body) = spoken.centre_of
-            && let Some(frame) = self.reading.system.bodies[body].frame
-            && !fixed_in.contains(&frame)
-        {
-            fixed_in.push(frame);
+        let bodies: Vec<usize> = spoken.centre_of.into_iter().collect();
+        let bodies = [bodies, spoken.also_centre_of.clone()].concat();
+        for &body in &bodies {
+            if let Some(frame) = self.reading.system.bodies[body].frame
+                && !fixed_in.contains(&frame)
+            {
+                fixed_in.push(frame);
+            }
         }
         let point = if first {
             let origin = self.system().origin();
@@ -187,29 +208,35 @@ impl Builder<'_> {
                 .add_point(&spoken.name, Some(placed), fixed_in)
         };
         self.points.insert(spoken.name.clone(), point);
-        if let Some(body) = spoken.centre_of {
+        for body in bodies {
             self.reading.system.bodies[body].centre = point;
         }
     }
 
     /// The point that another is placed from, and the way there.
     fn way_to(&mut self, spoken: &Spoken, fixed_in: &[FrameId]) -> (PointId, Vector) {
-        if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index)) {
+        let bodies = &self.reading.system.bodies;
+        let each = spoken.centre_of.is_some_and(|body| bodies[body].members.is_some());
+        if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index, each)) {
             return placed;
         }
         let text = format!("r_{{{}}}", spoken.name);
-        let points = &self.reading.system.points;
+        let system = &mut self.reading.system;
+        let of_each = spoken.centre_of.and_then(|body| system.bodies[body].members.clone());
+        let indexed = |name: &str| Some(system.index_in(name.split_once('_')?.1)?.1);
+        let member = of_each.or_else(|| indexed(&spoken.name));
+        let member = member.as_deref();
         for &frame in fixed_in {
-            if let Some(near) = points.iter().position(|p| p.fixed_in.contains(&frame)) {
-                let way = self.system().carried_vector(&text, frame, None);
-                return (near, way);
+            let near = |p: &Point| p.fixed_in.contains(&frame) && indexed(&p.name).is_none();
+            if let Some(near) = system.points.iter().position(near) {
+                return (near, system.carried_vector(&text, frame, member));
             }
         }
-        (0, self.system().free_vector(&text, Place::Coordinate, None))
+        (0, system.free_vector(&text, Place::Coordinate, member))
     }
 
     /// "G lies at the distance a from O along z", "P is placed from O by r".
-    fn told_way(&mut self, index: usize) -> Option<(PointId, Vector)> {
+    fn told_way(&mut self, index: usize, moves_on_its_own: bool) -> Option<(PointId, Vector)> {
         let declaration = &self.declarations[index];
         let Statement::Does { slots, .. } = &declaration.statement else {
             return None;
@@ -224,7 +251,9 @@ impl Builder<'_> {
         let along = self.direction(&along, declaration, None)?;
         let distance = slot(slots, Slot::At)?.clone();
         let distance = self.scalar_term(&distance, declaration)?;
-        self.make_constant(&distance);
+        if !moves_on_its_own {
+            self.make_constant(&distance);
+        }
         Some((from, along * distance))
     }
 
@@ -267,6 +296,14 @@ impl Builder<'_> {
                 self.hold(vector[k].clone(), declaration);
             }
         }
+    }
+}
+
+/// The name of a point or a body, or of the particle that stands for each.
+fn name_of_particle(term: &Term) -> Option<String> {
+    match term {
+        Term::Member { family, .. } if family == "particle" => Some(EACH.to_owned()),
+        _ => name_of(term),
     }
 }
 

@@ -12,6 +12,15 @@ use crate::verify::reading::names::{
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
+/// Quantities of one point or one frame.
+const MOTIONS: [&str; 5] = [
+    "position",
+    "displacement",
+    "velocity",
+    "acceleration",
+    "angular velocity",
+];
+
 impl Builder<'_> {
     /// The quantity that a phrase names.
     pub(super) fn quantity(
@@ -48,6 +57,10 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         let ground = self.reading.system.ground;
         let relative = told(phrase.slot(Slot::RelativeTo), ground, |t| self.frame(t));
+        // Of several things each has its own.
+        if MOTIONS.contains(&phrase.head) && phrase.all(Slot::Of).count() > 1 {
+            return None;
+        }
         if matches!(phrase.head, "position" | "displacement") {
             let of = self.spot(phrase.slot(Slot::Of)?)?;
             let from = phrase.slot(Slot::RelativeTo);

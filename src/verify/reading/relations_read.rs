@@ -2,12 +2,14 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::Vector;
+use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of, told};
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::indices::{LABELS, with_number};
+use crate::verify::term::letters::{Meaning, letters_of, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::Value;
 
 /// The order of the entries of a symmetric tensor, where their letters do not say it.
@@ -92,6 +94,9 @@ impl Builder<'_> {
         let on = on.unwrap_or(self.reading.letters.component_frame);
         let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
         for (place, formula) in formulas(subjects).enumerate() {
+            if self.read_all_entries(formula, &of, on, declaration) {
+                continue;
+            }
             // By its numbers it is the entry itself; the letters of a tensor follow the convention of signs.
             let told = numbered.get(place).copied();
             let [row, column] = told
@@ -109,6 +114,49 @@ impl Builder<'_> {
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
         Some(())
+    }
+
+    /// "`I_{jk}` are the entries of `I`", where j and k number axes: each by its numbers or by its axes.
+    fn read_all_entries(
+        &mut self,
+        formula: &Formula,
+        of: &Quantity,
+        on: FrameId,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(Kind::Symbol(symbol)) = node_of(formula).map(|node| &node.kind) else {
+            return false;
+        };
+        let letters = &self.reading.letters.indices;
+        let number = |letter: &str| letters.iter().any(|rule| rule.letter == letter);
+        let numbers = |label: &String| {
+            let letters = letters_of(label, number);
+            letters.len() == 2 && letters.iter().all(|letter| number(letter))
+        };
+        if !symbol.subscripts.last().is_some_and(numbers) {
+            return false;
+        }
+        let integral = self.reading.letters.customs.integrals && is_tensor(of);
+        for (names, (row, column)) in LABELS
+            .iter()
+            .flat_map(|names| (0..9).map(move |n| (names, (n / 3, n % 3))))
+        {
+            let symbol = with_number(symbol, &format!("{}{}", names[row], names[column]));
+            let node = symbol_node(&symbol);
+            let letter = Formula {
+                source: crate::notation::print::latex(&node),
+                row: crate::notation::document::Row::Expression(node),
+            };
+            let quantity = Quantity::Entry {
+                of: of.clone().boxed(),
+                row,
+                column,
+                on,
+                integral: integral && row != column,
+            };
+            self.denote(&letter, Meaning::Quantity(quantity), declaration);
+        }
+        true
     }
 
     pub(super) fn read_same(&mut self, declaration: &Declaration) {

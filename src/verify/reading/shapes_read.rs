@@ -9,6 +9,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeSet;
 
 impl Builder<'_> {
     /// Whether a noun is that of a shape with sizes.
@@ -31,25 +32,32 @@ impl Builder<'_> {
         SHAPES.contains(&head)
     }
 
-    /// A body with a shape has a frame, which no sentence need name.
-    pub(super) fn add_frames_of_shapes(&mut self) {
-        for declaration in self.declarations {
-            let Statement::Is { subjects, what } = &declaration.statement else {
-                continue;
-            };
-            if !self.is_shape(what.head) {
+    /// A rigid body has a frame, which no sentence need name: it turns freely.
+    pub(super) fn add_frames_of_bodies(&mut self) {
+        let particles = self.particles();
+        for body in 0..self.reading.system.bodies.len() {
+            let (system, ground) = (&self.reading.system, self.reading.system.ground);
+            let known = &system.bodies[body];
+            let whole = known.parts.is_empty() && known.members.is_none();
+            if known.frame.is_some() || !whole || particles.contains(&known.name) {
                 continue;
             }
-            for subject in subjects {
-                let bodies = &self.reading.system.bodies;
-                if let Some(body) = self.body(subject).filter(|&b| bodies[b].frame.is_none()) {
-                    let name = self.reading.system.bodies[body].name.clone();
-                    let ground = self.reading.system.ground;
-                    let frame = self.system().add_frame(&name, Some(ground), Turn::Free);
-                    self.reading.system.bodies[body].frame = Some(frame);
-                }
-            }
+            let name = known.name.clone();
+            let frame = self.system().add_frame(&name, Some(ground), Turn::Free);
+            self.reading.system.bodies[body].frame = Some(frame);
         }
+    }
+
+    /// The names of the bodies that are said to be particles.
+    fn particles(&self) -> BTreeSet<String> {
+        let said = self.declarations.iter().flat_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "particle" => subjects.as_slice(),
+            _ => &[],
+        });
+        let said = said.filter_map(name_of);
+        let stand_for = self.points_of.iter();
+        let stand_for = stand_for.map(|&(own, _)| self.reading.system.bodies[own].name.clone());
+        said.chain(stand_for).collect()
     }
 
     /// The inertia tensor of a uniform body, by exact integrals, on the axes of its frame.

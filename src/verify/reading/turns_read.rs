@@ -8,11 +8,11 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::Said;
 use crate::verify::reading::names::name_of;
 
-/// The noun of three angles in an order.
+/// The noun of angles in an order.
 pub(super) const EULER_ANGLES: &str = "Euler angles";
 
 impl Builder<'_> {
-    /// Three angles in an order: two frames between, each turned about one axis.
+    /// Angles in an order: frames between, each turned about one axis.
     pub(super) fn read_euler_angles(&mut self, declaration: &Declaration) {
         let Statement::Is { subjects, what } = &declaration.statement else {
             return;
@@ -40,7 +40,7 @@ impl Builder<'_> {
             angles.extend(self.scalar(&formula.clone(), declaration));
         }
         let turned = &self.reading.system.frames[frame];
-        if order.len() != 3 || angles.len() != 3 {
+        if order.len() != angles.len() || !(1..=3).contains(&order.len()) {
             return self.say_unused(declaration);
         }
         if turned.parent == Some(relative) && turned.turn == Turn::Free {
@@ -75,9 +75,9 @@ impl Builder<'_> {
         angles: &[Fraction],
     ) {
         let name = self.reading.system.frames[frame].name.clone();
-        let mut parent = relative;
-        for step in 0..2 {
-            let between = format!("{name}{}", "'".repeat(2 - step));
+        let (mut parent, last) = (relative, order.len() - 1);
+        for step in 0..last {
+            let between = format!("{name}{}", "'".repeat(last - step));
             parent = self.system().add_frame(
                 &between,
                 Some(parent),
@@ -86,7 +86,7 @@ impl Builder<'_> {
         }
         let turned = &mut self.reading.system.frames[frame];
         turned.parent = Some(parent);
-        turned.turn = Turn::Angle(order[2], Box::new(angles[2].clone()));
+        turned.turn = Turn::Angle(order[last], Box::new(angles[last].clone()));
     }
 
     /// "A is a frame that turns relative to N about z": the axis is the same on both.

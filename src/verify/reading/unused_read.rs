@@ -11,8 +11,9 @@ use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
-const HEARD: [&str; 9] = [
+const HEARD: [&str; 10] = [
     "act",
+    "obey",
     "roll",
     "turn",
     "take",

@@ -162,22 +162,21 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether the formula stands behind a name and a colon: "(c) Symmetric body: …" says of nothing that it is so.
-    fn is_only_named(&self) -> bool {
-        let paragraph = self
-            .words
-            .sentence
-            .rsplit('\n')
-            .next()
-            .unwrap_or("")
-            .trim_end();
-        paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
+    /// Whether a formula stands behind a name and a colon on its line: "(c) Symmetric body: …" says of nothing that it is
+    /// so.
+    fn is_only_named(&self, line: &Line) -> bool {
+        let text = &self.document.source.text;
+        let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
+        let beside = before.rsplit('\n').next().is_some_and(|line| line.contains(':'));
+        let paragraph = self.words.sentence.rsplit('\n').next();
+        let paragraph = paragraph.unwrap_or("").trim_end();
+        beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
     }
 
     fn formula(&mut self, formula: &Formula) {
         for row in &formula.rows {
             match row {
-                Row::Line(_) if !formula.display && self.is_only_named() => {}
+                Row::Line(line) if !formula.display && self.is_only_named(line) => {}
                 Row::Line(line) if !formula.display && names_an_instant(line) => {}
                 Row::Line(line) => self.line(line, formula.display),
                 Row::Expression(_) => self.words.sentence.push_str(" ⟨⟩ "),

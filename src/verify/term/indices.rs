@@ -1,7 +1,7 @@
 //! The letters in a formula that number axes.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::term::letters::{At, Letter, Letters, plain, spell};
+use crate::verify::term::letters::{At, Letter, Letters, letters_of, spell};
 use crate::verify::term::lower::Lowering;
 use std::collections::BTreeMap;
 
@@ -23,14 +23,12 @@ pub(crate) fn axis_letters(letters: &Letters, at: &At, node: &Node) -> BTreeMap<
 
 fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, usize>) {
     let mut label = |text: &str| {
-        for letter in plain(text).chars() {
-            let letter = letter.to_string();
-            if letters
-                .index(&letter, at)
-                .is_some_and(|rule| rule.axes_of.is_some())
-            {
-                *found.entry(letter).or_default() += 1;
-            }
+        let numbers = |letter: &str| {
+            let rule = letters.index(letter, at);
+            rule.is_some_and(|rule| rule.axes_of.is_some())
+        };
+        for letter in letters_of(text, numbers).into_iter().filter(|l| numbers(l)) {
+            *found.entry(letter).or_default() += 1;
         }
     };
     match &node.kind {
@@ -51,17 +49,33 @@ fn count(letters: &Letters, at: &At, node: &Node, found: &mut BTreeMap<String, u
         .for_each(|child| count(letters, at, child, found));
 }
 
+/// The names of axes by which a letter may be labelled.
+pub(crate) const LABELS: [[&str; 3]; 3] = [["1", "2", "3"], ["x", "y", "z"], ["X", "Y", "Z"]];
+
 impl Lowering<'_> {
-    /// The letter with the number that its index has in this reading of the line: `I_2` for `I_j`, and whether a sentence
-    /// says what the index numbers: then it says so of vectors first.
+    /// The letter with the numbers that its indices have in this reading of the line, `I_2` for `I_j`, or with the axes, and
+    /// whether a sentence says what the index numbers: then it says so of vectors first.
     pub(super) fn by_number(&self, symbol: &Symbol) -> Option<(Letter, bool)> {
         let index = symbol.subscripts.last()?;
-        let axis = self.axis_of_letter(index)?;
-        let other = with_number(symbol, &(axis + 1).to_string());
-        let found = self
-            .letters
-            .find(&spell(&other, true), &spell(&other, false), self.at, 0);
+        let axes = self.axes_of_indices(index)?;
+        let found = LABELS.iter().find_map(|names| {
+            let label: String = axes.iter().map(|&axis| names[axis]).collect();
+            let other = with_number(symbol, &label);
+            let letters = self.letters;
+            letters.find(&spell(&other, true), &spell(&other, false), self.at, 0)
+        });
         let said = self.letters.index(index, self.at).is_some();
         Some((found.cloned()?, said))
+    }
+
+    /// The axes that the letters of a label number.
+    fn axes_of_indices(&self, label: &str) -> Option<Vec<usize>> {
+        match self.axis_of_letter(label) {
+            Some(axis) => Some(vec![axis]),
+            None => letters_of(label, |l| self.axis_of_letter(l).is_some())
+                .iter()
+                .map(|letter| self.axis_of_letter(letter))
+                .collect(),
+        }
     }
 }

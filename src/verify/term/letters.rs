@@ -385,6 +385,21 @@ pub(crate) fn plain(label: &str) -> String {
         .collect()
 }
 
+/// The letters of a label, of which the Greek ones have names of several: `alpha`, `beta` of `alphabeta`.
+pub(crate) fn letters_of(label: &str, is_letter: impl Fn(&str) -> bool) -> Vec<String> {
+    let label = plain(label);
+    let mut letters = vec![];
+    let mut rest = label.as_str();
+    while let Some(first) = rest.chars().next() {
+        let ends = rest.char_indices().map(|(at, c)| at + c.len_utf8());
+        let named = ends.filter(|&end| is_letter(&rest[..end])).last();
+        let (letter, behind) = rest.split_at(named.unwrap_or(first.len_utf8()));
+        letters.push(letter.to_owned());
+        rest = behind;
+    }
+    letters
+}
+
 impl Letters {
     /// Whether anything but lone symbols has a meaning.
     pub(crate) fn has_wholes(&self) -> bool {

@@ -61,7 +61,7 @@ impl Quantity {
         changed
     }
 
-    pub(super) fn is_indexed(&self) -> bool {
+    pub(crate) fn is_indexed(&self) -> bool {
         match self {
             Self::Position { of, .. }
             | Self::Velocity { of, .. }

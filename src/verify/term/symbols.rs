@@ -400,7 +400,7 @@ pub(super) fn on(value: Value, frame: FrameId) -> Value {
 }
 
 /// The frame that an array is on.
-pub(super) fn symbol_node(symbol: &Symbol) -> Node {
+pub(crate) fn symbol_node(symbol: &Symbol) -> Node {
     Node {
         kind: crate::notation::ast::Kind::Symbol(symbol.clone()),
         span: crate::source::Span::default(),

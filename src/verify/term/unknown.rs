@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Place};
 use crate::notation::ast::Symbol;
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, Nature, Space, fraction, whole};
-use crate::verify::term::letters::plain;
+use crate::verify::term::letters::{letters_of, plain};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued};
@@ -14,9 +14,9 @@ impl Lowering<'_> {
     pub(super) fn by_custom(&mut self, symbol: &Symbol) -> Option<Valued> {
         let axes: Option<Vec<usize>> = match symbol.subscripts.as_slice() {
             [] => Some(vec![]),
-            [label] => plain(label)
-                .chars()
-                .map(|c| self.axis_of_letter(&c.to_string()))
+            [label] => letters_of(label, |l| self.axis_of_letter(l).is_some())
+                .iter()
+                .map(|letter| self.axis_of_letter(letter))
                 .collect(),
             labels => labels
                 .iter()

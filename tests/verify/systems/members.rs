@@ -1,0 +1,140 @@
+//! Bodies with particles that move on them, like members, several things of one kind, and motions near another.
+
+use super::judged;
+
+/// A hub in whose bore beads slide.
+const BEADS: &str = "N is an inertial frame, and O is a point fixed in it.
+B is a frame fixed in the hub, Q a point fixed in B.
+The craft consists of the hub and the particles.
+$j$ numbers the particles.
+$m_j$ is the mass of particle $j$.
+G is the mass centre of the hub, C that of the craft.
+$M$ and $m$ are the masses of the hub and of the craft.
+$P_j$ is a point fixed in B.
+$\\hat p_j$ is a unit vector fixed in B.
+Particle $j$ lies at the distance $s_j$ from $P_j$ along $\\hat p_j$.
+$\\vec g$, $\\vec a_j$ and $\\vec r_j$ are the positions of G, of $P_j$ and of particle $j$ from Q.
+$\\vec c$ is the position of C from Q, $\\vec R$ that of Q from O.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$J$ is the inertia tensor of the hub about G, $K$ that of the craft about Q.
+$\\vec F$ is the total force on the craft.
+$\\vec H$ is the angular momentum of the craft about Q relative to N with velocities relative to Q.
+A dot means the rate seen from N, and a prime the rate seen from B.
+";
+
+#[test]
+fn particles_slide_on_a_hub() {
+    let text = r"
+$$ \vec r_j = \vec a_j + s_j\hat p_j $$
+$$ \vec r_j'' = \ddot s_j\hat p_j $$
+$$ m\vec c = M\vec g + \sum_j m_j\vec r_j $$
+$$ m\vec c' = \sum_j m_j\dot s_j\hat p_j $$
+$$ m\vec c' = \sum_j m_j s_j\hat p_j $$
+$$ \vec F = m\ddot{\vec R} + m\ddot{\vec c} $$
+$$ \vec F = m\ddot{\vec R} + M\ddot{\vec g} $$
+$$ \vec H = J\vec\omega + M\vec g\times\dot{\vec g} + \sum_j m_j\vec r_j\times\dot{\vec r}_j $$
+$$ \vec H = J\vec\omega + M\vec g\times\dot{\vec g} - \sum_j m_j\vec r_j\times\dot{\vec r}_j $$
+$$ \vec H = K\vec\omega + \sum_j m_j\vec r_j\times\vec r_j' $$
+";
+    assert_eq!(judged(BEADS, text), "pppprprprp");
+}
+
+#[test]
+fn lengths_of_members_stand_under_sums() {
+    let sentences = "N is an inertial frame with the axes x, y, z.
+O is a point fixed in N and in the body.
+The body consists of $n$ particles, numbered by $k$.
+$m_k$ is the mass of particle $k$.
+$\\vec r_k$ is the position of particle $k$ from O, and $r_k$ its magnitude.
+$\\vec\\omega$ is the angular velocity of the body relative to N.
+$\\vec J$ is the angular momentum of the body about O relative to N.
+";
+    let text = r"
+$$ \vec J = \sum_k m_k[r_k^2\vec\omega - (\vec r_k\cdot\vec\omega)\vec r_k] $$
+$$ \vec J = \sum_k m_k[r_k^2\vec\omega + (\vec r_k\cdot\vec\omega)\vec r_k] $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn entries_are_told_by_indices() {
+    let sentences = "N is an inertial frame with the axes x, y, z.
+O is a point fixed in N and in the body.
+$\\hat I$ is the inertia tensor of the body about O in components on N, with the entries $I_{\\alpha\\beta}$.
+$\\alpha$ and $\\beta$ number the axes of N.
+$\\omega$ is the angular velocity of the body relative to N.
+$\\omega_x$, $\\omega_y$, $\\omega_z$ are the components of $\\omega$ on N.
+$J$ is the angular momentum of the body about O relative to N.
+$J_x$, $J_y$, $J_z$ are the components of $J$ on N.
+Products of inertia are entries.
+";
+    let text = r"
+$$ J_\alpha = \sum_\beta I_{\alpha\beta}\omega_\beta $$
+$$ J_x = I_{xx}\omega_x + I_{xy}\omega_y + I_{xz}\omega_z $$
+$$ J_x = I_{xx}\omega_x - I_{xy}\omega_y + I_{xz}\omega_z $$
+$$ I_{\alpha\beta} = I_{\beta\alpha} $$
+";
+    assert_eq!(judged(sentences, text), "pprp");
+}
+
+#[test]
+fn a_body_without_a_frame_has_an_inertia_all_the_same() {
+    let sentences = "C is the mass centre of the wheel.
+$J$ is the inertia tensor of the wheel about C.
+$L$ is the total moment on the wheel about C.
+";
+    let text = r"
+$$ L = 0 $$
+$$ J = 2J $$
+";
+    assert_eq!(judged(sentences, text), "rr");
+}
+
+#[test]
+fn one_point_may_be_the_mass_centre_of_several_bodies() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the bus.
+The craft consists of the bus and the wheel.
+G is the mass centre of the bus and also of the wheel.
+$n$ is a unit vector fixed in B.
+Relative to B the wheel turns about $n$ at the rate $\\Omega$.
+$H$ is the angular momentum of the craft about G relative to N.
+$L$ is the total moment on the craft about G.
+A dot means the rate seen from N.
+";
+    let text = r"
+$$ \dot H = L $$
+$$ \dot H = 2L $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+/// The spin of a free body near a principal axis.
+const NEAR: &str = "N is an inertial frame.
+B is a frame fixed in the body.
+The axes of B are principal axes of the body.
+G is the mass centre of the body.
+No moment acts on the body about G.
+$A$, $D$, $C$ are the principal moments of the body about G on B.
+$\\omega$ is the angular velocity of the body relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\omega$ on B.
+$\\nu$ is the reference value of $\\omega$, and $\\epsilon$ its small disturbance.
+$\\nu_1$, $\\nu_2$, $\\nu_3$ are the components of $\\nu$ on B, $\\epsilon_1$, $\\epsilon_2$, $\\epsilon_3$ those of $\\epsilon$.
+The reference values obey the equations of motion.
+$\\nu_2 = 0$.
+$\\nu_3 = 0$.
+Lines 3 to 7 hold to first order in $\\epsilon_1$, $\\epsilon_2$, $\\epsilon_3$.
+";
+
+#[test]
+fn disturbances_obey_the_linear_equations() {
+    let text = r"
+$$ \omega = \nu + \epsilon $$
+$$ \dot\epsilon_1 = 0 $$
+$$ D\dot\epsilon_2 = (C - A)\nu_1\epsilon_3 $$
+$$ D\dot\epsilon_2 = (A - C)\nu_1\epsilon_3 $$
+$$ C\dot\epsilon_3 = (A - D)\nu_1\epsilon_2 $$
+$$ D C\ddot\epsilon_2 = (C - A)(A - D)\nu_1^2\epsilon_2 $$
+";
+    assert_eq!(judged(NEAR, text), "ppprpp");
+}
