@@ -2,6 +2,7 @@
 
 mod loads;
 mod rolling;
+mod sound;
 mod start;
 mod textbook;
 
