@@ -47,5 +47,5 @@ pub(crate) use standing::apart::{Apart, Said};
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,
-    Report, Role, Summary, Verdict,
+    Report, Role, Summary, Unused, Verdict,
 };

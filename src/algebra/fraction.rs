@@ -5,9 +5,13 @@ use crate::scalar::Field;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+/// More products of terms are not worked out for one sum, product or quotient of fractions.
+const MOST_PRODUCTS: usize = 40_000;
+
 /// A fraction of polynomials. The denominator has leading coefficient one, and shares no monomial with the numerator.
 ///
-/// A division by zero gives a fraction whose denominator is zero; [`Fraction::is_valid`] tells.
+/// A division by zero gives a fraction whose denominator is zero, and so does a result that grows beyond what is worked
+/// out; [`Fraction::is_valid`] tells. What is worked out with such a fraction is one again.
 #[derive(Clone, Debug)]
 pub struct Fraction {
     numerator: Polynomial,
@@ -35,7 +39,7 @@ impl Fraction {
         &self.denominator
     }
 
-    /// Whether nothing was divided by zero.
+    /// Whether nothing was divided by zero, and nothing grew beyond what is worked out.
     pub fn is_valid(&self) -> bool {
         !self.denominator.is_zero()
     }
@@ -87,12 +91,25 @@ impl Fraction {
         (top - self.clone() * Self::from(self.denominator.partial(variable))) / whole
     }
 
+    /// What is no fraction: 1/0.
+    pub fn none() -> Self {
+        Self {
+            numerator: Polynomial::one(),
+            denominator: Polynomial::zero(),
+        }
+    }
+
+    /// A numerator over a denominator, each if it was worked out.
+    fn bounded(numerator: Option<Polynomial>, denominator: Option<Polynomial>) -> Self {
+        match (numerator, denominator) {
+            (Some(numerator), Some(denominator)) => Self::simplified(numerator, denominator),
+            _ => Self::none(),
+        }
+    }
+
     fn simplified(numerator: Polynomial, denominator: Polynomial) -> Self {
         if denominator.is_zero() {
-            return Self {
-                numerator,
-                denominator,
-            };
+            return Self::none();
         }
         if numerator.is_zero() {
             return Self::zero();
@@ -129,32 +146,37 @@ impl Fraction {
                 denominator: self.denominator,
             };
         }
+        if !self.is_valid() || !other.is_valid() {
+            return Self::none();
+        }
         if self.denominator == other.denominator {
             return Self::simplified(joined(self.numerator, other.numerator), self.denominator);
         }
         // One denominator often is a multiple of the other; the smaller one is then brought up.
         if let Some(factor) = other.denominator.exact_quotient(&self.denominator) {
-            return Self::simplified(
-                joined(self.numerator * factor, other.numerator),
-                other.denominator,
-            );
+            let top = within(&self.numerator, &factor);
+            let top = top.map(|top| joined(top, other.numerator));
+            return Self::bounded(top, Some(other.denominator));
         }
         if let Some(factor) = self.denominator.exact_quotient(&other.denominator) {
-            return Self::simplified(
-                joined(self.numerator, other.numerator * factor),
-                self.denominator,
-            );
+            let top = within(&other.numerator, &factor);
+            let top = top.map(|top| joined(self.numerator, top));
+            return Self::bounded(top, Some(self.denominator));
         }
-        let top = joined(
-            self.numerator * other.denominator.clone(),
-            other.numerator * self.denominator.clone(),
-        );
-        Self::simplified(top, self.denominator * other.denominator)
+        let left = within(&self.numerator, &other.denominator);
+        let right = within(&other.numerator, &self.denominator);
+        let top = left.zip(right).map(|(left, right)| joined(left, right));
+        Self::bounded(top, within(&self.denominator, &other.denominator))
     }
 
     fn is_one_below(&self) -> bool {
         self.denominator.len() == 1 && self.denominator.is_constant().is_some_and(|c| c.is_one())
     }
+}
+
+/// The product, where it is not too large.
+fn within(a: &Polynomial, b: &Polynomial) -> Option<Polynomial> {
+    a.product_within(b, MOST_PRODUCTS)
 }
 
 impl From<Polynomial> for Fraction {
@@ -167,7 +189,7 @@ impl From<Polynomial> for Fraction {
 }
 
 impl PartialEq for Fraction {
-    /// Equality of values; a fraction that is none equals nothing.
+    /// Equality of values; a fraction that is none equals nothing, nor does one that is too large to tell.
     fn eq(&self, other: &Self) -> bool {
         if !self.is_valid() || !other.is_valid() {
             return false;
@@ -175,8 +197,9 @@ impl PartialEq for Fraction {
         if self.denominator == other.denominator {
             return self.numerator == other.numerator;
         }
-        self.numerator.clone() * other.denominator.clone()
-            == other.numerator.clone() * self.denominator.clone()
+        let left = within(&self.numerator, &other.denominator);
+        let right = within(&other.numerator, &self.denominator);
+        left.zip(right).is_some_and(|(left, right)| left == right)
     }
 }
 
@@ -208,11 +231,15 @@ impl Mul for Fraction {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         if self.is_one_below() && other.is_one_below() {
-            return Self::from(self.numerator * other.numerator);
+            let product = within(&self.numerator, &other.numerator);
+            return product.map_or_else(Self::none, Self::from);
         }
-        Self::simplified(
-            self.numerator * other.numerator,
-            self.denominator * other.denominator,
+        if !self.is_valid() || !other.is_valid() {
+            return Self::none();
+        }
+        Self::bounded(
+            within(&self.numerator, &other.numerator),
+            within(&self.denominator, &other.denominator),
         )
     }
 }
@@ -220,15 +247,15 @@ impl Mul for Fraction {
 impl Div for Fraction {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        if !other.is_valid() {
-            return other;
+        if !self.is_valid() || !other.is_valid() {
+            return Self::none();
         }
         if other.is_one_below() && other.numerator.is_one() {
             return self;
         }
-        Self::simplified(
-            self.numerator * other.denominator,
-            self.denominator * other.numerator,
+        Self::bounded(
+            within(&self.numerator, &other.denominator),
+            within(&self.denominator, &other.numerator),
         )
     }
 }

@@ -6,7 +6,7 @@ use crate::notation::document::Document;
 use crate::notation::sentences;
 use crate::report::{Checked, Failure, terminal};
 use crate::source::Source;
-use crate::verify::{Declared, Misunderstood, Sheet};
+use crate::verify::{Declared, Misunderstood, Sheet, Unused};
 use anstream::ColorChoice;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -69,6 +69,21 @@ fn of(wrong: &Misunderstood, path: &str) -> Failure {
     }
 }
 
+/// What is wrong with a sentence of which nothing was made, and what to do.
+fn about(unused: &Unused) -> (String, &'static str) {
+    let sentence = &unused.sentence;
+    match unused.beyond {
+        true => (
+            format!("the model grows too large with the sentence \"{sentence}\""),
+            "leave out what the document does not need, or say by which angles about which axes the frames turn",
+        ),
+        false => (
+            format!("nothing was made of the sentence \"{sentence}\""),
+            "say it in another way, or leave it out; polhode help language",
+        ),
+    }
+}
+
 /// Warns of sentences of which nothing was made: at their place in the document, or at once for those of a sheet.
 pub(super) fn warn_of_unused(
     checked: &mut Checked,
@@ -76,15 +91,14 @@ pub(super) fn warn_of_unused(
     declared: &Declared,
     color: ColorChoice,
 ) {
-    let mut said: Vec<&String> = vec![];
-    for sentence in &checked.report.unused {
-        if said.contains(&sentence) {
+    let mut said: Vec<&str> = vec![];
+    for unused in &checked.report.unused {
+        if said.contains(&unused.sentence.as_str()) {
             continue;
         }
-        said.push(sentence);
-        let (sheet, span) = declared.place(sentence).unwrap_or_default();
-        let message = format!("nothing was made of the sentence \"{sentence}\"");
-        let help = "say it in another way, or leave it out; polhode help language";
+        said.push(&unused.sentence);
+        let (sheet, span) = declared.place(&unused.sentence).unwrap_or_default();
+        let (message, help) = about(unused);
         let diagnostic = Diagnostic::warning("unused-sentence", span, message).help(help);
         match sheet.and_then(|number| sheets.get(number)) {
             Some(sheet) => output::say(&terminal::diagnostics(&sheet.source, &[diagnostic]), color),

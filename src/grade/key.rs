@@ -372,7 +372,12 @@ fn of_report(document: &Document, report: &Report) -> Vec<Refusal> {
     let reason = |f: &Finding| f.reason.clone().unwrap_or_default();
     let refuted = refuted.map(|f| at(document, f.span, format!("is refuted: {}", reason(f))));
     let unused = report.unused.iter();
-    let unused = unused.map(|said| refusal(format!("nothing was made of the sentence \"{said}\"")));
+    let unused = unused.map(|said| {
+        refusal(format!(
+            "nothing was made of the sentence \"{}\"",
+            said.sentence
+        ))
+    });
     let questions = report.questions.iter().map(|question| Refusal {
         cell: question.cell,
         source_line: Some(question.source_line),

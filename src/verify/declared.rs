@@ -1,6 +1,6 @@
 //! Checks a document whose meaning is declared: each line is judged by the facts, and what is not known is asked.
 
-use crate::algebra::{Fraction, Proof, Variable};
+use crate::algebra::{Fraction, Monomial, Polynomial, Proof, Rational, Variable};
 use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
@@ -16,7 +16,7 @@ use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::Answer;
 use crate::verify::term::letters::At;
 use crate::verify::verdict::{
-    Convention, Counterexample, Diagnosis, Finding, Passed, Question, Report, Role, Verdict,
+    Convention, Counterexample, Diagnosis, Finding, Passed, Question, Report, Role, Unused, Verdict,
 };
 use std::collections::{BTreeMap, HashMap};
 
@@ -24,6 +24,9 @@ mod own;
 
 /// A residual of more terms than this is not shown.
 const LONGEST_RESIDUAL: usize = 40;
+
+/// Of more sentences that the model is too large for nothing is said.
+const MOST_BEYOND: usize = 4;
 
 /// No letter is longer than this.
 const LONGEST_LETTER: usize = 80;
@@ -70,7 +73,15 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
             .unused
             .iter()
             .filter(|unused| unused.understood)
-            .map(|unused| unused.sentence.clone())
+            .scan(0, |beyond, unused| {
+                *beyond += usize::from(unused.beyond);
+                Some((!unused.beyond || *beyond <= MOST_BEYOND).then_some(unused))
+            })
+            .flatten()
+            .map(|unused| Unused {
+                sentence: unused.sentence.clone(),
+                beyond: unused.beyond,
+            })
             .collect(),
     }
 }
@@ -182,6 +193,16 @@ impl Rows<'_> {
     }
 }
 
+/// Whether a polynomial is positive for all real numbers: a positive number and squares.
+fn is_positive(of: &Polynomial) -> bool {
+    let square = |(monomial, coefficient): &(Monomial, Rational)| {
+        let even = monomial.powers().iter().all(|(_, power)| power % 2 == 0);
+        even && !coefficient.is_negative()
+    };
+    let is_number = |(monomial, _): &(Monomial, Rational)| monomial.powers().is_empty();
+    of.terms().iter().all(square) && of.terms().iter().any(is_number)
+}
+
 /// What stands in a tree that could not be read.
 fn error_in(node: &Node) -> Option<(String, Span)> {
     match &node.kind {
@@ -222,7 +243,8 @@ impl Rows<'_> {
     fn conditions(&self, proof: &Proof, judged: &Judged, source: &str) -> Vec<String> {
         let mut found: Vec<String> = vec![];
         let arguments = proof.arguments().iter();
-        for condition in arguments.flat_map(|argument| &argument.conditions) {
+        let conditions = arguments.flat_map(|argument| &argument.conditions);
+        for condition in conditions.filter(|condition| !is_positive(condition)) {
             let condition = Fraction::from(condition.clone());
             let text = format!("{} \\ne 0", self.printed(&condition, judged, source));
             if !found.contains(&text) {

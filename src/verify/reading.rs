@@ -38,14 +38,36 @@ pub(crate) struct Premise {
     pub(crate) reach: Reach,
 }
 
+/// What sentences say that lines are for.
+#[derive(Clone, Debug)]
+pub(crate) struct LineRole {
+    /// The lines.
+    pub(crate) reach: Reach,
+    /// `None` for lines that are left out.
+    pub(crate) role: Option<Role>,
+    /// The letter that they define, in LaTeX: no other line does.
+    pub(crate) defines: Option<String>,
+}
+
+impl LineRole {
+    pub(crate) fn new(reach: Reach, role: Option<Role>) -> Self {
+        Self {
+            reach,
+            role,
+            defines: None,
+        }
+    }
+}
+
 /// What a document is taken to say.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Reading {
     pub(crate) system: System,
     pub(crate) letters: Letters,
     pub(crate) premises: Vec<Premise>,
-    /// Roles of lines; `None` for lines that are left out.
-    pub(crate) roles: Vec<(Reach, Option<Role>)>,
+    /// How many terms the premises have in all.
+    pub(crate) terms: usize,
+    pub(crate) roles: Vec<LineRole>,
     /// The premises that are in force, by their places in the list.
     pub(crate) taken: Vec<usize>,
     /// What accepted lines have told.
@@ -81,6 +103,8 @@ pub(crate) struct Start {
 pub(crate) struct Unused {
     pub(crate) sentence: String,
     pub(crate) understood: bool,
+    /// What it says makes the model larger than what is worked out.
+    pub(crate) beyond: bool,
     pub(crate) reach: Reach,
     /// The letters that it says something of, without marks and labels, where it says no more than what these are.
     pub(crate) letters: Option<BTreeSet<String>>,
@@ -105,7 +129,7 @@ impl Reading {
     pub(crate) fn left_out(&self, at: &At) -> bool {
         self.roles
             .iter()
-            .any(|(reach, role)| role.is_none() && reach.covers(at, 0))
+            .any(|line| line.role.is_none() && line.reach.covers(at, 0))
     }
 
     /// What is small at a place.
@@ -153,8 +177,15 @@ impl Reading {
             .roles
             .iter()
             .rev()
-            .find(|(reach, _)| reach.covers(at, 0));
-        found.and_then(|(_, role)| *role)
+            .find(|line| line.reach.covers(at, 0));
+        found.and_then(|line| line.role)
+    }
+
+    /// Whether a sentence says that lines define a letter, and no line at this place.
+    pub(crate) fn is_defined_elsewhere(&self, letter: &str, at: &At) -> bool {
+        let defines = |line: &&LineRole| line.defines.as_deref() == Some(letter);
+        let mut own = self.roles.iter().filter(defines).peekable();
+        own.peek().is_some() && !own.any(|line| line.reach.covers(at, 0))
     }
 
     /// For which part of the document a line holds that was accepted at a place.

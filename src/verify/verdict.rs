@@ -229,7 +229,16 @@ pub struct Report {
     /// What is not known, that for which most lines wait first.
     pub questions: Vec<Question>,
     /// Sentences as declared of which nothing was made.
-    pub unused: Vec<String>,
+    pub unused: Vec<Unused>,
+}
+
+/// A sentence of which nothing was made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unused {
+    /// As it was declared.
+    pub sentence: String,
+    /// Whether the model would grow larger with it than what is worked out.
+    pub beyond: bool,
 }
 
 /// The sign convention for products of inertia.

@@ -43,7 +43,7 @@ fn proved(page: &str, format: Format, sheet: &Sheet) -> usize {
     let declared = declarations(&document, std::slice::from_ref(sheet));
     assert_eq!(declared.misunderstood, []);
     let report = check_declared(&document, &declared);
-    assert_eq!(report.unused, Vec::<String>::new());
+    assert_eq!(report.unused, []);
     for finding in &report.findings {
         let verdict = finding.verdict.name();
         assert_eq!(verdict, "proved", "{}\n{page}", finding.source);

@@ -3,6 +3,7 @@
 mod loads;
 mod members;
 mod rolling;
+mod sound;
 mod start;
 mod textbook;
 

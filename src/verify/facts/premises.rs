@@ -14,6 +14,9 @@ pub(super) const MOST_TERMS: usize = 6_000;
 /// More premises, with their rates, are not put in.
 const MOST_PREMISES: usize = 400;
 
+/// How much is worked out to put in the premises of one place: terms times the terms that are put in for letters.
+const MOST_WORK: usize = 2_000_000;
+
 /// Rates of premises of more terms than this are not put in.
 const MOST_OF_RATE: usize = 400;
 
@@ -74,6 +77,8 @@ pub(crate) struct Facts {
     pub(super) images: HashMap<Variable, Option<Fraction>>,
     /// How many rules were put in so far.
     time: usize,
+    /// How much was worked out so far to put in premises.
+    work: usize,
     /// A premise that could not be put in: while there is one, what fails by the others may hold.
     missing: Option<Source>,
     /// Whether laws of mechanics say nothing here, but definitions and mathematics alone.
@@ -176,12 +181,15 @@ impl Facts {
                 images.insert(variable, image);
             }
         }
+        let longest = images.values().map(size).max().unwrap_or_default();
+        self.work = self.work.saturating_add(longest.saturating_mul(size(of)));
         let put = |p: &Polynomial| compose(p, &images, MOST_TERMS).map_err(|_| OutOfBudget);
-        Ok(match (images.is_empty(), of.is_polynomial()) {
+        let value = match (images.is_empty(), of.is_polynomial()) {
             (true, _) => of.clone(),
             (false, true) => put(of.numerator())?,
             (false, false) => put(of.numerator())? / put(of.denominator())?,
-        })
+        };
+        value.is_valid().then_some(value).ok_or(OutOfBudget)
     }
 
     /// Puts in an equation: this fraction vanishes, always.
@@ -211,12 +219,13 @@ impl Facts {
             .into_iter()
             .map(|(equation, source)| (equation, source, 0))
             .collect();
-        let mut steps = 0;
+        let (mut steps, end) = (0, self.work.saturating_add(MOST_WORK));
         while !waiting.is_empty() && steps < MOST_PREMISES {
             let before = steps;
             let mut left = vec![];
             for (equation, source, order) in std::mem::take(&mut waiting) {
-                let Ok(normal) = self.normal(atoms, &equation) else {
+                let normal = self.normal(atoms, &equation);
+                let Some(normal) = normal.ok().filter(|_| self.work <= end) else {
                     self.miss(&source);
                     continue;
                 };
@@ -330,7 +339,7 @@ impl Facts {
             time: self.tick(),
         };
         self.rules.insert(variable, rule);
-        self.images.clear();
+        self.forget_images_with(atoms, variable);
         if let Some(square) = atoms.atom(variable).square.clone() {
             let v = Polynomial::variable(variable);
             let relation = Fraction::from(v.clone() * v - square);
@@ -365,6 +374,11 @@ impl Facts {
         }
         self.told_at(atoms, atoms.atom(variable).rate_of?)
     }
+}
+
+/// How many terms a fraction has.
+fn size(of: &Fraction) -> usize {
+    of.numerator().len() + of.denominator().len()
 }
 
 /// The variable that an equation is best solved for: alone rather than with a factor, the highest rate, the youngest.

@@ -117,6 +117,10 @@ impl Prover<'_> {
             };
             let value = self.facts.told(self.atoms, variable)?;
             let fact = self.fact_of(variable, &value)?;
+            if let Some(quotient) = reduced.put_in(variable, &value) {
+                reduced.add(fact, quotient);
+                continue;
+            }
             let division =
                 reduced
                     .value
@@ -293,6 +297,29 @@ impl Prover<'_> {
 }
 
 impl Reduced {
+    /// Puts in the value of a variable, and returns the cofactor of its fact d·v − n, where the denominator d divides the
+    /// coefficients already: multiplied again for each variable over d, its powers would pile up.
+    fn put_in(&mut self, variable: Variable, value: &Fraction) -> Option<Polynomial> {
+        let (top, bottom) = (value.numerator(), value.denominator());
+        if bottom.is_constant().is_some() {
+            return None;
+        }
+        let (mut rest, mut quotient) = (self.value.clone(), Polynomial::zero());
+        for power in (1..=rest.degree_in(variable)).rev() {
+            let slope = rest.coefficient_of(variable, power);
+            if slope.is_zero() {
+                continue;
+            }
+            let lower = Polynomial::variable(variable).pow(power - 1);
+            let part = slope.exact_quotient(bottom)? * lower.clone();
+            rest -= slope * lower * Polynomial::variable(variable);
+            rest += part.clone() * top.clone();
+            quotient += part;
+        }
+        self.value = rest;
+        Some(quotient)
+    }
+
     fn scale(&mut self, factor: &Polynomial) {
         if factor.is_one() {
             return;

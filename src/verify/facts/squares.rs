@@ -15,8 +15,27 @@ impl Facts {
             rules.extend(self.rules.remove(&next));
             rate = atoms.rate(next).as_variable();
         }
-        self.images.clear();
+        if !rules.is_empty() {
+            self.images.clear();
+        }
         rules
+    }
+
+    /// Forgets the values that hold a variable, of which something new is told, or one of its rates.
+    pub(super) fn forget_images_with(&mut self, atoms: &Atoms, variable: Variable) {
+        let is_new = |mut of: Variable| loop {
+            if of == variable {
+                return true;
+            }
+            match atoms.atom(of).rate_of {
+                Some(base) => of = base,
+                None => return false,
+            }
+        };
+        self.images.retain(|&of, image| {
+            let mut held = image.iter().flat_map(Fraction::variables);
+            !is_new(of) && !held.any(is_new)
+        });
     }
 
     /// An equation that tells the square of a variable: n·n = 1.
@@ -48,7 +67,7 @@ impl Facts {
                 time: self.tick(),
             };
             self.squares.insert(variable, (told, rule));
-            self.images.clear();
+            self.forget_images_with(atoms, variable);
             return true;
         }
         false

@@ -11,6 +11,9 @@ use crate::verify::model::atoms::{Key, Motion, fraction, whole};
 use crate::verify::model::system::{Axis, Frame, FrameId, Matrix, System, Turn, Vector, unit};
 use num_traits::{One, Zero};
 
+/// Through more frames that turn freely one on the other no rotation is worked out: each makes the entries ten times as long.
+const MOST_FREE_TURNS: usize = 3;
+
 impl System {
     /// A new frame.
     pub(crate) fn add_frame(&mut self, name: &str, parent: Option<FrameId>, turn: Turn) -> FrameId {
@@ -108,6 +111,13 @@ impl System {
     /// The matrix that takes components on one frame to components on another.
     pub(crate) fn rotation(&mut self, to: FrameId, from: FrameId) -> Matrix {
         let (up, down) = (self.links(from, to), self.links(to, from));
+        let free = up
+            .iter()
+            .chain(&down)
+            .filter(|&&link| self.turns_freely(link));
+        if free.count() > MOST_FREE_TURNS {
+            return Matrix::from_element(Fraction::none());
+        }
         let mut matrix = Matrix::identity();
         for link in down {
             matrix = mechanics::product(&matrix, &self.link_rotation(link).transpose());
@@ -117,6 +127,14 @@ impl System {
             matrix = mechanics::product(&matrix, &self.link_rotation(link));
         }
         matrix
+    }
+
+    /// Whether no angle gives the rotation of a frame against its parent.
+    fn turns_freely(&self, frame: FrameId) -> bool {
+        matches!(
+            self.frames[frame].turn,
+            Turn::Free | Turn::Rate(Axis::Along(_), _)
+        )
     }
 
     /// The matrix that takes components on a frame to components on its parent.

@@ -36,6 +36,9 @@ pub(crate) struct Builder<'a> {
     pub(super) through: Vec<(FrameId, FrameId, Term, Declaration)>,
 }
 
+/// The premises of a document have no more terms than this in all.
+pub(super) const MOST_TERMS: usize = 100_000;
+
 /// Reads declarations about a document that writes these symbols.
 pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> Reading {
     // What holds under a condition is never taken as always true.
@@ -86,12 +89,21 @@ impl Builder<'_> {
     }
 
     pub(super) fn hold(&mut self, equation: Fraction, declaration: &Declaration) {
+        self.reading.terms += equation.numerator().len() + equation.denominator().len();
+        if !equation.is_valid() || self.is_full() {
+            return self.say_beyond(declaration);
+        }
         let premise = Premise {
             equation,
             source: Self::source_of(declaration),
             reach: reach_of(&declaration.extent),
         };
         self.reading.premises.push(premise);
+    }
+
+    /// Whether no more sentences are taken in: what they say together grew too large.
+    pub(super) fn is_full(&self) -> bool {
+        self.reading.terms > MOST_TERMS
     }
 
     /// Each component of two values is the same.
@@ -170,7 +182,12 @@ impl Builder<'_> {
         let shapes = HashMap::new();
         let letters = self.reading.letters.clone();
         let mut lowering = Lowering::new(&mut self.reading.system, &letters, &text, &at, &shapes);
-        lowering.value(&node).ok()
+        let value = lowering.value(&node).ok()?;
+        if value.entries.iter().all(Fraction::is_valid) {
+            return Some(value);
+        }
+        self.say_beyond(declaration);
+        None
     }
 
     pub(super) fn scalar(

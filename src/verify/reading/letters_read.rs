@@ -48,7 +48,9 @@ impl Builder<'_> {
             }
             for declaration in declarations {
                 let order = order_of(&declaration.statement);
-                if order == pass {
+                if order == pass && self.is_full() {
+                    self.say_beyond(declaration);
+                } else if order == pass {
                     self.read_letter(declaration);
                 }
             }

@@ -2,14 +2,16 @@
 
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::Row;
+use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId};
+use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, reach_of, told};
+use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -25,6 +27,9 @@ impl Builder<'_> {
         }
         for declaration in self.declarations {
             match &declaration.statement {
+                Statement::Premise(_) | Statement::Holds(_) if self.is_full() => {
+                    self.say_beyond(declaration);
+                }
                 Statement::Premise(premise) => self.read_premise(premise, declaration),
                 Statement::Is { subjects, what } if what.head == "zero" && !what.is("not") => {
                     for formula in crate::verify::reading::letters_read::formulas(subjects) {
@@ -216,7 +221,9 @@ impl Builder<'_> {
         if let Some(when) = instant {
             self.reading.start.lines.push(lines.clone());
             self.reading.start.instants.insert(when);
-            self.reading.roles.push((lines, Some(Role::Given)));
+            self.reading
+                .roles
+                .push(LineRole::new(lines, Some(Role::Given)));
             return;
         }
         match section {
@@ -226,7 +233,9 @@ impl Builder<'_> {
                 .push((lines.clone(), Reach::Section(title))),
             None => self.say_unused(declaration),
         }
-        self.reading.roles.push((lines, Some(Role::Assume)));
+        self.reading
+            .roles
+            .push(LineRole::new(lines, Some(Role::Assume)));
     }
 
     /// A bare formula: it holds.
@@ -246,7 +255,7 @@ impl Builder<'_> {
         self.reading.letters.keep_apart(sides);
         let value = |builder: &mut Self, node: &crate::notation::ast::Node| {
             let formula = Formula {
-                source: crate::notation::print::latex(node),
+                source: latex(node),
                 row: Row::Expression(node.clone()),
             };
             builder.mentioned_value(&formula, declaration)
@@ -311,6 +320,10 @@ impl Builder<'_> {
                 Extent::Document => Reach::All,
                 lines => reach_of(lines),
             };
+            let defines = match role {
+                DeclaredRole::Define(formula) => formula.as_ref().and_then(node_of).map(latex),
+                _ => None,
+            };
             let role = match role {
                 DeclaredRole::Given => Some(Role::Given),
                 DeclaredRole::Assume => Some(Role::Assume),
@@ -318,7 +331,11 @@ impl Builder<'_> {
                 DeclaredRole::Define(_) => Some(Role::Define),
                 DeclaredRole::LeftOut => None,
             };
-            self.reading.roles.push((reach, role));
+            self.reading.roles.push(LineRole {
+                reach,
+                role,
+                defines,
+            });
         }
     }
 }

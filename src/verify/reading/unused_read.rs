@@ -5,7 +5,7 @@ use crate::notation::document::Row;
 use crate::verify::language::only_names;
 use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
 use crate::verify::reading::Unused;
-use crate::verify::reading::builder::Builder;
+use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
@@ -23,6 +23,9 @@ const HEARD: [&str; 10] = [
     "lie",
     "place",
 ];
+
+/// After so many sentences that were too much no more are taken in.
+const MOST_BEYOND: usize = 4;
 
 impl Builder<'_> {
     /// Verbs and nouns for which the model has no law yet.
@@ -48,11 +51,24 @@ impl Builder<'_> {
             self.reading.unused.push(Unused {
                 sentence,
                 understood: !declaration.is_unread(),
+                beyond: false,
                 reach,
                 letters,
                 mentions: letters_mentioned_by(&declaration.statement),
             });
         }
+    }
+
+    /// What a sentence says makes the model larger than what is worked out: it is not in force.
+    pub(super) fn say_beyond(&mut self, declaration: &Declaration) {
+        self.say_unused(declaration);
+        // Where several sentences were too much, the next ones will be: the work ends.
+        self.reading.terms += MOST_TERMS / MOST_BEYOND;
+        let sentence = declaration.text.trim_end_matches('.');
+        let own = self.reading.unused.iter_mut();
+        own.filter(|u| u.sentence == sentence).for_each(|unused| {
+            (unused.letters, unused.beyond) = (None, true);
+        });
     }
 
     /// A sentence about a letter that another one tells of as well says more than what the letter is.

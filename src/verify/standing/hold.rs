@@ -11,7 +11,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::indices::{assignments, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::{Shown, shown};
-use crate::verify::standing::sides::{Both, both};
+use crate::verify::standing::sides::{Both, both, factors};
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::standing::written::{bounds_in, symbols_of};
 use crate::verify::term::lower::Lowering;
@@ -36,6 +36,8 @@ pub(super) struct Held {
     pub(super) doubt: Option<String>,
     pub(super) proof: Option<Proof>,
     pub(super) unknown: Vec<String>,
+    /// Whether a letter of which nothing is told stands alone on a side or is a factor of it, and no line has settled it.
+    pub(super) alone: bool,
     pub(super) sides: Vec<(Fraction, Fraction)>,
     pub(super) shown: Option<Shown>,
     /// The letter that it settles, with its value.
@@ -63,6 +65,7 @@ impl Held {
             doubt: None,
             proof: None,
             unknown: vec![],
+            alone: false,
             sides: vec![],
             shown: None,
             settles: None,
@@ -277,9 +280,11 @@ impl Judge<'_> {
             return held;
         };
         let small = self.reading.small_at(&self.at);
+        let alone = self.has_new_letter_alone(link, &unknown);
         let atoms = &mut self.reading.system.atoms;
         let mut held = Held {
             unknown,
+            alone,
             sides,
             settles,
             reason: None,
@@ -307,6 +312,16 @@ impl Judge<'_> {
             held.reason = Some("letters of which nothing is told leave it open".into());
         }
         held
+    }
+
+    /// Whether one of these letters is a side of a link, or a factor of one, and no line has settled it: only sentences
+    /// may tell its shape.
+    fn has_new_letter_alone(&self, link: &Link, unknown: &[String]) -> bool {
+        let letters = [&link.left, &link.right].into_iter().flat_map(factors);
+        let mut new = letters.filter(|letter| {
+            self.reading.shapes.contains_key(letter) || !self.shapes.contains_key(letter)
+        });
+        new.any(|letter| unknown.contains(&letter))
     }
 
     /// What follows of a part of the premises follows of all of them: of the short ones, or of those of one sentence or

@@ -16,7 +16,8 @@ use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{
-    bounds_of_sums, has_open_brackets, names_an_instant, without_number, written_symbols,
+    bounds_of_sums, ends_with_full_stop, has_open_brackets, names_an_instant, without_number,
+    written_symbols,
 };
 use crate::verify::term::letters::{At, letter_names};
 use crate::verify::term::value::Shape;
@@ -184,6 +185,11 @@ impl<'a> Judge<'a> {
             }
         }
         self.words.sentence.push_str(" ⟨=⟩ ");
+        // A full stop in a display ends the sentence.
+        let written = self.document.source.slice(formula.span);
+        if formula.display && ends_with_full_stop(written) {
+            self.words.sentence.clear();
+        }
     }
 
     fn line(&mut self, line: &Line, display: bool) {
@@ -214,7 +220,7 @@ impl<'a> Judge<'a> {
         if line.relations.iter().all(|(r, _)| *r == Relation::Defined) {
             purpose.role = Role::Define;
         }
-        let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
+        let held = self.hold_line(line, &links);
         let waits = held
             .iter()
             .any(|h| !h.unknown.is_empty() && h.standing != Standing::Settles);
@@ -259,6 +265,13 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// What the links of a line are worth, and its braces that do not hold.
+    fn hold_line(&mut self, line: &Line, links: &[Link]) -> Vec<Held> {
+        let mut held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
+        held.extend(self.failing_braces(line));
+        held
+    }
+
     /// Looks once more at lines that waited for what later lines of their paragraph, or of the next, define.
     fn look_again(&mut self) {
         for mut waiting in std::mem::take(&mut self.waiting) {
@@ -276,7 +289,7 @@ impl<'a> Judge<'a> {
             self.take_premises_but(Some(&own));
             self.enter_space();
             self.keep_from_start();
-            let held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
+            let held = self.hold_line(line, links);
             let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
             if held.iter().all(told) {
                 let end = self.judged.len();
@@ -304,10 +317,9 @@ impl<'a> Judge<'a> {
         let standing = |h: &Held| match (h.standing, purpose.role) {
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
             (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
-            // Words alone make no law of a relation in which no letter is new.
-            (Standing::Free, Role::Define) if !purpose.declared && h.unknown.is_empty() => {
-                Standing::Open
-            }
+            (Standing::Settles, _) if self.defines_by_another_line(h) => Standing::Open,
+            // Words alone make no definition of a relation in which no new letter stands alone on a side.
+            (Standing::Free, Role::Define) if !purpose.declared && !h.alone => Standing::Open,
             (standing, _) => standing,
         };
         let answers: Vec<Answer> = held
@@ -345,6 +357,12 @@ impl<'a> Judge<'a> {
             shown: chosen.shown,
             sides: chosen.sides,
         });
+    }
+
+    /// Whether what a link settles is said to be defined by another line.
+    fn defines_by_another_line(&self, held: &Held) -> bool {
+        let letter = held.settles.as_ref().map(|(letter, ..)| letter);
+        letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
 
     /// Whether a line says of letters what a sentence may tell of which nothing was made.

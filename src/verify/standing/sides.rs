@@ -1,6 +1,7 @@
 //! The two sides of a link, lowered and on the same axes.
 
 use crate::notation::ast::{Kind, Node};
+use crate::notation::print::latex;
 use crate::verify::standing::chains::Link;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
@@ -12,19 +13,29 @@ pub(super) struct Both {
     pub(super) settles: Option<String>,
 }
 
+/// The letter that a side consists of.
+fn lone(side: &Node) -> Option<String> {
+    match &side.kind {
+        Kind::Symbol(_) => Some(latex(side)),
+        Kind::Group(_, inner) => lone(inner),
+        _ => None,
+    }
+}
+
+/// The letters that are factors of a side.
+pub(super) fn factors(side: &Node) -> Vec<String> {
+    match &side.kind {
+        Kind::Product(factors) => factors.iter().filter_map(|f| lone(&f.node)).collect(),
+        _ => lone(side).into_iter().collect(),
+    }
+}
+
 /// Lowers both sides; a lone letter of which nothing is told takes its shape from the other side.
 pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Trouble> {
     let left = lowering.value(&link.left)?;
     let unknown_left = lowering.unknown.clone();
     let right = lowering.value(&link.right)?;
     let custom = lowering.custom();
-    fn lone(node: &Node) -> Option<String> {
-        match &node.kind {
-            Kind::Symbol(_) => Some(crate::notation::print::latex(node)),
-            Kind::Group(_, inner) => lone(inner),
-            _ => None,
-        }
-    }
     let new = |l: &String| !lowering.shapes.contains_key(l);
     let letter = lone(&link.left).filter(|l| unknown_left.contains(l) && new(l));
     let other =

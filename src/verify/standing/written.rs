@@ -87,9 +87,9 @@ pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
     found
 }
 
-/// Up to where sums over each index run, by the letter that a document writes there first.
+/// Up to where sums over each index run, by the letter that a document writes there most often; the first of those.
 pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
-    let mut found = BTreeMap::new();
+    let mut found: BTreeMap<String, Vec<(String, usize)>> = BTreeMap::new();
     for item in &document.items {
         let Item::Formula(formula) = item else {
             continue;
@@ -100,10 +100,20 @@ pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
             Row::Unreadable { .. } => vec![],
         });
         for (index, bound) in nodes.flat_map(bounds_in) {
-            found.entry(index).or_insert(bound);
+            let counts = found.entry(index).or_default();
+            match counts.iter_mut().find(|(known, _)| *known == bound) {
+                Some((_, times)) => *times += 1,
+                None => counts.push((bound, 1)),
+            }
         }
     }
-    found
+    let most_often = |counts: Vec<(String, usize)>| {
+        let first = counts.into_iter().rev().max_by_key(|(_, times)| *times);
+        first.map(|(bound, _)| bound)
+    };
+    let all = found.into_iter();
+    all.filter_map(|(index, counts)| Some((index, most_often(counts)?)))
+        .collect()
 }
 
 /// The index of each sum in a tree that runs up to a letter, and that letter.
@@ -119,6 +129,23 @@ pub(super) fn bounds_in(node: &Node) -> Vec<(String, String)> {
     own.into_iter()
         .chain(node.children().flat_map(bounds_in))
         .collect()
+}
+
+/// Whether a display ends with a full stop, delimiters left out: `$$ a = b. $$`.
+pub(super) fn ends_with_full_stop(display: &str) -> bool {
+    let mut rest = display.trim_end();
+    loop {
+        let environment = rest.strip_suffix('}').and_then(|inner| {
+            let (before, name) = inner.rsplit_once("\\end{")?;
+            (!name.contains(['{', '}', '\\'])).then_some(before)
+        });
+        let delimiters = ["$$", "\\]", "\\\\", "```", "\\,", "~"];
+        let shorter = delimiters.iter().find_map(|end| rest.strip_suffix(end));
+        match environment.or(shorter) {
+            Some(before) => rest = before.trim_end(),
+            None => return rest.ends_with('.') && !rest.ends_with(".."),
+        }
+    }
 }
 
 /// Whether a bracket opens in a text that does not close: the formula was cut short.
