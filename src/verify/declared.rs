@@ -1,29 +1,23 @@
 //! Checks a document whose meaning is declared: each line is judged by the facts, and what is not known is asked.
 
-use crate::algebra::{Fraction, Monomial, Polynomial, Proof, Rational, Variable};
 use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
-use crate::verify::correction::search::corrections;
 use crate::verify::declarations::Declared;
-use crate::verify::declared::own::OwnLetters;
+use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
 use crate::verify::language::statement::{Declaration, Statement, Term};
-use crate::verify::reading::Reading;
-use crate::verify::standing::judge::{Judge, Judged};
-use crate::verify::standing::shown::Shown;
+use crate::verify::standing::judge::Judged;
 use crate::verify::standing::verdicts::Answer;
 use crate::verify::term::letters::At;
 use crate::verify::verdict::{
-    Convention, Counterexample, Diagnosis, Finding, Passed, Question, Report, Role, Unused, Verdict,
+    Convention, Finding, Passed, Question, Report, Role, Unused, Verdict,
 };
 use std::collections::{BTreeMap, HashMap};
 
+mod judgment;
 mod own;
-
-/// A residual of more terms than this is not shown.
-const LONGEST_RESIDUAL: usize = 40;
 
 /// Of more sentences that the model is too large for nothing is said.
 const MOST_BEYOND: usize = 4;
@@ -37,17 +31,15 @@ const DIFFER: &str = "the sides differ";
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     let declarations = declared.declarations.as_slice();
-    let mut judge = Judge::new(document, declarations);
-    judge.run();
-    let corrections = corrections(&mut judge);
-    let own = OwnLetters::of(document, &mut judge.reading);
-    let each = judge.judged.iter();
+    let judgments = judgments(document, declarations);
+    let each = judgments.iter();
+    let each = each.flat_map(|own| own.judge.judged.iter().map(move |judged| (own, judged)));
     let mut rows = Rows {
         document,
-        reading: &judge.reading,
-        own: &own,
-        judged: each.map(|judged| (judged.span, judged)).collect(),
-        corrections: &corrections,
+        judgments: &judgments,
+        judged: each
+            .map(|(own, judged)| (judged.span, (own, judged)))
+            .collect(),
         written: HashMap::new(),
         headings: Headings::default(),
         findings: vec![],
@@ -56,47 +48,48 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     document.items.iter().for_each(|item| rows.item(item));
     let questions = rows.questions();
     let (findings, passed) = (rows.findings, rows.passed);
-    let atoms = &judge.reading.system.atoms;
-    let variables = 0..atoms.len() as Variable;
     Report {
         path: document.source.name.clone(),
-        products: convention(&judge.reading, declarations),
+        products: convention(&judgments, declarations),
         questions,
         findings,
         from_prose: vec![],
         readings: vec![],
         passed,
-        variables: variables.map(|v| own.anywhere(atoms, v)).collect(),
+        variables: judgments.iter().flat_map(Judgment::variables).collect(),
         meaning: declared.meaning(),
-        unused: judge
-            .reading
-            .unused
-            .iter()
-            .filter(|unused| unused.understood)
-            .scan(0, |beyond, unused| {
-                *beyond += usize::from(unused.beyond);
-                Some((!unused.beyond || *beyond <= MOST_BEYOND).then_some(unused))
-            })
-            .flatten()
-            .map(|unused| Unused {
-                sentence: unused.sentence.clone(),
-                beyond: unused.beyond,
-            })
-            .collect(),
+        unused: unused(&judgments),
     }
 }
 
+/// Sentences that were understood and of which nothing was made.
+fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
+    let mut found: Vec<Unused> = vec![];
+    let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
+    for unused in each.filter(|unused| unused.understood) {
+        let told = found.iter().filter(|known| known.beyond).count();
+        let known = found.iter().any(|known| known.sentence == unused.sentence);
+        if !known && (!unused.beyond || told < MOST_BEYOND) {
+            found.push(Unused {
+                sentence: unused.sentence.clone(),
+                beyond: unused.beyond,
+            });
+        }
+    }
+    found
+}
+
 /// The convention for products of inertia, and whether a sentence says it.
-fn convention(reading: &Reading, declarations: &[Declaration]) -> Convention {
+fn convention(judgments: &[Judgment<'_>], declarations: &[Declaration]) -> Convention {
     let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
     let says = |declaration: &Declaration| match &declaration.statement {
         Statement::Is { subjects, .. } => subjects.iter().any(products),
         _ => false,
     };
     Convention {
-        name: match reading.letters.customs.integrals {
-            true => "integrals",
-            false => "entries",
+        name: match judgments.first() {
+            Some(own) if !own.judge.reading.letters.customs.integrals => "entries",
+            _ => "integrals",
         },
         decided_by: match declarations.iter().any(says) {
             true => "declared",
@@ -108,11 +101,8 @@ fn convention(reading: &Reading, declarations: &[Declaration]) -> Convention {
 /// Goes through the rows of a document and says of each what became of it.
 struct Rows<'a> {
     document: &'a Document,
-    reading: &'a Reading,
-    own: &'a OwnLetters,
-    judged: BTreeMap<Span, &'a Judged>,
-    /// What would put refuted lines right.
-    corrections: &'a HashMap<Span, Diagnosis>,
+    judgments: &'a [Judgment<'a>],
+    judged: BTreeMap<Span, (&'a Judgment<'a>, &'a Judged)>,
     /// Letters as they are printed, and as the author writes them first.
     written: HashMap<String, String>,
     headings: Headings,
@@ -137,7 +127,9 @@ impl Rows<'_> {
             Row::Expression(node) => return self.pass(node.span, "expression"),
             Row::Unreadable { span, .. } => *span,
         };
-        if self.reading.left_out(&self.at(span)) {
+        let at = self.at(span);
+        let left_out = |own: &Judgment<'_>| own.judge.reading.left_out(&at);
+        if self.judgments.first().is_some_and(left_out) {
             return self.pass(span, "left out");
         }
         let finding = match row {
@@ -159,7 +151,7 @@ impl Rows<'_> {
         let mut finding = Finding::undecided(self.document, Role::Claim, line.span);
         finding.label = line.labels.first().cloned();
         match self.judged.get(&line.span) {
-            Some(judged) => self.tell(&mut finding, judged),
+            Some((own, judged)) => self.tell(&mut finding, own, judged),
             None => finding.reason = Some("the line goes on from no other".to_owned()),
         }
         // A sentence may say what a writing means that is not read otherwise.
@@ -193,15 +185,6 @@ impl Rows<'_> {
     }
 }
 
-/// Whether a polynomial is positive for all real numbers: a positive number and squares.
-fn is_positive(of: &Polynomial) -> bool {
-    let square = |(monomial, coefficient): &(Monomial, Rational)| {
-        let even = monomial.powers().iter().all(|(_, power)| power % 2 == 0);
-        even && !coefficient.is_negative()
-    };
-    let is_number = |(monomial, _): &(Monomial, Rational)| monomial.powers().is_empty();
-    of.terms().iter().all(square) && of.terms().iter().any(is_number)
-}
 
 /// What stands in a tree that could not be read.
 fn error_in(node: &Node) -> Option<(String, Span)> {
@@ -213,12 +196,12 @@ fn error_in(node: &Node) -> Option<(String, Span)> {
 
 impl Rows<'_> {
     /// Says of a line what the judge said.
-    fn tell(&self, finding: &mut Finding, judged: &Judged) {
+    fn tell(&self, finding: &mut Finding, own: &Judgment<'_>, judged: &Judged) {
         finding.role = judged.role;
         finding.verdict = match (judged.answer, &judged.proof) {
             (Answer::Proved, Some(proof)) => {
                 finding.uses = uses(proof);
-                finding.conditions = self.conditions(proof, judged, &finding.source);
+                finding.conditions = own.conditions(proof, judged, &finding.source);
                 Verdict::Proved(proof.clone())
             }
             (Answer::Proved, None) | (Answer::Undecided, _) => {
@@ -227,59 +210,17 @@ impl Rows<'_> {
             }
             (Answer::Accepted, _) => Verdict::Accepted,
             (Answer::Refuted, _) => {
-                finding.diagnosis = self.corrections.get(&judged.span).cloned();
+                finding.diagnosis = own.corrections.get(&judged.span).cloned();
                 let reason = judged.reason.clone();
                 finding.reason = Some(reason.unwrap_or_else(|| DIFFER.to_owned()));
                 if let Some(shown) = &judged.shown {
-                    finding.residual = self.residual(judged, shown, &finding.source);
+                    finding.residual = own.residual(judged, shown, &finding.source);
                     finding.counterexample =
-                        Some(self.counterexample(judged, shown, &finding.source));
+                        Some(own.counterexample(judged, shown, &finding.source));
                 }
                 Verdict::Refuted
             }
         };
-    }
-
-    fn conditions(&self, proof: &Proof, judged: &Judged, source: &str) -> Vec<String> {
-        let mut found: Vec<String> = vec![];
-        let arguments = proof.arguments().iter();
-        let conditions = arguments.flat_map(|argument| &argument.conditions);
-        for condition in conditions.filter(|condition| !is_positive(condition)) {
-            let condition = Fraction::from(condition.clone());
-            let text = format!("{} \\ne 0", self.printed(&condition, judged, source));
-            if !found.contains(&text) {
-                found.push(text);
-            }
-        }
-        found
-    }
-
-    fn printed(&self, of: &Fraction, judged: &Judged, source: &str) -> String {
-        let atoms = &self.reading.system.atoms;
-        self.own.printed(of, atoms, &judged.at, source)
-    }
-
-    /// Left less right as written, or with what is known put in where that is too long.
-    fn residual(&self, judged: &Judged, shown: &Shown, source: &str) -> Option<String> {
-        let (left, right) = judged.sides.get(shown.place)?;
-        let written = left.clone() - right.clone();
-        let short = |f: &&Fraction| f.numerator().len() + f.denominator().len() <= LONGEST_RESIDUAL;
-        let chosen = [&written, &shown.residual].into_iter().find(short);
-        chosen.map(|chosen| self.printed(chosen, judged, source))
-    }
-
-    fn counterexample(&self, judged: &Judged, shown: &Shown, source: &str) -> Counterexample {
-        let atoms = &self.reading.system.atoms;
-        let letters = shown.letters.iter().map(|(letter, value)| {
-            let name = self.own.on_line(atoms, *letter, &judged.at, source);
-            (name, value.to_string())
-        });
-        Counterexample {
-            symbols: letters.collect(),
-            component: component(judged.sides.len(), shown.place),
-            left: shown.left.to_string(),
-            right: shown.right.to_string(),
-        }
     }
 }
 
@@ -323,7 +264,7 @@ impl Rows<'_> {
     fn questions(&self) -> Vec<Question> {
         let mut asked: Vec<Question> = vec![];
         let mut places: HashMap<&str, usize> = HashMap::new();
-        let open = self.judged.values();
+        let open = self.judged.values().map(|(_, judged)| judged);
         for judged in open.filter(|judged| judged.answer == Answer::Undecided) {
             for letter in &judged.unknown {
                 let at = *places.entry(letter).or_insert(asked.len());
@@ -345,13 +286,3 @@ impl Rows<'_> {
     }
 }
 
-/// The name of a component: its number in a vector, row and column in a matrix.
-fn component(count: usize, place: usize) -> Option<String> {
-    if count <= 1 {
-        return None;
-    }
-    Some(match (3..=8).find(|size| size * size == count) {
-        Some(size) => format!("row {}, column {}", place / size + 1, place % size + 1),
-        None => (place + 1).to_string(),
-    })
-}

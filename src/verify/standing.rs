@@ -7,6 +7,7 @@ pub(crate) mod hold;
 pub(crate) mod indices;
 pub(crate) mod judge;
 pub(crate) mod kept;
+pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod roles;
 pub(crate) mod shown;

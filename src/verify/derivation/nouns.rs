@@ -57,7 +57,7 @@ impl Nouns {
         let mut all = declarations.to_vec();
         let said = nouns.iter().enumerate();
         all.extend(said.map(|(number, (_, noun))| telling(&[&stand_in(number)], noun.clone())));
-        let mut reading = build(&all, BTreeSet::new());
+        let mut reading = build(&all, BTreeSet::new(), 0);
         let mut known = HashMap::new();
         for (number, (key, noun)) in nouns.into_iter().enumerate() {
             let letter = stand_in(number);

@@ -53,7 +53,7 @@ const LABELS: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"
 impl Plan {
     /// What declarations give to tell.
     pub(super) fn of(declarations: &[Declaration]) -> Self {
-        let reading = build(declarations, BTreeSet::new());
+        let reading = build(declarations, BTreeSet::new(), 0);
         let namer = Namer { declarations };
         let system = &reading.system;
         let axes = reading.letters.component_frame;

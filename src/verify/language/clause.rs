@@ -355,6 +355,13 @@ impl<'a> Reader<'a> {
             };
             what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
         }
+        // "`$v$` is the velocity and `$p$` the momentum of P": what hangs on the last one hangs on both.
+        if let Some(Statement::Is { what: first, .. }) = statements.last_mut()
+            && first.slots.is_empty()
+            && !its
+        {
+            first.slots.clone_from(&what.slots);
+        }
         statements.push(Statement::Is { subjects, what });
         Ok(self.at)
     }

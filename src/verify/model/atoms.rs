@@ -178,6 +178,14 @@ impl Atoms {
         self.list.len()
     }
 
+    /// Leaves out the first numbers, by which other variables of the document are called.
+    pub(crate) fn begin_at(&mut self, first: usize) {
+        while self.list.len() < first {
+            let key = Key::new(format!("\\text{{{}}}", self.list.len()));
+            self.variable(key, Place::Parameter, Motion::Constant);
+        }
+    }
+
     /// A letter whose value a law gives. One letter may stand for several things in a document.
     pub(crate) fn determined(&mut self, text: &str, place: Place, law: Law) -> Variable {
         let mut key = Key::new(text);

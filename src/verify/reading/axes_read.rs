@@ -1,13 +1,21 @@
 //! The letters of axes, and the frame that components are worked with on.
 
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::{CUSTOMARY, slot};
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, name_of, node_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
+
+/// The axis of a frame that is vertical.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vertical {
+    pub(super) frame: FrameId,
+    pub(super) axis: usize,
+    pub(super) points_down: bool,
+}
 
 impl Builder<'_> {
     /// The letters of axes.
@@ -54,6 +62,22 @@ impl Builder<'_> {
         }
     }
 
+    /// The vertical axis; the third one of the inertial frame points up where nothing is said.
+    pub(super) fn vertical(&self) -> Vertical {
+        self.vertical.unwrap_or(Vertical {
+            frame: self.reading.system.ground,
+            axis: 2,
+            points_down: false,
+        })
+    }
+
+    /// The unit vector that points up.
+    pub(super) fn upward(&mut self) -> Vector {
+        let vertical = self.vertical();
+        let axis = self.system().axis(vertical.frame, vertical.axis);
+        if vertical.points_down { -axis } else { axis }
+    }
+
     pub(super) fn read_vertical(
         &mut self,
         subjects: &[Term],
@@ -63,10 +87,11 @@ impl Builder<'_> {
         let ground = self.reading.system.ground;
         let [subject] = subjects else { return };
         let axis = self.number_of_axis(subject).unwrap_or(2);
-        if what.is("downward") {
-            return self.say_unused(declaration);
-        }
-        self.upward = Some((ground, axis));
+        self.vertical = Some(Vertical {
+            frame: ground,
+            axis,
+            points_down: what.is("downward"),
+        });
         self.name_axis(subject, ground, axis, declaration);
     }
 

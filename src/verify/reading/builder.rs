@@ -7,6 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
+use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
@@ -26,7 +27,7 @@ pub(crate) struct Builder<'a> {
     pub(super) families: BTreeMap<String, FamilyId>,
     /// Letters and names of axes: a frame and the number of the axis.
     pub(super) axes: BTreeMap<String, (FrameId, usize)>,
-    pub(super) upward: Option<(FrameId, usize)>,
+    pub(super) vertical: Option<Vertical>,
     pub(super) gravity: Option<Quantity>,
     /// Particles that stand for bodies.
     pub(super) points_of: Vec<(BodyId, BodyId)>,
@@ -39,8 +40,12 @@ pub(crate) struct Builder<'a> {
 /// The premises of a document have no more terms than this in all.
 pub(super) const MOST_TERMS: usize = 100_000;
 
-/// Reads declarations about a document that writes these symbols.
-pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> Reading {
+/// Reads declarations about a document that writes these symbols; the variables of the model are numbered from `first` on.
+pub(crate) fn build(
+    declarations: &[Declaration],
+    written: BTreeSet<String>,
+    first: usize,
+) -> Reading {
     // What holds under a condition is never taken as always true.
     let (conditional, always): (Vec<Declaration>, Vec<Declaration>) =
         declarations.iter().cloned().partition(has_condition);
@@ -52,13 +57,14 @@ pub(crate) fn build(declarations: &[Declaration], written: BTreeSet<String>) -> 
         bodies: BTreeMap::new(),
         families: BTreeMap::new(),
         axes: BTreeMap::new(),
-        upward: None,
+        vertical: None,
         gravity: None,
         through: vec![],
         points_of: vec![],
         hubs: vec![],
     };
     builder.reading.letters.customs.integrals = true;
+    builder.reading.system.atoms.begin_at(first);
     builder.reading.letters.written = written;
     conditional.iter().for_each(|d| builder.say_unused(d));
     builder.name_frames();

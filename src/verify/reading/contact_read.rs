@@ -55,10 +55,7 @@ impl Builder<'_> {
         let frame = told(what.slot(Slot::FixedIn), ground, |t| self.frame(t))?;
         let normal = match what.slot(Slot::With).cloned() {
             Some(normal) => self.direction(&normal, declaration, Some(frame))?,
-            None if what.is("horizontal") => {
-                let (of, axis) = self.upward.unwrap_or((ground, 2));
-                self.system().axis(of, axis)
-            }
+            None if what.is("horizontal") => self.upward(),
             None => return None,
         };
         for name in subjects.iter().filter_map(name_of) {

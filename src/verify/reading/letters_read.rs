@@ -1,6 +1,6 @@
 //! What letters denote.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::Kind;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
@@ -141,6 +141,14 @@ impl Builder<'_> {
             "constant" => self.read_constants(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             "disturbance" if what.slots.is_empty() => {}
+            "positive" if !what.is("not") => {
+                for formula in formulas(subjects) {
+                    let value = self.formula_value(&formula.clone(), declaration);
+                    for entry in value.into_iter().flat_map(|value| value.entries) {
+                        self.system().atoms.set_positive(&entry);
+                    }
+                }
+            }
             "reference value" | "disturbance" => {
                 if self.read_reference(subjects, what, declaration).is_none() {
                     self.say_unused(declaration);
@@ -165,8 +173,8 @@ impl Builder<'_> {
                     self.say_unused(declaration);
                 }
             }
-            "column" => self.read_column(subjects, what, declaration),
-            "cosine" | "sine" => self.read_kernels(subjects, what, declaration),
+            "column" | "row" => self.read_column(subjects, what, declaration),
+            "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
             "cross-product matrix" | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
                 self.read_operator(subjects, what, declaration);
             }
@@ -174,24 +182,6 @@ impl Builder<'_> {
                 self.read_any_angular_velocity(subjects);
             }
             _ => self.read_quantity(subjects, what, declaration),
-        }
-    }
-
-    /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
-    fn read_column(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
-        let entries = what.all(Slot::Of).map(|term| match term {
-            Term::Formula(formula) => node_of(formula).cloned(),
-            _ => None,
-        });
-        let Some(entries) = entries.collect::<Option<Vec<_>>>() else {
-            return self.say_unused(declaration);
-        };
-        for formula in formulas(subjects) {
-            let column = Node {
-                kind: Kind::Tuple(entries.clone()),
-                span: crate::source::Span::default(),
-            };
-            self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
     }
 

@@ -126,6 +126,8 @@ impl Builder<'_> {
         {
             let letters = &mut self.reading.letters.crossing;
             letters.extend(node_of(of).map(spelled));
+        } else if rate && self.names_its_frame(written, &effect) {
+            // Its own command says from where the rate is seen.
         } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
             self.reading.letters.marks.push(MarkRule {
                 mark,
@@ -137,10 +139,22 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether an operator is a command of the author that ends with the name of the frame: `\ddtA`.
+    fn names_its_frame(&self, written: &str, effect: &Effect) -> bool {
+        let Effect::RateSeenFrom(frame) = effect else {
+            return false;
+        };
+        let name = &self.reading.system.frames[*frame].name;
+        let letters = |text: &str| -> String { text.chars().filter(|c| c.is_alphabetic()).collect() };
+        let (command, name) = (letters(written.trim()), letters(name.trim_end_matches("~cal")));
+        let single = written.trim().strip_prefix('\\') == Some(command.as_str());
+        single && !name.is_empty() && command.ends_with(&name)
+    }
+
     fn effect(&self, meaning: &NotationMeaning) -> Option<Effect> {
         match meaning {
             NotationMeaning::Noun(phrase) => match phrase.head {
-                "rate" => Some(Effect::RateSeenFrom(
+                "rate" | "second rate" => Some(Effect::RateSeenFrom(
                     self.frame(phrase.slot(Slot::SeenFrom)?)?,
                 )),
                 "component" => Some(Effect::ComponentsOn(self.frame(phrase.slot(Slot::On)?)?)),
@@ -162,7 +176,9 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
     };
     match sign {
         Sign::Operator(_) => matches!(phrase.head, "function" | "cross product" | "dot product"),
-        Sign::Mark("dot") => phrase.head == "rate" && phrase.slots.is_empty(),
+        Sign::Mark("dot" | "dot on a scalar" | "dot on a matrix") => {
+            phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()
+        }
         _ => false,
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -66,8 +67,8 @@ impl Builder<'_> {
             directions.push(self.vector(other, declaration)?);
         }
         if what.head == "horizontal" {
-            let (frame, axis) = self.upward?;
-            directions.push(self.system().axis(frame, axis));
+            self.vertical?;
+            directions.push(self.upward());
         }
         for subject in subjects {
             let vector = self.vector(subject, declaration)?;
@@ -218,12 +219,15 @@ impl Builder<'_> {
     pub(super) fn height(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
         let of = self.spot(phrase.slot(Slot::Of)?)?;
         let from = told(phrase.slot(Slot::With), 0, |t| self.point(t))?;
-        let (frame, axis) = self.upward?;
-        let way = Quantity::Position { of, from };
-        Some(Quantity::Component {
-            of: way.boxed(),
-            axis,
-            on: frame,
+        let vertical = self.vertical?;
+        let along = Quantity::Component {
+            of: Quantity::Position { of, from }.boxed(),
+            axis: vertical.axis,
+            on: vertical.frame,
+        };
+        Some(match vertical.points_down {
+            true => Quantity::Scaled(along.boxed(), whole(-1)),
+            false => along,
         })
     }
 

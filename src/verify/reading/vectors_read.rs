@@ -1,5 +1,9 @@
 //! Letters that are told by more than one noun: vectors, constants, operators, principal moments, gravity.
 
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::reading::builder::Builder;
@@ -48,6 +52,31 @@ impl Builder<'_> {
                 _ => Quantity::UnitVector { text, carried },
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
+    pub(super) fn read_column(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+        let entries = what.all(Slot::Of).map(|term| match term {
+            Term::Formula(formula) => node_of(formula).cloned(),
+            Term::Numbers(numbers) => match numbers[..] {
+                [number] => number_node(number),
+                _ => None,
+            },
+            _ => None,
+        });
+        let Some(entries) = entries.collect::<Option<Vec<_>>>() else {
+            return self.say_unused(declaration);
+        };
+        for formula in formulas(subjects) {
+            let column = Node {
+                kind: match what.head {
+                    "row" => Kind::Matrix(vec![entries.clone()]),
+                    _ => Kind::Tuple(entries.clone()),
+                },
+                span: crate::source::Span::default(),
+            };
+            self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
     }
 
@@ -100,7 +129,11 @@ impl Builder<'_> {
             let Some((cosine, sine)) = self.system().atoms.cosine_sine(&angle) else {
                 continue;
             };
-            let value = if what.head == "cosine" { cosine } else { sine };
+            let value = match what.head {
+                "cosine" => cosine,
+                "sine" => sine,
+                _ => sine / cosine,
+            };
             let known = Quantity::Known(Value::scalar(value));
             self.denote(formula, Meaning::Quantity(known), declaration);
         }
@@ -113,7 +146,6 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        use crate::notation::ast::Kind;
         for formula in formulas(subjects) {
             let Some(node) = node_of(formula) else {
                 continue;
@@ -130,7 +162,7 @@ impl Builder<'_> {
             };
             let head = Formula {
                 source: crate::notation::print::latex(&head),
-                row: crate::notation::document::Row::Expression(head),
+                row: Row::Expression(head),
             };
             self.denote(&head, Meaning::Operator(operator), declaration);
         }
@@ -142,8 +174,7 @@ impl Builder<'_> {
             return;
         };
         let vector = node_of(&formula).is_some_and(|node| {
-            use crate::notation::ast::Kind;
-            matches!(&node.kind, Kind::Symbol(s) if s.style.vector)
+                matches!(&node.kind, Kind::Symbol(s) if s.style.vector)
         });
         let ground = self.reading.system.ground;
         let text = formula.source.clone();
@@ -165,8 +196,10 @@ impl Builder<'_> {
             .value_of(&quantity)
             .ok()
             .and_then(|v| v.to_scalar().ok());
-        let (frame, axis) = self.upward.unwrap_or((ground, 2));
-        self.gravity = size.map(|g| Quantity::Scaled(Quantity::Axis(frame, axis).boxed(), -g));
+        let vertical = self.vertical();
+        let axis = Quantity::Axis(vertical.frame, vertical.axis).boxed();
+        let along = |g: Fraction| if vertical.points_down { g } else { -g };
+        self.gravity = size.map(|g| Quantity::Scaled(axis, along(g)));
     }
 
     /// "A, A, C are the principal moments of the top about O on B": the products vanish, and A is two moments.
@@ -228,5 +261,13 @@ impl Builder<'_> {
         self.reading
             .shapes
             .insert(crate::notation::print::latex(node), shape);
+    }
+}
+
+/// A whole number as it stands in a formula.
+fn number_node(number: usize) -> Option<Node> {
+    match read_formula(&number.to_string(), 0, &Macros::default()).pop()? {
+        Row::Expression(node) => Some(node),
+        _ => None,
     }
 }

@@ -14,6 +14,7 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::fraction;
 use crate::verify::standing::chains::Chain;
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::parts::Part;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
 use num_traits::Zero;
@@ -39,7 +40,7 @@ pub(crate) struct Apart<'a> {
 impl<'a> Apart<'a> {
     /// A reading by these declarations.
     pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
-        let mut judge = Judge::new(document, declarations);
+        let mut judge = Judge::new(document, Part::whole(declarations), 0);
         judge.reading.system.apart = true;
         Self {
             judge,

@@ -7,11 +7,11 @@ use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
-use crate::verify::language::statement::Declaration;
 use crate::verify::reading::Reading;
 use crate::verify::reading::builder::build;
 use crate::verify::standing::chains::{Chain, Link};
 use crate::verify::standing::hold::Held;
+use crate::verify::standing::parts::Part;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
@@ -84,15 +84,24 @@ pub(crate) struct Judge<'a> {
     pub(crate) judged: Vec<Judged>,
     /// The accepted lines that are in force.
     pub(super) settled_taken: Vec<usize>,
-    /// Lines of this paragraph and of the one before it that wait.
+    again: Again,
+    /// The part of the document whose lines are judged; of others only the letters that they define are taken.
+    part: Part,
+}
+
+/// Lines that are looked at again.
+#[derive(Default)]
+struct Again {
+    /// Those of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
-    /// The accepted lines that define letters.
+    /// The accepted ones that define letters.
     defining: Vec<(Source, Vec<Link>)>,
 }
 
 impl<'a> Judge<'a> {
-    pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
-        let mut reading = build(declarations, written_symbols(document));
+    /// For a part of a document; the variables of the model are numbered from one on.
+    pub(crate) fn new(document: &'a Document, part: Part, first: usize) -> Self {
+        let mut reading = build(&part.declarations, written_symbols(document), first);
         reading.system.set_dimensions(3);
         let shapes = reading.shapes.clone();
         Self {
@@ -109,9 +118,14 @@ impl<'a> Judge<'a> {
             words: Words::default(),
             judged: vec![],
             settled_taken: vec![],
-            waiting: vec![],
-            defining: vec![],
+            again: Again::default(),
+            part,
         }
+    }
+
+    /// Whether the line that is looked at is judged here.
+    pub(super) fn is_own(&self) -> bool {
+        self.part.has(&self.at)
     }
 
     /// Judges every line.
@@ -134,6 +148,8 @@ impl<'a> Judge<'a> {
             }
         }
         self.look_again();
+        let part = &self.part;
+        self.judged.retain(|judged| part.has(&judged.at));
     }
 
     /// Words go on a sentence, or begin the next one.
@@ -232,10 +248,10 @@ impl<'a> Judge<'a> {
             return;
         };
         if defines && answer == Answer::Accepted {
-            self.defining.push((self.source(), links.clone()));
+            self.again.defining.push((self.source(), links.clone()));
         }
         if waits && answer != Answer::Proved || unknown && answer == Answer::Undecided {
-            self.waiting.push(Waiting {
+            self.again.waiting.push(Waiting {
                 place: before,
                 line: line.clone(),
                 links,
@@ -255,7 +271,7 @@ impl<'a> Judge<'a> {
             3 => self.reading.shapes.clone(),
             _ => HashMap::new(),
         };
-        for (source, links) in self.defining.clone() {
+        for (source, links) in self.again.defining.clone() {
             for link in &links {
                 let held = self.hold(link);
                 if held.settles.is_some() {
@@ -274,7 +290,7 @@ impl<'a> Judge<'a> {
 
     /// Looks once more at lines that waited for what later lines of their paragraph, or of the next, define.
     fn look_again(&mut self) {
-        for mut waiting in std::mem::take(&mut self.waiting) {
+        for mut waiting in std::mem::take(&mut self.again.waiting) {
             let Waiting {
                 place,
                 line,
@@ -300,7 +316,7 @@ impl<'a> Judge<'a> {
                 }
             } else if !waiting.second_time {
                 waiting.second_time = true;
-                self.waiting.push(waiting);
+                self.again.waiting.push(waiting);
             }
             self.at = at;
         }

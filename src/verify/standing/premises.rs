@@ -56,7 +56,9 @@ impl Judge<'_> {
         } else if let Some((letter, left, _)) = &held.settles {
             self.shapes.insert(letter.clone(), left.shape());
         }
+        let elsewhere = !self.is_own() && held.standing != Standing::Settles;
         if instant
+            || elsewhere
             || matches!(
                 held.standing,
                 Standing::Entailed | Standing::Open | Standing::Differs

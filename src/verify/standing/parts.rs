@@ -1,0 +1,141 @@
+//! Parts of a document that speak of systems of their own: a frame that turns otherwise in one section than in another, a
+//! point that is placed anew.
+
+use crate::notation::document::{Document, Headings, Item, Row};
+use crate::verify::language::statement::{Declaration, Extent, Statement};
+use crate::verify::reading::names::reach_of;
+use crate::verify::term::letters::{At, Reach};
+
+/// A document with more systems than this is read as one that speaks of a single one.
+const MOST_PARTS: usize = 12;
+
+/// Nouns by which a sentence builds the system.
+const NOUNS: [&str; 10] = [
+    "frame",
+    "axes",
+    "point",
+    "origin",
+    "mass centre",
+    "plane",
+    "particle",
+    "body",
+    "rigid body",
+    "Euler angles",
+];
+
+/// Verbs by which a sentence builds the system.
+const VERBS: [&str; 5] = ["turn", "lie", "place", "roll", "consist"];
+
+/// The lines for which just some of the sentences about things are in force, and what is declared there.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Part {
+    pub(crate) declarations: Vec<Declaration>,
+    /// Of each sentence about things of a part of the document: which part, and whether it is in force here.
+    limits: Vec<(Reach, bool)>,
+}
+
+impl Part {
+    /// Whether a place belongs to it.
+    pub(crate) fn has(&self, at: &At) -> bool {
+        self.limits
+            .iter()
+            .all(|(reach, holds)| reach.covers(at, 0) == *holds)
+    }
+
+    /// A document that speaks of one system.
+    pub(crate) fn whole(declarations: &[Declaration]) -> Self {
+        Self {
+            declarations: declarations.to_vec(),
+            limits: vec![],
+        }
+    }
+}
+
+/// The parts of a document, in the order in which they begin.
+pub(crate) fn parts(document: &Document, declarations: &[Declaration]) -> Vec<Part> {
+    let limited: Vec<Reach> = declarations
+        .iter()
+        .filter(|d| is_limited(d))
+        .map(|d| reach_of(&d.extent))
+        .collect();
+    if limited.is_empty() {
+        return vec![Part::whole(declarations)];
+    }
+    let mut found: Vec<Vec<bool>> = vec![];
+    for at in places(document) {
+        let holds: Vec<bool> = limited.iter().map(|reach| reach.covers(&at, 0)).collect();
+        if !found.contains(&holds) {
+            found.push(holds);
+        }
+    }
+    match found.len() {
+        0 | MOST_PARTS.. => vec![Part::whole(declarations)],
+        _ => found
+            .into_iter()
+            .map(|holds| part(declarations, &limited, holds))
+            .collect(),
+    }
+}
+
+/// In a part, what is declared of it alone is declared of all there is.
+fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Part {
+    let mut in_force = holds.iter();
+    let mut own = vec![];
+    for declaration in declarations {
+        if !is_limited(declaration) {
+            own.push(declaration.clone());
+        } else if in_force.next() == Some(&true) {
+            own.push(Declaration {
+                extent: Extent::Document,
+                ..declaration.clone()
+            });
+        }
+    }
+    Part {
+        declarations: own,
+        limits: limited.iter().cloned().zip(holds).collect(),
+    }
+}
+
+/// Whether a sentence builds the system for a part of the document alone.
+fn is_limited(declaration: &Declaration) -> bool {
+    let builds = match &declaration.statement {
+        Statement::Is { what, .. } => NOUNS.contains(&what.head),
+        Statement::Does { verb, .. } => VERBS.contains(verb),
+        _ => false,
+    };
+    let several = matches!(
+        declaration.extent,
+        Extent::Lines { .. } | Extent::Cells(_) | Extent::Section(_) | Extent::Both(..)
+    );
+    builds && several
+}
+
+/// Where the rows of a document stand.
+fn places(document: &Document) -> Vec<At> {
+    let mut headings = Headings::default();
+    let mut places = vec![];
+    for item in &document.items {
+        match item {
+            Item::Heading { level, text, .. } => {
+                headings.enter(*level, text);
+            }
+            Item::Formula(formula) => {
+                let spans = formula.rows.iter().filter_map(|row| match row {
+                    Row::Line(line) => Some(line.span),
+                    _ => None,
+                });
+                places.extend(spans.map(|span| {
+                    let place = document.place(span.start);
+                    At {
+                        cell: place.cell,
+                        line: place.line,
+                        sections: headings.texts(),
+                    }
+                }));
+            }
+            _ => {}
+        }
+    }
+    places
+}
