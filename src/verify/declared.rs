@@ -66,7 +66,12 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
 fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let mut found: Vec<Unused> = vec![];
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
-    for unused in each.filter(|unused| unused.understood) {
+    let in_each = |sentence: &str| {
+        judgments
+            .iter()
+            .all(|own| own.judge.reading.unused.iter().any(|u| u.sentence == sentence))
+    };
+    for unused in each.filter(|unused| unused.understood && in_each(&unused.sentence)) {
         let told = found.iter().filter(|known| known.beyond).count();
         let known = found.iter().any(|known| known.sentence == unused.sentence);
         if !known && (!unused.beyond || told < MOST_BEYOND) {

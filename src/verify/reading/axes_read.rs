@@ -9,6 +9,33 @@ use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
 
+/// Axes by their names. One that two frames have in common is an axis of both.
+#[derive(Clone, Debug, Default)]
+pub(super) struct NamedAxes(BTreeMap<String, Vec<(FrameId, usize)>>);
+
+impl NamedAxes {
+    /// The axis of a name, of the frame of which it was said last.
+    pub(super) fn get(&self, name: &str) -> Option<&(FrameId, usize)> {
+        self.0.get(name)?.last()
+    }
+
+    /// Which axis of a frame has a name.
+    pub(super) fn of(&self, name: &str, frame: FrameId) -> Option<usize> {
+        let mut all = self.0.get(name)?.iter();
+        all.find(|(of, _)| *of == frame).map(|(_, axis)| *axis)
+    }
+
+    /// Each name with each of its axes.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&String, &(FrameId, usize))> {
+        let all = self.0.iter();
+        all.flat_map(|(name, axes)| axes.iter().map(move |axis| (name, axis)))
+    }
+
+    fn insert(&mut self, name: String, frame: FrameId, axis: usize) {
+        self.0.entry(name).or_default().push((frame, axis));
+    }
+}
+
 /// The axis of a frame that is vertical.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vertical {
@@ -103,7 +130,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         if let Some(name) = name_of(subject) {
-            self.axes.insert(name, (frame, axis));
+            self.axes.insert(name, frame, axis);
         }
         if let Term::Formula(formula) = subject
             && node_of(formula).is_some()

@@ -7,7 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
-use crate::verify::reading::axes_read::Vertical;
+use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
@@ -26,7 +26,7 @@ pub(crate) struct Builder<'a> {
     pub(super) bodies: BTreeMap<String, BodyId>,
     pub(super) families: BTreeMap<String, FamilyId>,
     /// Letters and names of axes: a frame and the number of the axis.
-    pub(super) axes: BTreeMap<String, (FrameId, usize)>,
+    pub(super) axes: NamedAxes,
     pub(super) vertical: Option<Vertical>,
     pub(super) gravity: Option<Quantity>,
     /// Particles that stand for bodies.
@@ -56,7 +56,7 @@ pub(crate) fn build(
         points: BTreeMap::new(),
         bodies: BTreeMap::new(),
         families: BTreeMap::new(),
-        axes: BTreeMap::new(),
+        axes: NamedAxes::default(),
         vertical: None,
         gravity: None,
         through: vec![],

@@ -179,6 +179,12 @@ impl Builder<'_> {
         let Some(about) = slot(said.slots, Slot::About).cloned() else {
             return;
         };
+        if let Term::Phrase(axis) = &about
+            && let Some(point) = axis.slot(Slot::Through)
+        {
+            let told = (frame, relative, point.clone(), said.declaration.clone());
+            self.through.push(told);
+        }
         let whole = crate::verify::reading::names::reach_of(&said.declaration.extent) == Reach::All;
         let of_parent = system.frames[frame].parent == Some(relative);
         let free = system.frames[frame].turn == Turn::Free;
@@ -238,12 +244,16 @@ impl Builder<'_> {
         relative: FrameId,
     ) -> Option<usize> {
         let name = name_of(about)?;
-        match self.axes.get(&name) {
+        let own = [frame, relative].into_iter().find_map(|of| {
+            let axis = self.axes.of(&name, of)?;
+            Some((of, axis))
+        });
+        match own.or_else(|| self.axes.get(&name).copied()) {
             // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
-            Some(&(of, axis)) if of == frame || of == relative => {
+            Some((of, axis)) if of == frame || of == relative => {
                 let other = if of == frame { relative } else { frame };
-                let own = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
-                let mut named = self.axes.iter().filter(own).peekable();
+                let there = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
+                let mut named = self.axes.iter().filter(there).peekable();
                 let label = |name: &str| name.rsplit('_').next().map(str::to_owned);
                 let same = |(n, _): (&String, &(FrameId, usize))| label(n) == label(&name);
                 (named.peek().is_none() || named.any(same)).then_some(axis)
@@ -252,8 +262,8 @@ impl Builder<'_> {
             Some(_)
                 if self
                     .axes
-                    .values()
-                    .any(|&(of, _)| of == frame || of == relative) =>
+                    .iter()
+                    .any(|(_, &(of, _))| of == frame || of == relative) =>
             {
                 None
             }

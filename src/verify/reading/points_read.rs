@@ -6,8 +6,8 @@ use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{MASS_CENTRE, name_of, reach_of};
-use crate::verify::term::letters::Reach;
+use crate::verify::reading::names::{MASS_CENTRE, name_of, node_of, reach_of};
+use crate::verify::term::letters::{Reach, rate_of, spelled};
 
 /// What is said of a point, gathered from all sentences.
 #[derive(Clone, Debug, Default)]
@@ -250,14 +250,24 @@ impl Builder<'_> {
         let along = slot(slots, Slot::Along)?.clone();
         let along = self.direction(&along, declaration, None)?;
         let distance = slot(slots, Slot::At)?.clone();
+        let changes = moves_on_its_own || self.has_rate(&distance);
         let distance = self.scalar_term(&distance, declaration)?;
-        if !moves_on_its_own {
+        if !changes {
             self.make_constant(&distance);
         }
         Some((from, along * distance))
     }
 
-    /// A distance between points of one body is constant.
+    /// Whether the document writes the rate of a letter: then it changes.
+    fn has_rate(&self, distance: &Term) -> bool {
+        let Term::Formula(formula) = distance else {
+            return false;
+        };
+        let letter = node_of(formula).map(spelled);
+        letter.is_some_and(|letter| self.reading.letters.written.contains(&rate_of(&letter)))
+    }
+
+    /// A distance of which no rate is written is constant.
     fn make_constant(&mut self, value: &crate::algebra::Fraction) {
         use crate::verify::model::atoms::Motion;
         for variable in value.variables() {

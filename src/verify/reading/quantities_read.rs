@@ -205,7 +205,7 @@ impl Builder<'_> {
         self.point(term).or_else(|| match term {
             Term::Phrase(point) if point.head == MASS_CENTRE => None,
             Term::Phrase(axis) => told(axis.slot(Slot::Through), centre, |t| self.point(t)),
-            Term::Name(name) if !self.axes.contains_key(name) => None,
+            Term::Name(name) if self.axes.get(name).is_none() => None,
             _ => Some(centre),
         })
     }

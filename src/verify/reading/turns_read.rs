@@ -156,12 +156,6 @@ impl Builder<'_> {
         let Some(along) = self.direction(about, declaration, Some(relative)) else {
             return;
         };
-        if let Term::Phrase(axis) = about
-            && let Some(point) = axis.slot(Slot::Through)
-        {
-            self.through
-                .push((frame, relative, point.clone(), declaration.clone()));
-        }
         let omega = self.system().angular_velocity(frame, relative);
         let rate = match (rate, angle) {
             (Some(rate), _) => Some(rate),

@@ -3,7 +3,7 @@
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
-use crate::verify::term::letters::spell;
+use crate::verify::term::letters::{rate_of, spell, spelled};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
@@ -66,8 +66,14 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
 /// The symbols that a document writes, spelled.
 pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
     fn collect(node: &Node, found: &mut BTreeSet<String>) {
-        if let Kind::Symbol(symbol) = &node.kind {
-            found.insert(spell(symbol, true));
+        match &node.kind {
+            Kind::Symbol(symbol) => {
+                found.insert(spell(symbol, true));
+            }
+            Kind::TimeDerivative { operand, .. } => {
+                found.insert(rate_of(&spelled(operand)));
+            }
+            _ => {}
         }
         node.children().for_each(|child| collect(child, found));
     }

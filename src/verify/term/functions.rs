@@ -3,9 +3,10 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
+use crate::notation::print;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Value, Valued, beyond};
+use crate::verify::term::value::{Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
 
 impl Lowering<'_> {
@@ -94,6 +95,9 @@ impl Lowering<'_> {
         {
             return self.value(head);
         }
+        if let Some(value) = self.function_of_letters(head, arguments)? {
+            return Ok(value);
+        }
         let left = self.value(head)?;
         let [argument] = arguments else {
             return beyond("a function of several arguments");
@@ -101,6 +105,28 @@ impl Lowering<'_> {
         let right = self.value(argument)?;
         let custom = self.custom();
         self.joined(&left, Sign::Juxtaposed, &right, custom)
+    }
+
+    /// A letter of which nothing is told behind which letters stand in brackets is a function of them, `H(\eta)`: a letter of
+    /// its own for each of its arguments.
+    fn function_of_letters(
+        &mut self,
+        head: &Node,
+        arguments: &[Node],
+    ) -> Result<Option<Value>, Trouble> {
+        let Kind::Symbol(symbol) = &head.kind else {
+            return Ok(None);
+        };
+        let letter = |node: &Node| matches!(node.kind, Kind::Symbol(_));
+        if !arguments.iter().all(letter) || self.known(symbol)?.is_some() {
+            return Ok(None);
+        }
+        let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
+        let function = Symbol {
+            name: format!("{}({})", symbol.name, arguments.join(", ")),
+            ..symbol.clone()
+        };
+        self.unknown(&function).map(Some)
     }
 
     pub(super) fn integral(&mut self, integrand: &Node, variable: &Node, limits: bool) -> Valued {

@@ -190,7 +190,7 @@ pub(crate) struct Letters {
     pub(crate) crossing: Vec<String>,
     /// ω_{X/Y} for any frames.
     pub(crate) angular_velocities: Vec<String>,
-    /// The symbols that the document writes, spelled.
+    /// The symbols that the document writes, spelled, and those of which it writes a rate.
     pub(crate) written: BTreeSet<String>,
     /// The lists of letters that partial derivatives take functions of.
     pub(crate) arguments: Vec<Vec<Node>>,
@@ -375,6 +375,11 @@ pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
         word.push('\'');
     }
     word
+}
+
+/// How the rate of a letter is noted among the symbols that are written.
+pub(crate) fn rate_of(spelled: &str) -> String {
+    format!("\\dot {spelled}")
 }
 
 /// A label without spaces and commas.

@@ -315,7 +315,7 @@ impl Lowering<'_> {
     }
 
     /// The value of a symbol that sentences tell of, with the frame of its components; `None` where none does.
-    fn known(&mut self, symbol: &Symbol) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
+    pub(super) fn known(&mut self, symbol: &Symbol) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
         let exact = spell(symbol, true);
         let number = self.counts.get(&exact).copied().unwrap_or(0).max(1);
         let found = self
