@@ -9,6 +9,7 @@ mod grade {
     mod key;
     mod outputs;
     mod rules;
+    mod submissions;
 
     use polhode::grade::{Graded, Key, Work, mark};
     use polhode::notation::document::Format;

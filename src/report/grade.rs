@@ -4,21 +4,28 @@ pub mod class;
 mod formula;
 pub mod gradebook;
 pub mod page;
+pub mod table;
 
 use crate::grade::{Assumption, Graded, Key, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};
 
-/// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end.
+/// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end. Where there is a
+/// roster, `missing` has those on it who handed in nothing.
 ///
 /// # Errors
 ///
 /// None that a submission could cause; the type is that of the serialiser.
-pub fn results(key: &Key, students: &[Graded]) -> serde_json::Result<String> {
+pub fn results(
+    key: &Key,
+    students: &[Graded],
+    missing: Option<&[String]>,
+) -> serde_json::Result<String> {
     let form = Form {
         schema: "polhode-grade/1",
         key: &key.name,
         max: Shortest(key.max()),
         students: students.iter().map(StudentForm::of).collect(),
+        missing,
     };
     serde_json::to_string_pretty(&form).map(|text| text + "\n")
 }
@@ -41,6 +48,8 @@ struct Form<'a> {
     key: &'a str,
     max: Shortest,
     students: Vec<StudentForm<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missing: Option<&'a [String]>,
 }
 
 #[derive(Serialize)]

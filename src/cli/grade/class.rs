@@ -1,13 +1,15 @@
 //! Marks all submissions of a folder and writes what comes of it.
 
-use crate::cli::grade::folder::{self, Pending, file_stem};
+use crate::cli::grade::folder::{self, Pending};
 use crate::cli::grade::journal::{Journal, digest, parts};
+use crate::cli::grade::names::{Naming, file_stem};
+use crate::cli::grade::roster::Roster;
 use crate::cli::{input, output};
 use crate::grade::{Graded, Key, Work, mark, not_marked};
 use crate::report::grade::{self, class, gradebook, page};
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use rayon::prelude::*;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -28,6 +30,19 @@ pub(super) struct Part {
 pub(super) struct Count {
     pub(super) marked: usize,
     pub(super) waiting: usize,
+    /// How many of the roster handed in nothing.
+    pub(super) missing: usize,
+}
+
+impl Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (marked, waiting) = (self.marked, self.waiting);
+        write!(f, "marked {marked}, of which {waiting} wait for a person")?;
+        match self.missing {
+            0 => Ok(()),
+            missing => write!(f, "; {missing} of the roster handed in nothing"),
+        }
+    }
 }
 
 /// What is marked by, and where to.
@@ -37,6 +52,8 @@ pub(super) struct Class<'a> {
     pub(super) out: &'a Path,
     pub(super) detail: page::Detail,
     pub(super) gradebooks: Vec<gradebook::Form>,
+    pub(super) naming: Naming,
+    pub(super) roster: Option<Roster>,
 }
 
 /// What went wrong with a file.
@@ -52,7 +69,7 @@ impl Class<'_> {
         let students = self.marked(&pending, &path, threads)?;
         self.finish(&students)?;
         fs::remove_file(&path).map_err(|error| failed(&path, &error))?;
-        Ok(count(&students))
+        Ok(self.count(&students))
     }
 
     /// Marks every n-th submission, and leaves the results for [`Class::merge`].
@@ -74,7 +91,10 @@ impl Class<'_> {
         journal
             .end(students.len())
             .map_err(|error| failed(&path, &error))?;
-        Ok(count(&students))
+        Ok(Count {
+            missing: 0,
+            ..self.count(&students)
+        })
     }
 
     /// Puts together what was marked in parts.
@@ -99,13 +119,17 @@ impl Class<'_> {
             ));
         }
         self.finish(&students)?;
-        Ok(count(&students))
+        Ok(self.count(&students))
     }
 
     fn pending(&self, submissions: &Path) -> Result<Vec<Pending>, String> {
-        let pending = folder::pending(submissions).map_err(|error| failed(submissions, &error))?;
+        let pending = folder::pending(submissions, &self.naming);
+        let mut pending = pending.map_err(|error| failed(submissions, &error))?;
         if pending.is_empty() {
             return Err(failed(submissions, &"there is nothing in it to mark"));
+        }
+        if let Some(roster) = &self.roster {
+            roster.mark_unknown(&mut pending);
         }
         fs::create_dir_all(self.out).map_err(|error| failed(self.out, &error))?;
         Ok(pending)
@@ -143,7 +167,10 @@ impl Class<'_> {
         panic::set_hook(Box::new(|_| {}));
         let students = pool.install(|| {
             let each = pending.par_iter().map_with(own, |key, one| {
-                let work = one.read();
+                let work =
+                    panic::catch_unwind(AssertUnwindSafe(|| one.read())).unwrap_or_else(|_| {
+                        Err("reading it broke down; please report this".to_owned())
+                    });
                 let own = of_work(&work, detail);
                 let graded = match journal.known(&one.id, own) {
                     Some(known) => known,
@@ -173,11 +200,11 @@ impl Class<'_> {
 
     /// Writes what is of the whole class.
     fn finish(&self, students: &[Graded]) -> Result<(), String> {
-        let results = grade::results(self.key, students).map_err(|error| error.to_string())?;
-        write(
-            &self.out.join("class.html"),
-            &class::page(self.key, students),
-        )?;
+        let missing = self.missing(students);
+        let results = grade::results(self.key, students, missing.as_deref())
+            .map_err(|error| error.to_string())?;
+        let page = class::page(self.key, students, missing.as_deref().unwrap_or(&[]));
+        write(&self.out.join("class.html"), &page)?;
         for form in &self.gradebooks {
             if let Some(file) = gradebook::of_class(*form, self.key, students) {
                 write(&self.out.join(&file.path), &file.text)?;
@@ -185,12 +212,18 @@ impl Class<'_> {
         }
         write(&self.out.join("results.json"), &results)
     }
-}
 
-fn count(students: &[Graded]) -> Count {
-    Count {
-        marked: students.len(),
-        waiting: students.iter().filter(|s| s.queue.is_some()).count(),
+    /// Who is on the roster and handed in nothing; none where there is no roster.
+    fn missing(&self, students: &[Graded]) -> Option<Vec<String>> {
+        self.roster.as_ref().map(|roster| roster.missing(students))
+    }
+
+    fn count(&self, students: &[Graded]) -> Count {
+        Count {
+            marked: students.len(),
+            waiting: students.iter().filter(|s| s.queue.is_some()).count(),
+            missing: self.missing(students).map_or(0, |missing| missing.len()),
+        }
     }
 }
 

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// Bars of the distribution of marks.
 const BARS: usize = 10;
 
-/// The page of a class.
-pub fn page(key: &Key, students: &[Graded]) -> String {
+/// The page of a class, with those on the roster who handed in nothing.
+pub fn page(key: &Key, students: &[Graded], missing: &[String]) -> String {
     let waiting: Vec<&Graded> = students.iter().filter(|s| s.queue.is_some()).collect();
     let body = html! {
         h1 { (key.name) }
@@ -26,6 +26,10 @@ pub fn page(key: &Key, students: &[Graded]) -> String {
         table {
             tr { th { "Student" } th { "Why" } }
             @for student in waiting { tr { td { (student.id) } td { (student.queue.as_deref().unwrap_or("")) } } }
+        }
+        @if !missing.is_empty() {
+            h2 { "Who handed in nothing" }
+            ul { @for id in missing { li { (id) } } }
         }
     };
     document(&key.name, &body)
