@@ -250,6 +250,10 @@ impl Rows<'_> {
         let atoms = &self.reading.system.atoms;
         let letters = shown.letters.iter().map(|(letter, value)| {
             let name = self.own.on_line(atoms, *letter, &judged.at, source);
+            let value = match self.own.is_opposite(atoms, *letter) {
+                true => -value.clone(),
+                false => value.clone(),
+            };
             (name, value.to_string())
         });
         Counterexample {
