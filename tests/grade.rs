@@ -5,10 +5,13 @@
 mod grade {
     mod class;
     mod command;
+    mod feedback;
     mod hostile;
     mod key;
     mod outputs;
+    mod platforms;
     mod rules;
+    mod runs;
     mod submissions;
 
     use polhode::grade::{Graded, Key, Work, mark};

@@ -3,7 +3,7 @@
 use crate::cli::{input, output};
 use crate::grade::Key;
 use crate::notation::document::Format;
-use crate::report::grade::{gradebook, page::Detail};
+use crate::report::grade::{gradebook, told::Detail};
 use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
 use class::{Class, Part};
@@ -11,6 +11,7 @@ use names::Naming;
 use regex_lite::Regex;
 use roster::Roster;
 use std::path::{Path, PathBuf};
+use telling::{Page, Telling};
 
 mod archive;
 mod class;
@@ -19,6 +20,7 @@ mod intake;
 mod journal;
 mod names;
 mod roster;
+mod telling;
 
 /// Marks a class of derivations against your own, the key
 #[derive(Args, Debug)]
@@ -46,7 +48,7 @@ Where a platform puts more into names, a pattern finds the student in them:
   polhode grade key.md submissions.zip --out marked --id-pattern '_(\\d+)_' --roster class.csv
 
 The folder that --out names gets results.json, class.html, a page for each student in feedback, and gradebooks.
-A run that was stopped goes on where it was when it is started again.
+A run that was stopped goes on where it was when it is started again, and a later run marks only what changed.
 
 A large class can be marked in parts, on several machines that share the folder:
 
@@ -71,6 +73,21 @@ pub(super) struct Options {
     /// What students are told
     #[arg(long, value_enum, default_value_t = Feedback::Full)]
     feedback: Feedback,
+    /// The forms of the feedback for each student
+    #[arg(
+        long,
+        value_enum,
+        value_name = "FORM",
+        value_delimiter = ',',
+        default_value = "html"
+    )]
+    feedback_format: Vec<Page>,
+    /// A folder of answers for single students: a file ID.txt has sentences, one a line
+    #[arg(long, value_name = "DIR")]
+    answers: Option<PathBuf>,
+    /// A worksheet of a Moodle assignment, as downloaded; worksheet.csv is the same with the grades
+    #[arg(long, value_name = "FILE")]
+    worksheet: Option<PathBuf>,
     /// Also write gradebooks
     #[arg(long, value_enum, value_name = "FORM", value_delimiter = ',')]
     gradebook: Vec<Gradebook>,
@@ -97,7 +114,7 @@ enum Feedback {
     Marks,
     /// Also which lines hold
     Place,
-    /// Also why not
+    /// Also why not, and how the first wrong line should stand
     Full,
 }
 
@@ -168,10 +185,11 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         key: &key,
         key_text: &text,
         out,
-        detail: options.feedback.detail(),
-        gradebooks: options.gradebooks(),
+        telling: options.telling(),
         naming: Naming::by(options.id_pattern.clone()),
         roster,
+        answers: options.answers.clone(),
+        worksheet: options.worksheet.clone(),
     };
     let done = match (&options.submissions, options.shard) {
         (None, _) => class.merge(),
@@ -188,12 +206,19 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
 }
 
 impl Options {
-    /// The forms of gradebooks that are asked for, each once.
-    fn gradebooks(&self) -> Vec<gradebook::Form> {
-        let mut forms: Vec<_> = self.gradebook.iter().map(|form| form.form()).collect();
-        forms.sort_unstable();
-        forms.dedup();
-        forms
+    /// What students are told, in each form once.
+    fn telling(&self) -> Telling {
+        let mut gradebooks: Vec<_> = self.gradebook.iter().map(|form| form.form()).collect();
+        gradebooks.sort_unstable();
+        gradebooks.dedup();
+        let mut pages = self.feedback_format.clone();
+        pages.sort_unstable();
+        pages.dedup();
+        Telling {
+            detail: self.feedback.detail(),
+            pages,
+            gradebooks,
+        }
     }
 }
 

@@ -14,6 +14,14 @@ pub(super) enum Form {
     Json,
 }
 
+/// The forms of a report that people read or programs take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum PageForm {
+    Text,
+    Json,
+    Html,
+}
+
 /// The forms of a report that is a table of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum TableForm {
@@ -71,15 +79,26 @@ fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
     }
 }
 
-/// Writes a file in one piece: a new file beside it takes its name.
+/// Writes a file in one piece: a new file beside it takes its name when it is on the disk.
 pub(super) fn replace(path: &Path, text: &str) -> io::Result<()> {
+    persist(path, text, true)
+}
+
+/// The same without waiting for the disk, for what can be made again if the power fails.
+pub(super) fn replace_unsynced(path: &Path, text: &str) -> io::Result<()> {
+    persist(path, text, false)
+}
+
+fn persist(path: &Path, text: &str, sync: bool) -> io::Result<()> {
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent.to_owned(),
         _ => PathBuf::from("."),
     };
     let mut file = builder().tempfile_in(folder)?;
     file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
+    if sync {
+        file.as_file().sync_all()?;
+    }
     file.persist(path)?;
     Ok(())
 }

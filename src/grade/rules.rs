@@ -75,7 +75,7 @@ impl<'a> Marker<'a> {
                 entries: paper.entries,
             })
             .collect();
-        let declared = &key.stages[stage].declared[usize::from(paper.entries)];
+        let declared = &paper.declared[stage];
         let board = Board::new(
             &declared.declarations,
             key.sheet(&key.stages[stage].given),

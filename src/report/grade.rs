@@ -1,13 +1,16 @@
 //! What is shown of a class that was marked: `results.json`, a page for each student, one of the class, and gradebooks.
 
 pub mod class;
-mod formula;
 pub mod gradebook;
+pub mod markdown;
 pub mod page;
 pub mod table;
+pub mod told;
+pub mod worksheet;
 
-use crate::grade::{Assumption, Graded, Key, Marks, Place, Reached, Slip};
+use crate::grade::{Assumption, Graded, Key, Line, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
 
 /// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end. Where there is a
 /// roster, `missing` has those on it who handed in nothing.
@@ -28,6 +31,81 @@ pub fn results(
         missing,
     };
     serde_json::to_string_pretty(&form).map(|text| text + "\n")
+}
+
+/// What one student is told, as one JSON object, with a line break at its end.
+///
+/// # Errors
+///
+/// None that a submission could cause; the type is that of the serialiser.
+pub fn student(key: &Key, told: &Graded) -> serde_json::Result<String> {
+    let form = ToldForm {
+        schema: "polhode-feedback/1",
+        max: Shortest(key.max()),
+        student: StudentForm {
+            queue: told
+                .queue
+                .as_ref()
+                .map(|_| "a person will look at this work"),
+            ..StudentForm::of(told)
+        },
+        lines: told.lines.iter().map(LineForm::of).collect(),
+    };
+    serde_json::to_string_pretty(&form).map(|text| text + "\n")
+}
+
+#[derive(Serialize)]
+struct ToldForm<'a> {
+    schema: &'static str,
+    max: Shortest,
+    #[serde(flatten)]
+    student: StudentForm<'a>,
+    lines: Vec<LineForm<'a>>,
+}
+
+#[derive(Serialize)]
+struct LineForm<'a> {
+    #[serde(flatten)]
+    place: PlaceForm<'a>,
+    source: &'a str,
+    verdict: &'a str,
+    carried: bool,
+    reason: Option<&'a str>,
+    mistake: Option<&'a str>,
+    repair: Option<&'a str>,
+    counterexample: Option<NumbersForm<'a>>,
+}
+
+#[derive(Serialize)]
+struct NumbersForm<'a> {
+    symbols: BTreeMap<&'a str, &'a str>,
+    component: Option<&'a str>,
+    left: &'a str,
+    right: &'a str,
+}
+
+impl<'a> LineForm<'a> {
+    fn of(line: &'a Line) -> Self {
+        let numbers = line.counterexample.as_ref().map(|numbers| {
+            let symbols = numbers.symbols.iter();
+            NumbersForm {
+                symbols: symbols.map(|(s, v)| (s.as_str(), v.as_str())).collect(),
+                component: numbers.component.as_deref(),
+                left: &numbers.left,
+                right: &numbers.right,
+            }
+        });
+        Self {
+            place: PlaceForm::of(Some(&line.place)),
+            source: &line.source,
+            verdict: &line.verdict,
+            carried: line.carried,
+            reason: line.reason.as_deref(),
+            mistake: line.mistake.as_deref(),
+            repair: line.repair.as_deref(),
+            counterexample: numbers,
+        }
+    }
 }
 
 /// Marks as a whole number where they are one.

@@ -130,6 +130,7 @@ impl Intake {
             id: id.to_owned(),
             texts: self.texts,
             troubles: self.troubles,
+            answers: vec![],
         })
     }
 }

@@ -135,9 +135,15 @@ fn products_of_inertia(value: &Value) -> Vec<Variable> {
     let symmetric = value.is_matrix()
         && value.basis[0] == value.basis[1]
         && value.transposed().entries == value.entries;
-    let off_diagonal = value.entries.iter().enumerate().filter(|(at, _)| at % 4 != 0);
+    let off_diagonal = value
+        .entries
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| at % 4 != 0);
     match symmetric {
-        true => off_diagonal.filter_map(|(_, entry)| entry.as_variable()).collect(),
+        true => off_diagonal
+            .filter_map(|(_, entry)| entry.as_variable())
+            .collect(),
         false => vec![],
     }
 }
