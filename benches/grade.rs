@@ -36,7 +36,9 @@ fn submission(number: usize) -> String {
         "\\omega_x L_x = I_{xx}\\omega_x^2 - I_{xz}\\omega_x\\omega_z",
         "L_y\\omega_y = I_{yy}\\omega_y^2",
     ];
-    steps.iter().for_each(|step| text.push_str(&format!("$${step}$$\n")));
+    steps
+        .iter()
+        .for_each(|step| text.push_str(&format!("$${step}$$\n")));
     text.push_str(&format!(
         "$$M_x = I_{{xx}}\\dot\\omega_x - I_{{xz}}\\dot\\omega_z {turned_sign} I_{{xz}}\\omega_x\\omega_y \
          + (I_{{zz}} - I_{{yy}})\\omega_y\\omega_z$$\n",
@@ -75,8 +77,13 @@ fn run(folder: &Path) -> (f64, u64) {
 
 fn main() {
     println!("submissions   seconds   a second   peak MB");
-    let most = std::env::var("POLHODE_BENCH_MOST").ok().and_then(|n| n.parse().ok());
-    for size in SIZES.into_iter().filter(|size| most.is_none_or(|most: usize| *size <= most)) {
+    let most = std::env::var("POLHODE_BENCH_MOST")
+        .ok()
+        .and_then(|n| n.parse().ok());
+    for size in SIZES
+        .into_iter()
+        .filter(|size| most.is_none_or(|most: usize| *size <= most))
+    {
         let folder = tempfile::tempdir().expect("a folder");
         fs::create_dir(folder.path().join("work")).expect("made");
         fs::write(folder.path().join("key.md"), KEY).expect("written");
@@ -85,6 +92,9 @@ fn main() {
             fs::write(path, submission(number)).expect("written");
         }
         let (seconds, peak) = run(folder.path());
-        println!("{size:>11} {seconds:>9.1} {:>10.0} {peak:>9}", size as f64 / seconds);
+        println!(
+            "{size:>11} {seconds:>9.1} {:>10.0} {peak:>9}",
+            size as f64 / seconds
+        );
     }
 }

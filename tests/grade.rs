@@ -12,6 +12,7 @@ mod grade {
     mod platforms;
     mod rules;
     mod runs;
+    mod spread;
     mod submissions;
 
     use polhode::grade::{Graded, Key, Work, mark};

@@ -197,9 +197,14 @@ fn assumptions(paper: &Paper) -> Vec<Assumption> {
 
 /// The lines with their verdicts, at the stage that is kindest to each.
 fn shown(paper: &Paper, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
-    let lines = paper.lines.iter().enumerate().map(|(at, line)| Line {
-        carried: carried.get(&at).copied().unwrap_or(false),
-        ..Line::of(line.kindest(), line.place.file.clone())
+    let lines = paper.lines.iter().enumerate().map(|(at, line)| {
+        let mut shown = Line::of(line.kindest(), line.place.file.clone());
+        shown.carried = carried.get(&at).copied().unwrap_or(false);
+        if shown.carried {
+            // What puts it right stands beside the line that it carries on.
+            (shown.mistake, shown.repair) = (None, None);
+        }
+        shown
     });
     lines.collect()
 }

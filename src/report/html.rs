@@ -22,6 +22,7 @@ h1 { line-height: 1.2 } h2 { margin: 2rem 0 .5rem } .total { font-size: 1.25rem;
 .line.bad { border-color: var(--bad); color: inherit } .line.wait { border-color: var(--wait); color: inherit }
 .formula { overflow-x: auto; overflow-y: hidden; padding: .3rem 0 } math { font-size: 1.1em } math[display=block] { text-align: left; margin: 0 } code { white-space: pre-wrap; overflow-wrap: anywhere }
 svg { max-width: 100%; height: auto; display: block } svg rect { fill: var(--bar) } svg text { fill: CanvasText; font: 13px system-ui, sans-serif } small { opacity: .85 }
+@media (max-width: 30rem) { th, td { padding-right: .4rem } .wide { font-size: .85rem } }
 @media print { :root { color-scheme: only light; --good: #1a7f37; --bad: #cf222e; --wait: #9a6700 } body { max-width: none; font-size: 11pt; padding: 0 } .formula, .wide { overflow: visible } h2 { break-after: avoid } tr { break-inside: avoid } .line, svg rect { print-color-adjust: exact } }
 ";
 
@@ -66,7 +67,7 @@ pub(super) fn line(line: &Line) -> Markup {
         div class=(class) {
             small { (line.place) ": " (verdict(line)) }
             div.formula { (formula(&line.source)) }
-            @if let Some(said) = line.mistake.as_ref().or(line.reason.as_ref()) { p { (sentence(said)) } }
+            @if let Some(said) = line.mistake.as_ref().or(line.reason.as_ref()) { p { (prose(said)) } }
             @if let Some(repair) = &line.repair {
                 p { "Write instead:" }
                 div.formula { (formula(repair)) }
@@ -86,6 +87,16 @@ pub(super) fn sentence(clause: &str) -> String {
         "."
     };
     format!("{}{}{end}", first.unwrap_or_default(), letters.as_str())
+}
+
+/// A clause as a sentence, in which formulas between backticks are drawn.
+pub(super) fn prose(clause: &str) -> Markup {
+    let said = sentence(clause);
+    html! {
+        @for (at, part) in said.split('`').enumerate() {
+            @if at % 2 == 1 { (formula::inline(part)) } @else { (part) }
+        }
+    }
 }
 
 /// The numbers in which a line fails.
@@ -132,7 +143,7 @@ fn checked_document(checked: &Checked) -> Markup {
         }
         @if !report.questions.is_empty() {
             h2 { "Questions" }
-            ul { @for question in &report.questions { li { (sentence(&question.text)) } } }
+            ul { @for question in &report.questions { li { (prose(&question.text)) } } }
         }
         h2 { "Lines" }
         @for finding in &report.findings { (line(&Line::of(finding, None))) }

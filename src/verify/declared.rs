@@ -33,10 +33,26 @@ const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
-    let declarations = declared.declarations.as_slice();
-    let mut judge = Judge::new(document, declarations);
+    let mut judge = Judge::new(document, &declared.declarations);
     judge.run();
     let corrections = corrections(&mut judge);
+    report(document, declared, judge, &corrections)
+}
+
+/// The same without looking for what would put false lines right.
+pub fn judge_declared(document: &Document, declared: &Declared) -> Report {
+    let mut judge = Judge::new(document, &declared.declarations);
+    judge.run();
+    report(document, declared, judge, &HashMap::new())
+}
+
+fn report(
+    document: &Document,
+    declared: &Declared,
+    mut judge: Judge<'_>,
+    corrections: &HashMap<Span, Diagnosis>,
+) -> Report {
+    let declarations = declared.declarations.as_slice();
     let own = OwnLetters::of(document, &mut judge.reading);
     let each = judge.judged.iter();
     let mut rows = Rows {
@@ -44,7 +60,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
         reading: &judge.reading,
         own: &own,
         judged: each.map(|judged| (judged.span, judged)).collect(),
-        corrections: &corrections,
+        corrections,
         written: HashMap::new(),
         headings: Headings::default(),
         findings: vec![],

@@ -418,13 +418,14 @@ fn marks_are_rounded_as_the_key_says() {
 
 #[test]
 fn a_line_may_use_no_more_rules_at_once_than_the_key_allows() {
-    let key = KEY.replacen("working: required", "working: optional\nmost_rules: 1", 1);
+    let key = KEY.replacen("working: required", "working: optional\nmost_rules: 0", 1);
     let graded = marked_by(&key, ANSWER);
     assert_eq!(outcomes(&graded)[3], "none", "{graded:?}");
     assert!(
         reason(&graded, "(5)").contains("rules at once"),
         "{graded:?}"
     );
+    let key = key.replacen("most_rules: 0", "most_rules: 1", 1);
     let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}"));
     assert_eq!(outcomes(&graded), ["full"; 4], "{graded:?}");
 }

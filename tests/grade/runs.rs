@@ -159,7 +159,7 @@ fn an_answer_for_one_student_changes_no_other() {
     let answers = answers.to_string_lossy().into_owned();
     grade(folder.path(), &["--answers", &answers]);
     let page = fs::read_to_string(folder.path().join("out/class.html")).expect("a page");
-    assert!(page.contains("It stands in 1 submissions"), "{page}");
+    assert!(page.contains("It stands in 1 submission;"), "{page}");
     let unclear = folder.path().join("answers/ben.txt");
     fs::write(unclear, "It is what it is.\n").expect("written");
     grade(folder.path(), &["--answers", &answers]);

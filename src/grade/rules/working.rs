@@ -67,9 +67,8 @@ impl Marker<'_> {
         let new: Vec<&str> = new.map(String::as_str).collect();
         (new.len() > most).then(|| {
             format!(
-                "{} is true, but it uses {} rules at once ({}), where the key allows {most}",
+                "{} is true, but it uses more rules at once ({}) than the key allows, which is {most}",
                 self.name(line),
-                new.len(),
                 new.join(", ")
             )
         })

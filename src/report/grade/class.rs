@@ -1,7 +1,7 @@
 //! The page of the class: marks, milestones, mistakes, and who waits for a person.
 
 use crate::grade::{Graded, Key, Outcome};
-use crate::report::html::{document, sentence};
+use crate::report::html::{document, prose};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ pub fn page(key: &Key, students: &[Graded], missing: &[String]) -> String {
     let waiting: Vec<&Graded> = students.iter().filter(|s| s.queue.is_some()).collect();
     let body = html! {
         h1 { (key.name) }
-        p { (students.len()) " submissions, of which " (waiting.len()) " wait for a person; " (key.max()) " marks at most" }
+        p { (number(students.len(), "submission", "submissions")) ", of which " (number(waiting.len(), "waits", "wait")) " for a person. " (key.max()) " marks at most." }
         h2 { "Marks" }
         (bars(&distribution(key, students)))
         h2 { "Milestones" }
@@ -25,7 +25,7 @@ pub fn page(key: &Key, students: &[Graded], missing: &[String]) -> String {
             h2 { "Who waits for a person" }
             table {
                 tr { th { "Student" } th { "Why" } }
-                @for student in waiting { tr { td { (student.id) } td { (sentence(student.queue.as_deref().unwrap_or(""))) } } }
+                @for student in waiting { tr { td { (student.id) } td { (prose(student.queue.as_deref().unwrap_or(""))) } } }
             }
         }
         @if !missing.is_empty() {
@@ -99,11 +99,16 @@ fn questions(students: &[Graded]) -> Markup {
             p { "An answer is a sentence under " code { "polhode:" } " in the key, or for one student a file in the folder of " code { "--answers" } "." }
             ul {
                 @for (text, (submissions, waiting)) in asked {
-                    li { (sentence(text)) " It stands in " (submissions) " submissions, and " (waiting) " lines wait." }
+                    li { (prose(text)) " It stands in " (number(submissions, "submission", "submissions")) "; " (number(waiting, "line waits", "lines wait")) "." }
                 }
             }
         }
     }
+}
+
+fn number(count: usize, one: &str, several: &str) -> String {
+    let what = if count == 1 { one } else { several };
+    format!("{count} {what}")
 }
 
 fn counted(names: impl Iterator<Item = String>) -> Vec<(String, usize)> {

@@ -19,7 +19,7 @@ pub fn student(key: &Key, told: &Graded) -> String {
     for reached in &told.milestones {
         let why = match reached.reason.is_empty() {
             true => String::new(),
-            false => format!(". {}", plain(&sentence(&reached.reason))),
+            false => format!(". {}", prose(&reached.reason)),
         };
         text.push_str(&format!(
             "| {} | {} of {} | {}{why} |\n",
@@ -35,11 +35,11 @@ pub fn student(key: &Key, told: &Graded) -> String {
             plain(&slip.place.to_string())
         ));
         if !slip.message.is_empty() {
-            text.push_str(&format!(" {}", plain(&sentence(&slip.message))));
+            text.push_str(&format!(" {}", prose(&slip.message)));
         }
         text.push('\n');
         if let Some(repair) = &slip.repair {
-            text.push_str(&format!("Write instead:\n\n{}", formula(repair)));
+            text.push_str(&format!("\nWrite instead:\n\n{}", formula(repair)));
         }
     }
     let mut own = told.assumptions.iter().filter(|a| !a.in_key).peekable();
@@ -61,7 +61,7 @@ fn line(line: &Line) -> String {
     let place = plain(&line.place.to_string());
     let mut text = format!("\n{place}: {}\n\n{}", verdict(line), formula(&line.source));
     if let Some(said) = line.mistake.as_ref().or(line.reason.as_ref()) {
-        text.push_str(&format!("\n{}\n", plain(&sentence(said))));
+        text.push_str(&format!("\n{}\n", prose(said)));
     }
     if let Some(repair) = &line.repair {
         text.push_str(&format!("\nWrite instead:\n\n{}", formula(repair)));
@@ -69,7 +69,7 @@ fn line(line: &Line) -> String {
     if let Some(numbers) = &line.counterexample {
         let each = numbers.symbols.iter();
         let each: Vec<String> = each
-            .map(|(symbol, value)| format!("{} = {}", plain(symbol), plain(value)))
+            .map(|(symbol, value)| format!("{} = {}", code(symbol), plain(value)))
             .collect();
         text.push_str(&format!(
             "\nWith {} the left side is {} and the right side is {}.\n",
@@ -83,14 +83,31 @@ fn line(line: &Line) -> String {
 
 /// A formula in a fence that nothing in it closes.
 fn formula(source: &str) -> String {
-    let mut longest = 0;
-    let mut run = 0;
-    for c in source.chars() {
-        run = if c == '`' { run + 1 } else { 0 };
-        longest = longest.max(run);
-    }
-    let fence = "`".repeat((longest + 1).max(3));
+    let fence = "`".repeat((longest_run(source) + 1).max(3));
     format!("{fence}math\n{}\n{fence}\n", source.trim())
+}
+
+/// A symbol as it is written.
+fn code(symbol: &str) -> String {
+    let fence = "`".repeat(longest_run(symbol) + 1);
+    format!("{fence}{}{fence}", symbol.replace(['\n', '\r'], " "))
+}
+
+/// The longest row of backticks in a text.
+fn longest_run(text: &str) -> usize {
+    let rows = text.split(|c| c != '`').map(str::len);
+    rows.max().unwrap_or(0)
+}
+
+/// A clause as a sentence, in which formulas between backticks are code.
+fn prose(clause: &str) -> String {
+    let said = sentence(clause).replace('|', "\u{2223}");
+    let parts = said.split('`').enumerate();
+    let parts = parts.map(|(at, part)| match at % 2 == 1 && !part.is_empty() {
+        true => code(part),
+        false => plain(part),
+    });
+    parts.collect()
 }
 
 /// Text in which no character marks anything up.
@@ -103,7 +120,7 @@ fn plain(text: &str) -> String {
             '&' => plain.push_str("&amp;"),
             '\n' | '\r' | '\t' => plain.push(' '),
             _ => {
-                if "\\`*_{}[]#|!~$:".contains(c) {
+                if "\\`*_{}[]#|!~$".contains(c) {
                     plain.push('\\');
                 }
                 plain.push(c);
@@ -121,7 +138,7 @@ mod tests {
     fn nothing_in_a_text_marks_anything_up() {
         assert_eq!(
             plain("<script> [a](javascript:b) `c`"),
-            "&lt;script&gt; \\[a\\](javascript\\:b) \\`c\\`"
+            "&lt;script&gt; \\[a\\](javascript:b) \\`c\\`"
         );
         let fenced = formula("a\n```\n<script>");
         assert!(fenced.starts_with("````math\n") && fenced.ends_with("\n````\n"));

@@ -1,7 +1,7 @@
 //! The page of one student: marks, the first slip, lines with their verdicts.
 
 use crate::grade::{Graded, Key, Outcome};
-use crate::report::html::{self, formula, sentence};
+use crate::report::html::{self, formula, prose};
 use maud::{Markup, html};
 
 /// The page of a student, of what is told.
@@ -37,7 +37,7 @@ fn milestones(told: &Graded) -> Markup {
                     td.number { (reached.marks) " of " (reached.max) }
                     td class=(colour(reached.outcome)) {
                         (in_words(reached.outcome))
-                        @if !reached.reason.is_empty() { small { (sentence(&reached.reason)) } }
+                        @if !reached.reason.is_empty() { small { (prose(&reached.reason)) } }
                     }
                 }
             }
@@ -70,7 +70,7 @@ fn slip(told: &Graded) -> Markup {
             h2 { "The first slip" }
             p {
                 "It is in " (slip.place) "."
-                @if !slip.message.is_empty() { " " (sentence(&slip.message)) }
+                @if !slip.message.is_empty() { " " (prose(&slip.message)) }
             }
             @if let Some(repair) = &slip.repair {
                 p { "Write instead:" }
