@@ -425,7 +425,16 @@ fn a_line_may_use_no_more_rules_at_once_than_the_key_allows() {
         reason(&graded, "(5)").contains("rules at once"),
         "{graded:?}"
     );
-    let key = key.replacen("most_rules: 0", "most_rules: 1", 1);
+    let key = key.replacen("most_rules: 0", "most_rules: 2", 1);
     let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}"));
     assert_eq!(outcomes(&graded), ["full"; 4], "{graded:?}");
+}
+
+#[test]
+fn letters_of_which_nothing_is_told_cost_no_marks_in_silence() {
+    // Another alphabet's x looks the same and is another letter.
+    let graded = marked("$$M_\u{445} = \\dot L_\u{445} + \\omega_y L_z - \\omega_z L_y$$");
+    assert_eq!(outcomes(&graded)[1], "human", "{graded:?}");
+    let graded = marked("$$M_q = \\dot L_q + \\omega_y L_z - \\omega_z L_y$$");
+    assert_eq!(outcomes(&graded)[1], "human", "{graded:?}");
 }

@@ -24,6 +24,7 @@ impl Marker<'_> {
                 span,
                 parts: Some(parts),
                 defines: false,
+                by_unknown: false,
             },
             wrong,
         }
