@@ -5,8 +5,13 @@ use super::{KEY, LAW, key};
 use polhode::grade::{Key, Work, mark};
 use polhode::notation::document::Format;
 
-/// How many are made.
+/// How many are made, unless `POLHODE_CLASS` says another number.
 const STUDENTS: u64 = 300;
+
+fn students() -> u64 {
+    let asked = std::env::var("POLHODE_CLASS").ok();
+    asked.and_then(|n| n.parse().ok()).unwrap_or(STUDENTS)
+}
 
 /// What a student believes of each term: 1 is right.
 struct Beliefs {
@@ -230,7 +235,8 @@ impl Tally {
 fn no_wrong_mark_is_given_in_silence() {
     let key = key(KEY);
     let start = std::time::Instant::now();
-    let halves = [0..STUDENTS / 2, STUDENTS / 2..STUDENTS].map(|seeds| {
+    let students = students();
+    let halves = [0..students / 2, students / 2..students].map(|seeds| {
         let key = key.clone();
         std::thread::spawn(move || Tally::of(&key, seeds))
     });
@@ -243,7 +249,7 @@ fn no_wrong_mark_is_given_in_silence() {
     }
     let (right, waiting, wrong) = (all.right, all.waiting.len(), all.wrong.len());
     println!(
-        "{STUDENTS} submissions in {:.0} s: {right} milestones marked right, {waiting} wait for a person, {wrong} wrong",
+        "{students} submissions in {:.0} s: {right} milestones marked right, {waiting} wait for a person, {wrong} wrong",
         start.elapsed().as_secs_f64()
     );
     all.waiting
