@@ -192,3 +192,45 @@ fn the_roster_tells_who_is_missing_and_who_is_unknown() {
     assert_eq!(code, 2);
     assert!(said.contains("nowhere.csv"), "{said}");
 }
+
+#[test]
+fn a_file_of_a_gigabyte_is_not_read_to_its_end() {
+    let folder = class(&[("ada.md", &good())]);
+    let large = fs::File::create(folder.path().join("work/large.md")).expect("made");
+    large.set_len(1 << 30).expect("a sparse file");
+    let packed = fs::File::create(folder.path().join("work/packed.zip")).expect("made");
+    packed.set_len(1 << 30).expect("a sparse file");
+    let start = std::time::Instant::now();
+    assert_eq!(grade(folder.path(), &[]).0, 3);
+    assert!(start.elapsed().as_secs_f64() < 20.0);
+    let results = parsed(folder.path());
+    for id in ["large", "packed"] {
+        assert!(queue(&results, id).contains("too large"), "{results}");
+    }
+    assert_eq!(of(&results, "ada")["marks"], 8.0);
+}
+
+#[test]
+fn names_that_systems_keep_and_names_without_end_get_files_of_their_own() {
+    let good = good();
+    let long = format!("{}.md", "n".repeat(240));
+    let folder = class(&[("con.md", &good), ("aux.x.md", &good), (&long, &good)]);
+    assert_eq!(grade(folder.path(), &[]).0, 3);
+    let results = parsed(folder.path());
+    assert_eq!(results["students"].as_array().map(Vec::len), Some(3));
+    let pages = fs::read_dir(folder.path().join("out/feedback")).expect("pages");
+    let names = pages.map(|page| {
+        page.expect("a page")
+            .file_name()
+            .to_string_lossy()
+            .into_owned()
+    });
+    let names: Vec<String> = names.collect();
+    assert_eq!(names.len(), 3);
+    assert!(
+        names
+            .iter()
+            .all(|name| name.len() < 200 && !name.starts_with("con.")),
+        "{names:?}"
+    );
+}
