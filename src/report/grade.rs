@@ -11,26 +11,38 @@ pub mod worksheet;
 use crate::grade::{Assumption, Graded, Key, Line, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::io::{self, Write};
 
-/// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end. Where there is a
-/// roster, `missing` has those on it who handed in nothing.
+/// Writes the results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end. Where there is
+/// a roster, `missing` has those on it who handed in nothing.
 ///
 /// # Errors
 ///
-/// None that a submission could cause; the type is that of the serialiser.
+/// Those of the writer.
 pub fn results(
     key: &Key,
     students: &[Graded],
     missing: Option<&[String]>,
-) -> serde_json::Result<String> {
+    mut to: impl Write,
+) -> io::Result<()> {
     let form = Form {
         schema: "polhode-grade/1",
         key: &key.name,
         max: Shortest(key.max()),
-        students: students.iter().map(StudentForm::of).collect(),
+        students: Students(students),
         missing,
     };
-    serde_json::to_string_pretty(&form).map(|text| text + "\n")
+    serde_json::to_writer_pretty(&mut to, &form)?;
+    to.write_all(b"\n")
+}
+
+/// Students, each made into JSON when it is written.
+struct Students<'a>(&'a [Graded]);
+
+impl Serialize for Students<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(StudentForm::of))
+    }
 }
 
 /// What one student is told, as one JSON object, with a line break at its end.
@@ -125,7 +137,7 @@ struct Form<'a> {
     schema: &'static str,
     key: &'a str,
     max: Shortest,
-    students: Vec<StudentForm<'a>>,
+    students: Students<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     missing: Option<&'a [String]>,
 }

@@ -194,8 +194,6 @@ impl Class<'_> {
     /// Writes what is of the whole class.
     fn finish(&self, students: &[Graded]) -> Result<(), String> {
         let missing = self.missing(students);
-        let results = grade::results(self.key, students, missing.as_deref())
-            .map_err(|error| error.to_string())?;
         let page = class::page(self.key, students, missing.as_deref().unwrap_or(&[]));
         write(&self.out.join("class.html"), &page, output::replace)?;
         for form in &self.telling.gradebooks {
@@ -207,7 +205,11 @@ impl Class<'_> {
         if let Some(path) = &self.worksheet {
             self.fill(path, students)?;
         }
-        write(&self.out.join("results.json"), &results, output::replace)
+        let path = self.out.join("results.json");
+        output::replace_by(&path, |file| {
+            grade::results(self.key, students, missing.as_deref(), file)
+        })
+        .map_err(|error| failed(&path, &error))
     }
 
     /// Fills in a worksheet that was downloaded, and says who is not in it.

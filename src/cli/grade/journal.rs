@@ -114,11 +114,10 @@ fn line_of(entry: &impl Serialize) -> io::Result<String> {
 
 /// Puts a journal with these students alone in the place of one: the same whatever the order was in which they were marked.
 pub(super) fn replace(path: &Path, entries: &[Entry]) -> io::Result<()> {
-    let lines = entries
-        .iter()
-        .map(line_of)
-        .collect::<io::Result<String>>()?;
-    output::replace(path, &lines)
+    output::replace_by(path, |file| {
+        let mut lines = entries.iter();
+        lines.try_for_each(|entry| file.write_all(line_of(entry)?.as_bytes()))
+    })
 }
 
 /// The journals of all parts of a class.
