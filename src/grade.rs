@@ -38,6 +38,7 @@ mod paper;
 mod policy;
 mod result;
 mod rules;
+mod size;
 mod slip;
 
 pub use key::{Key, Refusal};

@@ -7,6 +7,7 @@ use crate::verify::Report;
 pub mod certificate;
 pub mod derive;
 pub mod grade;
+pub mod html;
 pub mod json;
 pub mod terminal;
 

@@ -41,7 +41,7 @@ mod verdict;
 mod words;
 
 pub use declarations::{Declared, Misunderstood, Sheet, declarations};
-pub use declared::check_declared;
+pub use declared::{check_declared, judge_declared};
 pub use meanings::check;
 pub(crate) use standing::apart::{Apart, Said};
 pub use values::quantity::{Quantity, Shape};

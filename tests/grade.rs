@@ -5,10 +5,15 @@
 mod grade {
     mod class;
     mod command;
+    mod feedback;
     mod hostile;
     mod key;
     mod outputs;
+    mod platforms;
     mod rules;
+    mod runs;
+    mod spread;
+    mod submissions;
 
     use polhode::grade::{Graded, Key, Work, mark};
     use polhode::notation::document::Format;

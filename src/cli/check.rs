@@ -1,10 +1,10 @@
 //! `polhode check`.
 
-use crate::cli::output::Form;
+use crate::cli::output::PageForm as Form;
 use crate::cli::{certificates, declare, input, output};
 use crate::diagnostic::Severity;
 use crate::notation::{self, document::Format};
-use crate::report::{Checked, Failure, json, terminal};
+use crate::report::{Checked, Failure, html, json, terminal};
 use crate::verify::{self, Sheet};
 use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
@@ -20,6 +20,7 @@ Example:
 
   polhode check --declare meaning.txt notes.tex
   polhode check --meaning notes.md
+  polhode check --format html --out notes.html notes.md
 
 Sentences in the front matter, under `polhode:`, say what a document means; then its lines are judged by
 them alone. polhode help language has the sentences.
@@ -32,7 +33,7 @@ pub(super) struct Options {
     /// Documents (.md, .tex, .ipynb, .txt), or - for standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Text for people or JSON for programs
+    /// Text for the terminal, JSON for programs, or a page
     #[arg(long, value_enum, default_value_t = Form::Text)]
     format: Form,
     /// Write to a file instead of the terminal
@@ -136,6 +137,7 @@ fn written(
         Form::Text if options.meaning => Ok(declare::meaning(checked)),
         Form::Text => Ok(drawn.collect::<Vec<_>>().join("\n")),
         Form::Json => json::check(checked, failures),
+        Form::Html => Ok(html::check(checked)),
     }
 }
 

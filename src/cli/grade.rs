@@ -3,15 +3,24 @@
 use crate::cli::{input, output};
 use crate::grade::Key;
 use crate::notation::document::Format;
-use crate::report::grade::{gradebook, page::Detail};
+use crate::report::grade::{gradebook, told::Detail};
 use anstream::ColorChoice;
 use clap::{Args, ValueEnum};
 use class::{Class, Part};
+use names::Naming;
+use regex_lite::Regex;
+use roster::Roster;
 use std::path::{Path, PathBuf};
+use telling::{Page, Telling};
 
+mod archive;
 mod class;
 mod folder;
+mod intake;
 mod journal;
+mod names;
+mod roster;
+mod telling;
 
 /// Marks a class of derivations against your own, the key
 #[derive(Args, Debug)]
@@ -31,9 +40,15 @@ The key is a derivation that says in its front matter what it means and what its
   - N is an inertial frame.
   ---
 
-A submission is a file, or a folder of files; its name is the student. polhode help language has the sentences.
+A submission is a file, a zip archive or a folder of files; its name is the student. SUBMISSIONS may be a zip archive of
+submissions too. polhode help language has the sentences.
+
+Where a platform puts more into names, a pattern finds the student in them:
+
+  polhode grade key.md submissions.zip --out marked --id-pattern '_(\\d+)_' --roster class.csv
+
 The folder that --out names gets results.json, class.html, a page for each student in feedback, and gradebooks.
-A run that was stopped goes on where it was when it is started again.
+A run that was stopped goes on where it was when it is started again, and a later run marks only what changed.
 
 A large class can be marked in parts, on several machines that share the folder:
 
@@ -46,7 +61,7 @@ pub(super) struct Options {
     /// The instructor's derivation (.md, .tex, .ipynb, .txt)
     #[arg(value_name = "KEY")]
     key: PathBuf,
-    /// A folder with a file or a folder for each student
+    /// A folder, or a zip archive, with a file, an archive or a folder for each student
     #[arg(value_name = "SUBMISSIONS", required_unless_present_any = ["check_key", "merge"])]
     submissions: Option<PathBuf>,
     /// The folder to write into; it is made if it is not there
@@ -58,9 +73,30 @@ pub(super) struct Options {
     /// What students are told
     #[arg(long, value_enum, default_value_t = Feedback::Full)]
     feedback: Feedback,
+    /// The forms of the feedback for each student
+    #[arg(
+        long,
+        value_enum,
+        value_name = "FORM",
+        value_delimiter = ',',
+        default_value = "html"
+    )]
+    feedback_format: Vec<Page>,
+    /// A folder of answers for single students: a file ID.txt has sentences, one a line
+    #[arg(long, value_name = "DIR")]
+    answers: Option<PathBuf>,
+    /// A worksheet of a Moodle assignment, as downloaded; worksheet.csv is the same with the grades
+    #[arg(long, value_name = "FILE")]
+    worksheet: Option<PathBuf>,
     /// Also write gradebooks
     #[arg(long, value_enum, value_name = "FORM", value_delimiter = ',')]
     gradebook: Vec<Gradebook>,
+    /// Find the id of a student in the name of a file or folder: the group called id, or the first group, or all that fits
+    #[arg(long, value_name = "REGEX")]
+    id_pattern: Option<Regex>,
+    /// A CSV table of the students: who handed in nothing is listed, who is not in it waits for a person
+    #[arg(long, value_name = "FILE")]
+    roster: Option<PathBuf>,
     /// Mark only part I of N, for a later --merge
     #[arg(long, value_name = "I/N", value_parser = part, conflicts_with = "merge")]
     shard: Option<Part>,
@@ -78,8 +114,18 @@ enum Feedback {
     Marks,
     /// Also which lines hold
     Place,
-    /// Also why not
+    /// Also why not, and how the first wrong line should stand
     Full,
+}
+
+impl Feedback {
+    fn detail(self) -> Detail {
+        match self {
+            Self::Marks => Detail::Marks,
+            Self::Place => Detail::Place,
+            Self::Full => Detail::Full,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -131,21 +177,19 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
     let Some(out) = options.out.as_deref().filter(|_| !options.check_key) else {
         return output::deliver(&milestones(&key), None, color);
     };
-    let detail = match options.feedback {
-        Feedback::Marks => Detail::Marks,
-        Feedback::Place => Detail::Place,
-        Feedback::Full => Detail::Full,
+    let roster = match options.roster.as_deref().map(Roster::read).transpose() {
+        Ok(roster) => roster,
+        Err(error) => return output::failed(&error),
     };
-    let mut gradebooks: Vec<gradebook::Form> =
-        options.gradebook.iter().map(|form| form.form()).collect();
-    gradebooks.sort_unstable();
-    gradebooks.dedup();
     let class = Class {
         key: &key,
         key_text: &text,
         out,
-        detail,
-        gradebooks,
+        telling: options.telling(),
+        naming: Naming::by(options.id_pattern.clone()),
+        roster,
+        answers: options.answers.clone(),
+        worksheet: options.worksheet.clone(),
     };
     let done = match (&options.submissions, options.shard) {
         (None, _) => class.merge(),
@@ -153,17 +197,28 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         (Some(submissions), Some(part)) => class.mark_part(submissions, part, options.threads),
     };
     match done {
-        Ok(count) => {
-            let text = format!(
-                "marked {}, of which {} wait for a person\n",
-                count.marked, count.waiting
-            );
-            match output::deliver(&text, None, color) {
-                0 if count.waiting > 0 => 3,
-                code => code,
-            }
-        }
+        Ok(count) => match output::deliver(&format!("{count}\n"), None, color) {
+            0 if count.waiting > 0 => 3,
+            code => code,
+        },
         Err(error) => output::failed(&error),
+    }
+}
+
+impl Options {
+    /// What students are told, in each form once.
+    fn telling(&self) -> Telling {
+        let mut gradebooks: Vec<_> = self.gradebook.iter().map(|form| form.form()).collect();
+        gradebooks.sort_unstable();
+        gradebooks.dedup();
+        let mut pages = self.feedback_format.clone();
+        pages.sort_unstable();
+        pages.dedup();
+        Telling {
+            detail: self.feedback.detail(),
+            pages,
+            gradebooks,
+        }
     }
 }
 

@@ -55,6 +55,20 @@ impl From<io::Error> for InputError {
 
 /// The text of a file, or of standard input where the path is `-`.
 pub(super) fn read(path: &Path) -> Result<String, InputError> {
+    text(bytes(path)?)
+}
+
+/// The same with a byte order mark, where there is one.
+pub(super) fn read_with_mark(path: &Path) -> Result<String, InputError> {
+    let bytes = bytes(path)?;
+    let mark = match bytes.starts_with("\u{feff}".as_bytes()) {
+        true => "\u{feff}",
+        false => "",
+    };
+    Ok(format!("{mark}{}", text(bytes)?))
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, InputError> {
     let mut bytes = Vec::new();
     if path.as_os_str() == "-" {
         io::stdin().lock().take(LIMIT + 1).read_to_end(&mut bytes)?;
@@ -72,7 +86,7 @@ pub(super) fn read(path: &Path) -> Result<String, InputError> {
         }
         File::open(path)?.take(LIMIT + 1).read_to_end(&mut bytes)?;
     }
-    text(bytes)
+    Ok(bytes)
 }
 
 /// The name under which an input is reported.

@@ -3,15 +3,24 @@
 use crate::cli::input;
 use anstream::{AutoStream, ColorChoice};
 use clap::ValueEnum;
-use std::fs;
-use std::io::{self, Write};
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// The forms of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Form {
     Text,
     Json,
+}
+
+/// The forms of a report that people read or programs take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum PageForm {
+    Text,
+    Json,
+    Html,
 }
 
 /// The forms of a report that is a table of numbers.
@@ -71,17 +80,41 @@ fn write(text: &str, out: Option<&Path>, color: ColorChoice) -> io::Result<()> {
     }
 }
 
-/// Writes a file in one piece: a new file beside it takes its name.
+/// Writes a file in one piece: a new file beside it takes its name when it is on the disk.
 pub(super) fn replace(path: &Path, text: &str) -> io::Result<()> {
+    replace_by(path, |file| file.write_all(text.as_bytes()))
+}
+
+/// The same without waiting for the disk, for what can be made again if the power fails.
+pub(super) fn replace_unsynced(path: &Path, text: &str) -> io::Result<()> {
+    let mut file = begun(path)?;
+    file.write_all(text.as_bytes())?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// As [`replace`], by what writes it piece by piece.
+pub(super) fn replace_by(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut file = begun(path)?;
+    let mut writer = BufWriter::new(file.as_file_mut());
+    write(&mut writer)?;
+    writer.flush()?;
+    drop(writer);
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}
+
+/// A new file beside one whose name it will take.
+fn begun(path: &Path) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if parent != Path::new("") => parent.to_owned(),
         _ => PathBuf::from("."),
     };
-    let mut file = builder().tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    builder().tempfile_in(folder)
 }
 
 #[cfg(unix)]

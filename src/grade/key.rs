@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::grade::key::groups::groups;
+use crate::grade::key::refusal::{at, refusal};
 use crate::grade::key::routes::route;
 use crate::grade::matching::{self, Board};
 use crate::grade::policy::{Marks, Policy};
@@ -11,33 +12,12 @@ use crate::source::{Source, Span};
 use crate::verify::language::statement::Extent;
 use crate::verify::{self, Declared, Finding, Report, Role, Sheet, Verdict};
 use num_traits::Zero;
-use std::fmt;
 
 mod groups;
+mod refusal;
 mod routes;
 
-/// Why a key can't be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refusal {
-    /// The notebook cell, from 0.
-    pub cell: Option<usize>,
-    /// The line of the key, from 1.
-    pub source_line: Option<usize>,
-    /// What is wrong, and what to do.
-    pub message: String,
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(cell) = self.cell {
-            write!(f, "cell {cell}, ")?;
-        }
-        if let Some(line) = self.source_line {
-            write!(f, "line {line}: ")?;
-        }
-        f.write_str(&self.message)
-    }
-}
+pub use refusal::Refusal;
 
 /// A line of the key that carries marks.
 #[derive(Clone, Debug)]
@@ -309,6 +289,14 @@ pub(super) fn checked(document: &Document, declared: &Declared) -> Report {
     }
 }
 
+/// The same without looking for what would put false lines right, where that is not asked for.
+pub(super) fn judged(document: &Document, declared: &Declared) -> Report {
+    match declared.is_empty() {
+        true => verify::check(document),
+        false => verify::judge_declared(document, declared),
+    }
+}
+
 /// A line of a key as a sentence that declares it.
 fn said(document: &Document, finding: &Finding) -> Sentence {
     let source = document.source.slice(finding.span).replace('\n', " ");
@@ -334,23 +322,6 @@ fn sheet(sentences: impl Iterator<Item = String>) -> Sheet {
     Sheet {
         sentences: sentences.collect(),
         source: Source::new("grading", texts.join("\n")),
-    }
-}
-
-fn refusal(message: String) -> Refusal {
-    Refusal {
-        cell: None,
-        source_line: None,
-        message,
-    }
-}
-
-fn at(document: &Document, span: Span, message: String) -> Refusal {
-    let place = document.place(span.start);
-    Refusal {
-        cell: place.cell,
-        source_line: Some(place.line),
-        message,
     }
 }
 

@@ -3,10 +3,9 @@
 use crate::grade::key::{Key, Milestone};
 use crate::grade::paper::{Paper, PaperLine, Work, Worth};
 use crate::grade::policy::{FollowThrough, Marks};
-use crate::grade::result::{Assumption, Graded, Line, Numbers, Outcome, Reached, Slip};
+use crate::grade::result::{Assumption, Graded, Line, Outcome, Reached, Slip};
 use crate::grade::rules::{Decision, Marker};
 use crate::grade::slip;
-use crate::verify::Verdict;
 use std::collections::BTreeMap;
 
 /// Marks the work of one student.
@@ -48,7 +47,7 @@ pub fn mark(key: &Key, work: &Work) -> Graded {
     troubles.extend(human.map(|m| format!("{}: {}", m.label, m.reason)));
     Graded {
         id: work.id.clone(),
-        marks: milestones.iter().map(|m| m.marks).sum(),
+        marks: key.policy.total(milestones.iter().map(|m| m.marks)),
         milestones,
         first_slip: first_slip(&markers, &paper, &carried),
         assumptions: assumptions(&paper),
@@ -64,6 +63,7 @@ pub fn not_marked(key: &Key, id: &str, reason: &str) -> Graded {
         id: id.to_owned(),
         texts: vec![],
         troubles: vec![],
+        answers: vec![],
     };
     unmarked(key, &work, &[], reason, Outcome::Human)
 }
@@ -132,7 +132,7 @@ fn reached(
     }
 }
 
-/// The wrong lines that only carry on an earlier one. A line is wrong if it is so at every stage.
+/// The wrong lines that only carry on an earlier one, or have its slip again. A line is wrong if it is so at every stage.
 fn carried(markers: &mut [Marker<'_>], paper: &Paper) -> BTreeMap<usize, bool> {
     let wrong = (0..paper.lines.len()).filter(|&line| is_wrong(&paper.lines[line]));
     let wrong: Vec<usize> = wrong.collect();
@@ -141,11 +141,12 @@ fn carried(markers: &mut [Marker<'_>], paper: &Paper) -> BTreeMap<usize, bool> {
         let follows = markers.iter_mut().any(|marker| {
             let attempts = marker.attempts(line).to_vec();
             let mut attempts = attempts.into_iter();
-            attempts.any(|attempt| {
-                marker
-                    .carries(attempt, line)
-                    .is_some_and(|from| !from.is_empty())
-            })
+            marker.is_repeated(line)
+                || attempts.any(|attempt| {
+                    marker
+                        .carries(attempt, line)
+                        .is_some_and(|from| !from.is_empty())
+                })
         });
         carried.insert(line, follows);
     }
@@ -162,7 +163,7 @@ fn first_slip(
     carried: &BTreeMap<usize, bool>,
 ) -> Option<Slip> {
     let (&line, _) = carried.iter().find(|(_, carried)| !**carried)?;
-    let found = &paper.lines[line].found[0];
+    let found = paper.lines[line].kindest();
     let beside = markers.iter().find_map(|marker| {
         let attempt = marker.attempts(line).first()?;
         marker.beside(*attempt, line)
@@ -179,6 +180,7 @@ fn first_slip(
         place: paper.lines[line].place.clone(),
         kind: kind.to_owned(),
         message,
+        repair: found.diagnosis.as_ref().and_then(|d| d.suggestion.clone()),
     })
 }
 
@@ -195,31 +197,14 @@ fn assumptions(paper: &Paper) -> Vec<Assumption> {
 
 /// The lines with their verdicts, at the stage that is kindest to each.
 fn shown(paper: &Paper, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
-    let rank = |worth: Worth| match worth {
-        Worth::True => 0,
-        Worth::Resting => 1,
-        Worth::Assumed | Worth::Defined => 2,
-        Worth::Open => 3,
-        Worth::False => 4,
-    };
     let lines = paper.lines.iter().enumerate().map(|(at, line)| {
-        let best = (0..line.worth.len())
-            .min_by_key(|&stage| rank(line.worth[stage]))
-            .unwrap_or(0);
-        let found = &line.found[best];
-        let refuted = found.verdict == Verdict::Refuted;
-        Line {
-            place: line.place.clone(),
-            source: found.source.clone(),
-            verdict: found.verdict.name().to_owned(),
-            reason: found.reason.clone(),
-            counterexample: found
-                .counterexample
-                .clone()
-                .filter(|_| refuted)
-                .map(Numbers::from),
-            carried: carried.get(&at).copied().unwrap_or(false),
+        let mut shown = Line::of(line.kindest(), line.place.file.clone());
+        shown.carried = carried.get(&at).copied().unwrap_or(false);
+        if shown.carried {
+            // What puts it right stands beside the line that it carries on.
+            (shown.mistake, shown.repair) = (None, None);
         }
+        shown
     });
     lines.collect()
 }

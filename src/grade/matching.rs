@@ -30,6 +30,8 @@ pub(super) struct Entry {
     pub(super) parts: Option<Vec<Part>>,
     /// Whether it says what a new letter is.
     pub(super) defines: bool,
+    /// Whether it says that by letters of which nothing is told.
+    pub(super) by_unknown: bool,
 }
 
 /// The lines of the key and those of a student under one reading.
@@ -69,6 +71,7 @@ impl Sheet<'_, '_> {
                 span,
                 parts: None,
                 defines: false,
+                by_unknown: false,
             },
         });
         entries.collect()
@@ -194,6 +197,8 @@ impl Part {
 }
 
 fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
+    let sides = said.sides.as_ref();
+    let by_unknown = said.defines && sides.is_some_and(|sides| tells_unknown(apart, sides));
     let part = |(left, right): &(Fraction, Fraction)| {
         let residual = apart.normal(&(left.clone() - right.clone()))?;
         let head = [left, right]
@@ -201,12 +206,26 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
             .find_map(|side| single(&apart.normal(side)?));
         Some(Part::new(residual, head))
     };
-    let sides = said.sides.as_ref();
     Entry {
         span: said.span,
         parts: sides.and_then(|sides| sides.iter().map(part).collect()),
         defines: said.defines,
+        by_unknown,
     }
+}
+
+/// Whether a letter of which nothing is told is left where definitions are put in.
+fn tells_unknown(apart: &mut Apart<'_>, sides: &[(Fraction, Fraction)]) -> bool {
+    sides
+        .iter()
+        .flat_map(|(left, right)| [left, right])
+        .any(|side| {
+            let value = apart.normal(side);
+            let variables = value.map(|value| value.variables()).unwrap_or_default();
+            variables
+                .into_iter()
+                .any(|variable| apart.is_unknown(variable))
+        })
 }
 
 /// The variable that a value is, but for its sign.

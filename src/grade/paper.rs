@@ -1,17 +1,15 @@
 //! The work of one student: its texts, its lines, and what each line is worth at each stage of the key.
 
 use crate::diagnostic::Severity;
-use crate::grade::key::{Key, checked};
+use crate::grade::key::{Key, checked, judged};
 use crate::grade::result::Place;
+use crate::grade::size;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Format, FrontMatter, Item, Row};
 use crate::notation::{self};
 use crate::source::Span;
-use crate::verify::{Finding, Report, Role, Verdict};
+use crate::verify::{Declared, Finding, Report, Role, Verdict};
 use std::collections::BTreeMap;
-
-/// A submission of more lines is left to a person.
-const MOST_LINES: usize = 400;
 
 /// A text of a student.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +31,8 @@ pub struct Work {
     pub texts: Vec<Text>,
     /// What is wrong with how it was handed in: a person should look.
     pub troubles: Vec<String>,
+    /// What a person answered to questions about it: sentences that declare something for this work alone.
+    pub answers: Vec<String>,
 }
 
 impl Work {
@@ -47,6 +47,7 @@ impl Work {
             id: id.to_owned(),
             texts: vec![text],
             troubles: vec![],
+            answers: vec![],
         }
     }
 }
@@ -84,6 +85,23 @@ pub(super) struct PaperLine {
     pub(super) follows_from_key: bool,
 }
 
+impl PaperLine {
+    /// What was found at the stage that is kindest to it; of those that find it wrong, one that can put it right.
+    pub(super) fn kindest(&self) -> &Finding {
+        let rank = |(worth, found): &(&Worth, &Finding)| match worth {
+            Worth::True => 0,
+            Worth::Resting => 1,
+            Worth::Assumed | Worth::Defined => 2,
+            Worth::Open => 3,
+            Worth::False if found.diagnosis.is_some() => 4,
+            Worth::False => 5,
+        };
+        let each = self.worth.iter().zip(&self.found);
+        each.min_by_key(rank)
+            .map_or(&self.found[0], |(_, found)| found)
+    }
+}
+
 /// The work of a student, read and checked.
 pub(super) struct Paper {
     pub(super) documents: Vec<Document>,
@@ -92,6 +110,8 @@ pub(super) struct Paper {
     pub(super) spans: Vec<Vec<Span>>,
     /// Whether products of inertia are entries here.
     pub(super) entries: bool,
+    /// For each stage, what is declared of it.
+    pub(super) declared: Vec<Declared>,
     /// Why a person should look.
     pub(super) troubles: Vec<String>,
     pub(super) questions: Vec<(String, usize)>,
@@ -122,14 +142,19 @@ impl Paper {
             give_no_orders(&mut document, &key.settings);
             documents.push(document);
         }
-        let rows: usize = documents.iter().map(rows).sum();
-        if rows > MOST_LINES {
-            troubles.push(format!("it has more than {MOST_LINES} lines"));
+        if let Some(excess) = size::excess(&documents) {
+            troubles.push(excess);
             documents.clear();
         }
         let entries = products(key, &documents);
+        let declared = declared(key, entries, &work.answers);
+        let unclear = declared.iter().flat_map(|declared| &declared.misunderstood);
+        if let Some(unclear) = unclear.take(1).next() {
+            let why = &unclear.misread.message;
+            troubles.push(format!("an answer is not understood: {why}"));
+        }
         let each: Vec<Checked> = (0..key.stages.len())
-            .map(|stage| at_stage(key, stage, entries, &documents))
+            .map(|stage| at_stage(key, stage, entries, &declared[stage], work, &documents))
             .collect();
         let spans = spans(&each, documents.len());
         let several = documents.len() > 1;
@@ -139,6 +164,7 @@ impl Paper {
             documents,
             spans,
             entries,
+            declared,
             troubles,
         }
     }
@@ -149,19 +175,6 @@ impl Paper {
         let defined = own.filter(|line| line.worth[stage] == Worth::Defined);
         defined.map(|line| line.found[stage].span).collect()
     }
-}
-
-/// How many rows of formulas a document has.
-fn rows(document: &Document) -> usize {
-    let rows = |item: &Item| match item {
-        Item::Formula(formula) => formula
-            .rows
-            .iter()
-            .filter(|row| !matches!(row, Row::Expression(_)))
-            .count(),
-        _ => 0,
-    };
-    document.items.iter().map(rows).sum()
 }
 
 /// A submission sets nothing but how it writes; comments in it play no roles.
@@ -197,7 +210,7 @@ fn products(key: &Key, documents: &[Document]) -> bool {
         let declared = &key.stages[0].declared[usize::from(entries)];
         let matrices = documents.iter().flat_map(|document| {
             let spans = matrix_lines(document);
-            let findings = checked(document, declared).findings;
+            let findings = judged(document, declared).findings;
             findings
                 .into_iter()
                 .filter(move |f| spans.contains(&f.span))
@@ -236,10 +249,32 @@ fn matrix_lines(document: &Document) -> Vec<Span> {
     squares.map(|line| line.span).collect()
 }
 
+/// What is declared of a work at each stage: by the key, and by what was answered.
+fn declared(key: &Key, entries: bool, answers: &[String]) -> Vec<Declared> {
+    let stages = key.stages.iter().enumerate();
+    let declared = stages.map(|(number, stage)| match answers.is_empty() {
+        true => stage.declared[usize::from(entries)].clone(),
+        false => key.declared(number, entries, answers),
+    });
+    declared.collect()
+}
+
 /// Checks all documents at a stage, and again with what they assume taken as claimed.
-fn at_stage(key: &Key, stage: usize, entries: bool, documents: &[Document]) -> Checked {
-    let declared = &key.stages[stage].declared[usize::from(entries)];
-    let reports: Vec<Report> = documents.iter().map(|d| checked(d, declared)).collect();
+fn at_stage(
+    key: &Key,
+    stage: usize,
+    entries: bool,
+    declared: &Declared,
+    work: &Work,
+    documents: &[Document],
+) -> Checked {
+    // With the most given, one change may put a line right.
+    let is_last = stage + 1 == key.stages.len();
+    let reports = documents.iter().map(|document| match is_last {
+        true => checked(document, declared),
+        false => judged(document, declared),
+    });
+    let reports: Vec<Report> = reports.collect();
     let assumes = |report: &Report| report.findings.iter().any(is_assumption);
     if !reports.iter().any(assumes) {
         return Checked {
@@ -254,14 +289,14 @@ fn at_stage(key: &Key, stage: usize, entries: bool, documents: &[Document]) -> C
             .filter(|f| is_assumption(f))
             .collect();
         if !key.is_declared {
-            return checked(&with_claims(document, &assumed), declared);
+            return judged(&with_claims(document, &assumed), declared);
         }
         let roles = assumed.iter().map(|f| match f.cell {
             Some(cell) => format!("Line {} of cell {cell} is a claim.", f.source_line),
             None => format!("Line {} is a claim.", f.source_line),
         });
-        let roles: Vec<String> = roles.collect();
-        checked(document, &key.declared(stage, entries, &roles))
+        let roles: Vec<String> = roles.chain(work.answers.iter().cloned()).collect();
+        judged(document, &key.declared(stage, entries, &roles))
     });
     let claimed = Some(claimed.collect());
     Checked { reports, claimed }

@@ -29,6 +29,14 @@ impl Marks {
         Self(self.0.div_ceil(2))
     }
 
+    /// The nearest multiple of a step; the larger of two that are as near.
+    pub fn rounded_to(self, step: Self) -> Self {
+        match step.0 {
+            0 => self,
+            step => Self((self.0 + step / 2) / step * step),
+        }
+    }
+
     /// As a number.
     pub fn to_f64(self) -> f64 {
         self.0 as f64 / 1000.0
@@ -81,6 +89,10 @@ pub(super) struct Policy {
     pub(super) working: bool,
     /// Labels of milestones that need a line of their own.
     pub(super) shown: Vec<String>,
+    /// The sum of a student's marks is rounded to a multiple of this.
+    pub(super) rounding: Option<Marks>,
+    /// How many named rules a line may use that no earlier line of the student used.
+    pub(super) most_rules: Option<usize>,
 }
 
 impl Policy {
@@ -91,28 +103,12 @@ impl Policy {
             ..Self::default()
         };
         let mut wrong = vec![];
-        let word = |key: &str| {
-            front
-                .other
-                .get(key)
-                .map(|v| v.as_str().unwrap_or("").trim().to_owned())
+        let setting = |name: &str| structure(front.other.get(name));
+        let word = |name: &str| {
+            let value = front.other.get(name);
+            value.map(|v| v.as_str().unwrap_or("").trim().to_owned())
         };
-        match structure(front.other.get("marks")) {
-            None => {}
-            Some(Value::Object(map)) => {
-                for (label, value) in map {
-                    match value.as_f64().and_then(Marks::new) {
-                        Some(marks) => policy.marks.push((label, marks)),
-                        None => wrong.push(format!(
-                            "`marks` gives {label} no number of marks; write {label}: 2"
-                        )),
-                    }
-                }
-            }
-            Some(_) => {
-                wrong.push("`marks` is no list of labels; write marks: {\"(1)\": 2}".to_owned())
-            }
-        }
+        policy.read_marks(setting("marks"), &mut wrong);
         match word("follow_through").as_deref() {
             None | Some("full") => {}
             Some("half") => policy.follow_through = FollowThrough::Half,
@@ -124,21 +120,63 @@ impl Policy {
             Some("optional") => policy.working = false,
             Some(_) => wrong.push("`working` is required or optional".to_owned()),
         }
-        match structure(front.other.get("shown")) {
+        match setting("shown").as_ref().map(labels) {
             None => {}
-            Some(Value::Array(labels)) if labels.iter().all(Value::is_string) => {
-                policy.shown = labels
-                    .iter()
-                    .filter_map(Value::as_str)
-                    .map(str::to_owned)
-                    .collect();
-            }
-            Some(_) => {
+            Some(Some(labels)) => policy.shown = labels,
+            Some(None) => {
                 wrong.push("`shown` is no list of labels; write shown: [\"(1)\"]".to_owned())
             }
         }
+        policy.rounding = setting("rounding").and_then(|value| {
+            let step = value.as_f64().and_then(Marks::new);
+            let step = step.filter(|step| *step > Marks::default());
+            if step.is_none() {
+                wrong.push("`rounding` is no step of marks; write rounding: 0.5".to_owned());
+            }
+            step
+        });
+        policy.most_rules = setting("most_rules").and_then(|value| {
+            let most = value.as_u64().and_then(|most| usize::try_from(most).ok());
+            if most.is_none() {
+                wrong.push("`most_rules` is no number of rules; write most_rules: 2".to_owned());
+            }
+            most
+        });
         (policy, wrong)
     }
+
+    fn read_marks(&mut self, setting: Option<Value>, wrong: &mut Vec<String>) {
+        let map = match setting {
+            None => return,
+            Some(Value::Object(map)) => map,
+            Some(_) => {
+                let why = "`marks` is no list of labels; write marks: {\"(1)\": 2}";
+                return wrong.push(why.to_owned());
+            }
+        };
+        for (label, value) in map {
+            match value.as_f64().and_then(Marks::new) {
+                Some(marks) => self.marks.push((label, marks)),
+                None => wrong.push(format!(
+                    "`marks` gives {label} no number of marks; write {label}: 2"
+                )),
+            }
+        }
+    }
+
+    /// The marks of a student from those of the milestones.
+    pub(super) fn total(&self, marks: impl Iterator<Item = Marks>) -> Marks {
+        let sum: Marks = marks.sum();
+        self.rounding.map_or(sum, |step| sum.rounded_to(step))
+    }
+}
+
+/// A list of labels.
+fn labels(value: &Value) -> Option<Vec<String>> {
+    let labels = value.as_array()?.iter();
+    labels
+        .map(|label| label.as_str().map(str::to_owned))
+        .collect()
 }
 
 /// A setting as YAML has it; in a comment of LaTeX it stands as text.

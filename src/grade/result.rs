@@ -1,7 +1,7 @@
 //! What is said of the work of one student.
 
 use crate::grade::policy::Marks;
-use crate::verify::Counterexample;
+use crate::verify::{Counterexample, Finding, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// Where a line stands in the work of a student.
@@ -76,8 +76,10 @@ pub struct Slip {
     pub place: Place,
     /// The name of the mistake: `sign`, `missing-term`, …
     pub kind: String,
-    /// One sentence that says it.
+    /// One clause that says it.
     pub message: String,
+    /// The line as it should stand.
+    pub repair: Option<String>,
 }
 
 /// Something that a student assumes.
@@ -126,10 +128,37 @@ pub struct Line {
     pub verdict: String,
     /// Why, where there is something to say.
     pub reason: Option<String>,
+    /// The likely mistake, in one clause.
+    pub mistake: Option<String>,
+    /// The line as it should stand.
+    pub repair: Option<String>,
     /// The numbers in which it fails.
     pub counterexample: Option<Numbers>,
     /// Whether it only carries on an earlier slip.
     pub carried: bool,
+}
+
+impl Line {
+    /// A line of a file by what was found of it.
+    pub fn of(finding: &Finding, file: Option<String>) -> Self {
+        let refuted = finding.verdict == Verdict::Refuted;
+        let diagnosis = finding.diagnosis.as_ref().filter(|_| refuted);
+        let counterexample = finding.counterexample.clone().filter(|_| refuted);
+        Self {
+            place: Place {
+                file,
+                cell: finding.cell,
+                source_line: finding.source_line,
+            },
+            source: finding.source.clone(),
+            verdict: finding.verdict.name().to_owned(),
+            reason: finding.reason.clone(),
+            mistake: diagnosis.map(|diagnosis| diagnosis.message.clone()),
+            repair: diagnosis.and_then(|diagnosis| diagnosis.suggestion.clone()),
+            counterexample: counterexample.map(Numbers::from),
+            carried: finding.follows_from.is_some(),
+        }
+    }
 }
 
 /// The work of one student, marked.

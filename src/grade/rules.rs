@@ -75,7 +75,7 @@ impl<'a> Marker<'a> {
                 entries: paper.entries,
             })
             .collect();
-        let declared = &key.stages[stage].declared[usize::from(paper.entries)];
+        let declared = &paper.declared[stage];
         let board = Board::new(
             &declared.declarations,
             key.sheet(&key.stages[stage].given),
@@ -101,7 +101,9 @@ impl<'a> Marker<'a> {
     pub(super) fn worth(&self, line: usize) -> Worth {
         match self.paper.lines[line].worth[self.stage] {
             // A relation between letters of which nothing is told defines none of them.
-            Worth::Defined if !self.entry(line).defines => Worth::Open,
+            Worth::Defined if !self.entry(line).defines || self.entry(line).by_unknown => {
+                Worth::Open
+            }
             worth => worth,
         }
     }

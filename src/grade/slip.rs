@@ -1,7 +1,10 @@
-//! The name of a mistake: how a wrong line differs from the line of the key that it is meant to be.
+//! The name of a mistake: how a wrong line differs from the line of the key that it is meant to be; and when two lines have
+//! the same one.
 
 use crate::algebra::{Monomial, Polynomial, Rational};
 use crate::grade::matching::Part;
+use crate::notation::document::Document;
+use crate::verify::Finding;
 use std::collections::BTreeMap;
 
 /// The name of the difference, and one sentence that says it.
@@ -53,4 +56,48 @@ const OTHER: (&str, &str) = ("other", "the line does not hold");
 
 fn terms(of: &Polynomial) -> BTreeMap<Monomial, Rational> {
     of.terms().iter().cloned().collect()
+}
+
+/// A change that puts a line right: the name of the mistake, what is taken out, what is put in, and the term it stands before.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Mending {
+    kind: &'static str,
+    out: String,
+    put: String,
+    term: String,
+}
+
+/// The change that puts a line right, where one was found.
+pub(super) fn mending(document: &Document, found: &Finding) -> Option<Mending> {
+    let diagnosis = found.diagnosis.as_ref()?;
+    let place = diagnosis
+        .place
+        .filter(|place| found.span.start <= place.start)?;
+    let out = bare(document.source.slice(place));
+    let line = document.source.slice(found.span);
+    let behind = line.get((place.end - found.span.start) as usize..)?;
+    let ahead = line.get(..(place.start - found.span.start) as usize)?;
+    let (mended, behind, ahead) = (
+        bare(diagnosis.suggestion.as_ref()?),
+        bare(behind),
+        bare(ahead),
+    );
+    let put = mended
+        .strip_prefix(&ahead)?
+        .strip_suffix(&behind)?
+        .to_owned();
+    let term = behind.split(['+', '-', '=']).next()?.to_owned();
+    Some(Mending {
+        kind: diagnosis.kind,
+        out,
+        put,
+        term,
+    })
+}
+
+/// A text without blanks and marks of alignment.
+fn bare(text: &str) -> String {
+    text.chars()
+        .filter(|c| !c.is_whitespace() && *c != '&')
+        .collect()
 }

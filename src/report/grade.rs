@@ -1,26 +1,123 @@
 //! What is shown of a class that was marked: `results.json`, a page for each student, one of the class, and gradebooks.
 
 pub mod class;
-mod formula;
 pub mod gradebook;
+pub mod markdown;
 pub mod page;
+pub mod table;
+pub mod told;
+pub mod worksheet;
 
-use crate::grade::{Assumption, Graded, Key, Marks, Place, Reached, Slip};
+use crate::grade::{Assumption, Graded, Key, Line, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
 
-/// The results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end.
+/// Writes the results of a class as one JSON object (schema `polhode-grade/1`), with a line break at its end. Where there is
+/// a roster, `missing` has those on it who handed in nothing.
 ///
 /// # Errors
 ///
-/// None that a submission could cause; the type is that of the serialiser.
-pub fn results(key: &Key, students: &[Graded]) -> serde_json::Result<String> {
+/// Those of the writer.
+pub fn results(
+    key: &Key,
+    students: &[Graded],
+    missing: Option<&[String]>,
+    mut to: impl Write,
+) -> io::Result<()> {
     let form = Form {
         schema: "polhode-grade/1",
         key: &key.name,
         max: Shortest(key.max()),
-        students: students.iter().map(StudentForm::of).collect(),
+        students: Students(students),
+        missing,
+    };
+    serde_json::to_writer_pretty(&mut to, &form)?;
+    to.write_all(b"\n")
+}
+
+/// Students, each made into JSON when it is written.
+struct Students<'a>(&'a [Graded]);
+
+impl Serialize for Students<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(StudentForm::of))
+    }
+}
+
+/// What one student is told, as one JSON object, with a line break at its end.
+///
+/// # Errors
+///
+/// None that a submission could cause; the type is that of the serialiser.
+pub fn student(key: &Key, told: &Graded) -> serde_json::Result<String> {
+    let form = ToldForm {
+        schema: "polhode-feedback/1",
+        max: Shortest(key.max()),
+        student: StudentForm {
+            queue: told
+                .queue
+                .as_ref()
+                .map(|_| "a person will look at this work"),
+            ..StudentForm::of(told)
+        },
+        lines: told.lines.iter().map(LineForm::of).collect(),
     };
     serde_json::to_string_pretty(&form).map(|text| text + "\n")
+}
+
+#[derive(Serialize)]
+struct ToldForm<'a> {
+    schema: &'static str,
+    max: Shortest,
+    #[serde(flatten)]
+    student: StudentForm<'a>,
+    lines: Vec<LineForm<'a>>,
+}
+
+#[derive(Serialize)]
+struct LineForm<'a> {
+    #[serde(flatten)]
+    place: PlaceForm<'a>,
+    source: &'a str,
+    verdict: &'a str,
+    carried: bool,
+    reason: Option<&'a str>,
+    mistake: Option<&'a str>,
+    repair: Option<&'a str>,
+    counterexample: Option<NumbersForm<'a>>,
+}
+
+#[derive(Serialize)]
+struct NumbersForm<'a> {
+    symbols: BTreeMap<&'a str, &'a str>,
+    component: Option<&'a str>,
+    left: &'a str,
+    right: &'a str,
+}
+
+impl<'a> LineForm<'a> {
+    fn of(line: &'a Line) -> Self {
+        let numbers = line.counterexample.as_ref().map(|numbers| {
+            let symbols = numbers.symbols.iter();
+            NumbersForm {
+                symbols: symbols.map(|(s, v)| (s.as_str(), v.as_str())).collect(),
+                component: numbers.component.as_deref(),
+                left: &numbers.left,
+                right: &numbers.right,
+            }
+        });
+        Self {
+            place: PlaceForm::of(Some(&line.place)),
+            source: &line.source,
+            verdict: &line.verdict,
+            carried: line.carried,
+            reason: line.reason.as_deref(),
+            mistake: line.mistake.as_deref(),
+            repair: line.repair.as_deref(),
+            counterexample: numbers,
+        }
+    }
 }
 
 /// Marks as a whole number where they are one.
@@ -40,7 +137,9 @@ struct Form<'a> {
     schema: &'static str,
     key: &'a str,
     max: Shortest,
-    students: Vec<StudentForm<'a>>,
+    students: Students<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    missing: Option<&'a [String]>,
 }
 
 #[derive(Serialize)]

@@ -30,13 +30,23 @@ const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
-    let declarations = declared.declarations.as_slice();
-    let judgments = judgments(document, declarations);
+    let mut judgments = judgments(document, &declared.declarations);
+    judgments.iter_mut().for_each(Judgment::correct);
+    report(document, declared, &judgments)
+}
+
+/// The same without looking for what would put false lines right.
+pub fn judge_declared(document: &Document, declared: &Declared) -> Report {
+    let judgments = judgments(document, &declared.declarations);
+    report(document, declared, &judgments)
+}
+
+fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) -> Report {
     let each = judgments.iter();
     let each = each.flat_map(|own| own.judge.judged.iter().map(move |judged| (own, judged)));
     let mut rows = Rows {
         document,
-        judgments: &judgments,
+        judgments,
         judged: each
             .map(|(own, judged)| (judged.span, (own, judged)))
             .collect(),
@@ -50,7 +60,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     let (findings, passed) = (rows.findings, rows.passed);
     Report {
         path: document.source.name.clone(),
-        products: convention(&judgments, declarations),
+        products: convention(judgments, &declared.declarations),
         questions,
         findings,
         from_prose: vec![],
@@ -58,7 +68,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
         passed,
         variables: judgments.iter().flat_map(Judgment::variables).collect(),
         meaning: declared.meaning(),
-        unused: unused(&judgments),
+        unused: unused(judgments),
     }
 }
 

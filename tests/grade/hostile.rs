@@ -1,5 +1,6 @@
 //! Submissions that are meant to break the marker: each ends soon, with a reason, and earns nothing by it.
 
+use super::command::class;
 use super::{marked, outcomes};
 
 #[test]
@@ -39,4 +40,93 @@ fn a_hostile_text_ends_soon_with_a_reason() {
             "{name}"
         );
     }
+}
+
+/// Peak memory of the command, in megabytes, and its seconds, for one submission.
+#[cfg(target_os = "linux")]
+fn cost(name: &str, text: &[u8]) -> (u64, f64) {
+    let folder = class(&[(name, text)]);
+    let path = |name: &str| folder.path().join(name);
+    let start = std::time::Instant::now();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .arg("grade")
+        .args([path("key.md"), path("work")])
+        .arg("--out")
+        .arg(path("out"))
+        .args(["--threads", "1"])
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .expect("the command runs");
+    let mut peak = 0;
+    while child.try_wait().expect("waited for").is_none() {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id()));
+        let status = status.unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok());
+        peak = peak.max(kilobytes.unwrap_or(0));
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let results = std::fs::read_to_string(path("out/results.json")).unwrap_or_default();
+    assert!(results.contains("\"id\""), "{name} is lost");
+    assert!(
+        !results.contains("\"queue\": null"),
+        "{name} is not in the queue"
+    );
+    (peak >> 10, start.elapsed().as_secs_f64())
+}
+
+/// The key takes its part of both; what is left is for the submission.
+#[cfg(target_os = "linux")]
+#[test]
+fn time_and_memory_are_bounded() {
+    let sum = |n: usize| {
+        (0..n)
+            .map(|k| format!("a_{{{k}}}"))
+            .collect::<Vec<_>>()
+            .join("+")
+    };
+    let powers = (0..60).map(|k| format!("$$M_x = ({})^{{{}}}$$\n\n", sum(8), 2 + k % 9));
+    let products = (0..40).map(|_| {
+        let factor = "(\\omega_x + \\omega_y + \\omega_z + I_{xx} + I_{yy} + I_{zz})";
+        format!("$$M_x = {}$$\n\n", factor.repeat(12))
+    });
+    let nested = format!("$$M_x = {}1{}$$", "\\frac{1}{1+".repeat(60), "}".repeat(60));
+    let rates = format!(
+        "$$M_x = \\frac{{d^{{40}}}}{{dt^{{40}}}}({})$$",
+        "\\omega_x\\omega_y".repeat(20)
+    );
+    let many = "$$M_x = \\dot L_x + \\omega_y L_z - 2\\omega_z L_y$$\n\n".repeat(390);
+    let matrices = format!(
+        "$$M_x = {}$$",
+        "\\begin{bmatrix}1&2&3\\\\4&5&6\\\\7&8&9\\end{bmatrix}".repeat(300)
+    );
+    let hostile: [(&str, Vec<u8>); 9] = [
+        ("powers.md", powers.collect::<String>().into_bytes()),
+        ("products.md", products.collect::<String>().into_bytes()),
+        ("fractions.md", nested.into_bytes()),
+        ("rates.md", rates.into_bytes()),
+        ("lines.md", many.into_bytes()),
+        ("matrices.md", matrices.into_bytes()),
+        ("million.md", b"x\n".repeat(1_000_000)),
+        (
+            "homoglyph.md",
+            "$$M_\u{445} = \\dot L_\u{445} + \u{3c9}_y L_z$$"
+                .as_bytes()
+                .to_vec(),
+        ),
+        ("dollars.md", "$".repeat(900_000).into_bytes()),
+    ];
+    let (least, usual) = cost("prose.md", b"nothing");
+    println!("the key alone: {least} MB, {usual:.2} s");
+    let mut over = vec![];
+    for (name, text) in hostile {
+        let (memory, seconds) = cost(name, &text);
+        println!("{name}: {memory} MB, {seconds:.2} s");
+        // Two seconds of an optimised build; this one may take five times as long.
+        if memory > least + 256 || seconds > usual + 10.0 {
+            over.push(format!("{name}: {memory} MB, {seconds:.2} s"));
+        }
+    }
+    assert!(over.is_empty(), "{over:?}");
 }

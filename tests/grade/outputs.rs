@@ -134,7 +134,7 @@ fn feedback_may_be_held_back() {
     assert!(!page.contains("The first slip") && !page.contains("<math"));
     grade(folder.path(), &["--feedback", "place"]);
     let page = fs::read_to_string(folder.path().join("out/feedback/ben.html")).expect("a page");
-    assert!(page.contains("The first slip") && !page.contains("The mistake"));
+    assert!(page.contains("The first slip") && !page.contains("sign is wrong"));
 }
 
 #[test]
@@ -151,7 +151,9 @@ fn parts_put_together_are_the_whole() {
     assert_eq!(merge(cut.path()).0, 3);
     let mut together = tree(&cut.path().join("out"));
     together.retain(|name, _| !name.starts_with("part-"));
-    assert_eq!(together, tree(&whole.path().join("out")));
+    let mut once = tree(&whole.path().join("out"));
+    once.remove("journal.jsonl");
+    assert_eq!(together, once);
 }
 
 #[test]
@@ -173,5 +175,6 @@ fn a_run_that_was_stopped_goes_on() {
     let results = results(folder.path());
     assert_eq!(results.matches("\"id\"").count(), 4, "{results}");
     assert_eq!(results.matches("\"kept\"").count(), 1, "{results}");
-    assert!(!out.join("journal.jsonl").exists());
+    let journal = fs::read_to_string(out.join("journal.jsonl")).expect("a journal");
+    assert_eq!(journal.lines().count(), 4);
 }

@@ -340,3 +340,101 @@ fn submissions_give_no_orders() {
     let tautology = "$$M_x = M_x \\tag{2}$$ $$L_x = L_x \\tag{4}$$ $$\\vec M = \\vec M \\tag{1}$$";
     assert_eq!(marked(tautology).marks.to_string(), "0");
 }
+
+#[test]
+fn a_wrong_term_that_drops_out_costs_nothing_later() {
+    // The rate of a constant is zero: the wrong term in the momentum is gone in the moment.
+    let wrong = MOMENTUM.replacen("- I_{xz}\\omega_z$$", "- I_{xz}\\omega_z + I_{xx}$$", 1);
+    let graded = marked(&format!("{LAW}{COMPONENT}{wrong}{ANSWER}"));
+    assert_eq!(
+        outcomes(&graded),
+        ["full", "full", "none", "full"],
+        "{graded:?}"
+    );
+}
+
+#[test]
+fn the_same_slip_twice_is_one_slip() {
+    let wrong = "$$M_x = \\dot L_x - \\omega_y L_z - \\omega_z L_y$$\n";
+    let graded = marked(&format!("{LAW}{wrong}{MOMENTUM} Again {wrong}"));
+    let carried: Vec<bool> = graded.lines.iter().map(|line| line.carried).collect();
+    assert_eq!(carried, [false, false, false, false, false, true]);
+    assert_eq!(
+        graded.first_slip.map(|slip| slip.place.source_line),
+        Some(2)
+    );
+}
+
+#[test]
+fn the_same_assumption_may_be_said_in_words_or_not_at_all() {
+    let texts = [
+        format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}"),
+        format!("{LAW}{COMPONENT}Only $I_{{xz}}$ is not zero. {MOMENTUM}{ANSWER}"),
+        format!(
+            "{LAW}{COMPONENT}Choose axes so that $I_{{xy}} = I_{{yz}} = 0$. {MOMENTUM}{ANSWER}"
+        ),
+    ];
+    for text in texts {
+        let graded = marked(&text);
+        assert_eq!(outcomes(&graded), ["full"; 4], "{text}: {graded:?}");
+        assert!(graded.assumptions.iter().all(|a| a.in_key), "{graded:?}");
+    }
+}
+
+#[test]
+fn a_where_line_that_holds_counts_and_a_display_after_a_full_stop_is_a_claim() {
+    let momentum = MOMENTUM.trim_start_matches("The momentum is ");
+    let graded = marked(&format!("{LAW}{COMPONENT}where {momentum} so {ANSWER}"));
+    assert_eq!(outcomes(&graded), ["full"; 4], "{graded:?}");
+    let assumed = format!("{LAW}{COMPONENT}We assume rigid bodies.\n\n{MOMENTUM}{ANSWER}");
+    assert_eq!(outcomes(&marked(&assumed)), ["full"; 4], "{assumed}");
+}
+
+#[test]
+fn a_defining_integral_sets_the_convention_and_a_sign_does_not() {
+    let flipped = |text: &str| {
+        text.replace("- I_{xz}(", "+ I_{xz}(")
+            .replace("- I_{xz}\\omega", "+ I_{xz}\\omega")
+    };
+    let body = format!("{LAW}{COMPONENT}{}{}", flipped(MOMENTUM), flipped(ANSWER));
+    let defined = format!("Here $$I_{{xz}} = -\\int x z\\,dm$$\n{body}");
+    let graded = marked(&defined);
+    assert!(
+        ["full", "human"].contains(&outcomes(&graded)[2]),
+        "{graded:?}"
+    );
+}
+
+#[test]
+fn marks_are_rounded_as_the_key_says() {
+    let text = format!("{LAW}{COMPONENT}{SLIP}{CARRIED}");
+    let half = KEY.replacen("\"(5)\": 2", "\"(5)\": 1", 1);
+    let half = half.replacen("follow_through: full", "follow_through: half", 1);
+    assert_eq!(marked_by(&half, &text).marks.to_string(), "3.5");
+    let rounded = |step: &str| half.replacen("working:", &format!("rounding: {step}\nworking:"), 1);
+    assert_eq!(marked_by(&rounded("1"), &text).marks.to_string(), "4");
+    assert_eq!(marked_by(&rounded("0.5"), &text).marks.to_string(), "3.5");
+}
+
+#[test]
+fn a_line_may_use_no_more_rules_at_once_than_the_key_allows() {
+    let key = KEY.replacen("working: required", "working: optional\nmost_rules: 0", 1);
+    let graded = marked_by(&key, ANSWER);
+    assert_eq!(outcomes(&graded)[3], "none", "{graded:?}");
+    assert!(
+        reason(&graded, "(5)").contains("rules at once"),
+        "{graded:?}"
+    );
+    let key = key.replacen("most_rules: 0", "most_rules: 2", 1);
+    let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}"));
+    assert_eq!(outcomes(&graded), ["full"; 4], "{graded:?}");
+}
+
+#[test]
+fn letters_of_which_nothing_is_told_cost_no_marks_in_silence() {
+    // Another alphabet's x looks the same and is another letter.
+    let graded = marked("$$M_\u{445} = \\dot L_\u{445} + \\omega_y L_z - \\omega_z L_y$$");
+    assert_eq!(outcomes(&graded)[1], "human", "{graded:?}");
+    let graded = marked("$$M_q = \\dot L_q + \\omega_y L_z - \\omega_z L_y$$");
+    assert_eq!(outcomes(&graded)[1], "human", "{graded:?}");
+}

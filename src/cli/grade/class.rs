@@ -1,14 +1,19 @@
 //! Marks all submissions of a folder and writes what comes of it.
 
-use crate::cli::grade::folder::{self, Pending, file_stem};
-use crate::cli::grade::journal::{Journal, digest, parts};
+use crate::cli::grade::folder::{self, Pending};
+use crate::cli::grade::journal::{self, Entry, Journal, digest, parts};
+use crate::cli::grade::names::{Naming, file_stem};
+use crate::cli::grade::roster::Roster;
+use crate::cli::grade::telling::Telling;
 use crate::cli::{input, output};
 use crate::grade::{Graded, Key, Work, mark, not_marked};
-use crate::report::grade::{self, class, gradebook, page};
+use crate::report::grade::told::{Detail, told};
+use crate::report::grade::{self, class, gradebook, worksheet};
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use rayon::prelude::*;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::fs;
+use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 
@@ -28,6 +33,19 @@ pub(super) struct Part {
 pub(super) struct Count {
     pub(super) marked: usize,
     pub(super) waiting: usize,
+    /// How many of the roster handed in nothing.
+    pub(super) missing: usize,
+}
+
+impl Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (marked, waiting) = (self.marked, self.waiting);
+        write!(f, "marked {marked}, of which {waiting} wait for a person")?;
+        match self.missing {
+            0 => Ok(()),
+            missing => write!(f, "; {missing} of the roster handed in nothing"),
+        }
+    }
 }
 
 /// What is marked by, and where to.
@@ -35,8 +53,13 @@ pub(super) struct Class<'a> {
     pub(super) key: &'a Key,
     pub(super) key_text: &'a str,
     pub(super) out: &'a Path,
-    pub(super) detail: page::Detail,
-    pub(super) gradebooks: Vec<gradebook::Form>,
+    pub(super) telling: Telling,
+    pub(super) naming: Naming,
+    pub(super) roster: Option<Roster>,
+    /// A folder with answers for single students.
+    pub(super) answers: Option<PathBuf>,
+    /// A worksheet to fill in.
+    pub(super) worksheet: Option<PathBuf>,
 }
 
 /// What went wrong with a file.
@@ -51,8 +74,7 @@ impl Class<'_> {
         let path = self.out.join("journal.jsonl");
         let students = self.marked(&pending, &path, threads)?;
         self.finish(&students)?;
-        fs::remove_file(&path).map_err(|error| failed(&path, &error))?;
-        Ok(count(&students))
+        Ok(self.count(&students))
     }
 
     /// Marks every n-th submission, and leaves the results for [`Class::merge`].
@@ -74,7 +96,10 @@ impl Class<'_> {
         journal
             .end(students.len())
             .map_err(|error| failed(&path, &error))?;
-        Ok(count(&students))
+        Ok(Count {
+            missing: 0,
+            ..self.count(&students)
+        })
     }
 
     /// Puts together what was marked in parts.
@@ -99,13 +124,17 @@ impl Class<'_> {
             ));
         }
         self.finish(&students)?;
-        Ok(count(&students))
+        Ok(self.count(&students))
     }
 
     fn pending(&self, submissions: &Path) -> Result<Vec<Pending>, String> {
-        let pending = folder::pending(submissions).map_err(|error| failed(submissions, &error))?;
+        let pending = folder::pending(submissions, &self.naming);
+        let mut pending = pending.map_err(|error| failed(submissions, &error))?;
         if pending.is_empty() {
             return Err(failed(submissions, &"there is nothing in it to mark"));
+        }
+        if let Some(roster) = &self.roster {
+            roster.mark_unknown(&mut pending);
         }
         fs::create_dir_all(self.out).map_err(|error| failed(self.out, &error))?;
         Ok(pending)
@@ -121,7 +150,8 @@ impl Class<'_> {
         )
     }
 
-    /// Marks each submission, several at a time; what breaks down hurts no other. In the order of their ids.
+    /// Marks each submission, several at a time; what breaks down hurts no other. In the order of their ids, as which they
+    /// stand in the journal too when all are marked.
     fn marked(
         &self,
         pending: &[Pending],
@@ -134,67 +164,137 @@ impl Class<'_> {
             .stack_size(STACK)
             .build()
             .map_err(|error| error.to_string())?;
-        let bar =
-            ProgressBar::with_draw_target(Some(pending.len() as u64), ProgressDrawTarget::stderr());
-        let (out, detail, forms) = (self.out, self.detail, &self.gradebooks);
+        let target = ProgressDrawTarget::stderr();
+        let bar = ProgressBar::with_draw_target(Some(pending.len() as u64), target);
         // A key keeps notes while it is read: each thread has one of its own.
         let own = self.key.clone();
+        let marking = Marking {
+            out: self.out,
+            telling: &self.telling,
+            answers: self.answers.as_deref(),
+            journal,
+        };
         let hook = panic::take_hook();
         panic::set_hook(Box::new(|_| {}));
-        let students = pool.install(|| {
+        let entries = pool.install(|| {
             let each = pending.par_iter().map_with(own, |key, one| {
-                let work = one.read();
-                let own = of_work(&work, detail);
-                let graded = match journal.known(&one.id, own) {
-                    Some(known) => known,
-                    None => {
-                        let graded = marked_one(key, &one.id, work);
-                        write_student(out, key, &graded, detail)?;
-                        journal
-                            .append(own, &graded)
-                            .map_err(|error| failed(path, &error))?;
-                        graded
-                    }
-                };
-                write_gradebooks(out, key, &graded, forms)?;
+                let entry = marking.mark(key, one)?;
                 bar.inc(1);
-                // Pages have them; a class of many would not fit with them.
-                Ok(Graded {
-                    lines: vec![],
-                    ..graded
-                })
+                Ok(entry)
             });
-            each.collect::<Result<Vec<Graded>, String>>()
+            each.collect::<Result<Vec<Entry>, String>>()
         });
         panic::set_hook(hook);
         bar.finish_and_clear();
-        students
+        let entries = entries?;
+        journal::replace(path, &entries).map_err(|error| failed(path, &error))?;
+        Ok(entries.into_iter().map(|entry| entry.graded).collect())
     }
 
     /// Writes what is of the whole class.
     fn finish(&self, students: &[Graded]) -> Result<(), String> {
-        let results = grade::results(self.key, students).map_err(|error| error.to_string())?;
-        write(
-            &self.out.join("class.html"),
-            &class::page(self.key, students),
-        )?;
-        for form in &self.gradebooks {
-            if let Some(file) = gradebook::of_class(*form, self.key, students) {
-                write(&self.out.join(&file.path), &file.text)?;
+        let missing = self.missing(students);
+        let page = class::page(self.key, students, missing.as_deref().unwrap_or(&[]));
+        write(&self.out.join("class.html"), &page, output::replace)?;
+        for form in &self.telling.gradebooks {
+            let file = gradebook::of_class(*form, self.key, students, self.telling.detail);
+            if let Some(file) = file {
+                write(&self.out.join(&file.path), &file.text, output::replace)?;
             }
         }
-        write(&self.out.join("results.json"), &results)
+        if let Some(path) = &self.worksheet {
+            self.fill(path, students)?;
+        }
+        let path = self.out.join("results.json");
+        output::replace_by(&path, |file| {
+            grade::results(self.key, students, missing.as_deref(), file)
+        })
+        .map_err(|error| failed(&path, &error))
+    }
+
+    /// Fills in a worksheet that was downloaded, and says who is not in it.
+    fn fill(&self, path: &Path, students: &[Graded]) -> Result<(), String> {
+        let text = input::read_with_mark(path).map_err(|error| failed(path, &error))?;
+        let told: Vec<Graded> = students
+            .iter()
+            .map(|s| told(s, self.telling.detail))
+            .collect();
+        let filled = worksheet::fill(&text, self.key, &told).map_err(|why| failed(path, &why))?;
+        if !filled.unknown.is_empty() {
+            let unknown = filled.unknown.join(", ");
+            eprintln!(
+                "warning: {}: these students are not in it: {unknown}",
+                input::name(path)
+            );
+        }
+        write(
+            &self.out.join("worksheet.csv"),
+            &filled.text,
+            output::replace,
+        )
+    }
+
+    /// Who is on the roster and handed in nothing; none where there is no roster.
+    fn missing(&self, students: &[Graded]) -> Option<Vec<String>> {
+        self.roster.as_ref().map(|roster| roster.missing(students))
+    }
+
+    fn count(&self, students: &[Graded]) -> Count {
+        Count {
+            marked: students.len(),
+            waiting: students.iter().filter(|s| s.queue.is_some()).count(),
+            missing: self.missing(students).map_or(0, |missing| missing.len()),
+        }
     }
 }
 
-fn count(students: &[Graded]) -> Count {
-    Count {
-        marked: students.len(),
-        waiting: students.iter().filter(|s| s.queue.is_some()).count(),
+/// What the threads share that mark a class: all but the key.
+struct Marking<'a> {
+    out: &'a Path,
+    telling: &'a Telling,
+    answers: Option<&'a Path>,
+    journal: Journal,
+}
+
+impl Marking<'_> {
+    /// Marks one submission, unless that was done before and all that was written for the student is there.
+    fn mark(&self, key: &Key, one: &Pending) -> Result<Entry, String> {
+        let mut work = panic::catch_unwind(AssertUnwindSafe(|| one.read()))
+            .unwrap_or_else(|_| Err("reading it broke down; please report this".to_owned()));
+        if let (Ok(work), Some(folder)) = (&mut work, self.answers) {
+            work.answers = answers(folder, &one.id)?;
+        }
+        let own = of_work(&work, self.telling.detail);
+        let is_there = |known: &Graded| {
+            let files = self.telling.files(key, known);
+            files.iter().all(|file| self.out.join(&file.path).is_file())
+        };
+        if let Some(known) = self.journal.known(&one.id, own).filter(is_there) {
+            return Ok(self.journal.entry(own, known));
+        }
+        let graded = marked(key, &one.id, work);
+        for file in self.telling.files(key, &graded) {
+            write(
+                &self.out.join(&file.path),
+                &file.text,
+                output::replace_unsynced,
+            )?;
+        }
+        // Pages have the lines; a class of many would not fit with them.
+        let entry = self.journal.entry(
+            own,
+            Graded {
+                lines: vec![],
+                ..graded
+            },
+        );
+        let done = self.journal.append(&entry);
+        done.map_err(|error| failed(self.out, &format!("the journal can't be written: {error}")))?;
+        Ok(entry)
     }
 }
 
-fn marked_one(key: &Key, id: &str, work: Result<Work, String>) -> Graded {
+fn marked(key: &Key, id: &str, work: Result<Work, String>) -> Graded {
     let work = match work {
         Ok(work) => work,
         Err(reason) => return not_marked(key, id, &reason),
@@ -203,52 +303,39 @@ fn marked_one(key: &Key, id: &str, work: Result<Work, String>) -> Graded {
     graded.unwrap_or_else(|_| not_marked(key, id, "marking it broke down; please report this"))
 }
 
-/// A number for what is handed in and how much is told of it, the same for the same.
-fn of_work(work: &Result<Work, String>, detail: page::Detail) -> u64 {
+/// What staff answered for one student: sentences, one a line, in a file called as the student's pages are.
+fn answers(folder: &Path, id: &str) -> Result<Vec<String>, String> {
+    let path = folder.join(file_stem(id) + ".txt");
+    if !path.exists() {
+        return Ok(vec![]);
+    }
+    let text = input::read(&path).map_err(|error| failed(&path, &error))?;
+    let lines = text.lines().map(str::trim);
+    let said = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));
+    Ok(said.map(str::to_owned).collect())
+}
+
+/// A number for what is handed in, answered, and told of it, the same for the same.
+fn of_work(work: &Result<Work, String>, detail: Detail) -> u64 {
     let detail = [detail as u8];
     let detail = std::iter::once(&detail[..]);
     match work {
         Err(reason) => digest(detail.chain([reason.as_bytes()])),
         Ok(work) => {
-            let texts = work
-                .texts
-                .iter()
-                .flat_map(|text| [text.name.as_bytes(), text.text.as_bytes()]);
-            digest(
-                detail
-                    .chain(texts)
-                    .chain(work.troubles.iter().map(String::as_bytes)),
-            )
+            let texts = work.texts.iter();
+            let texts = texts.flat_map(|text| [text.name.as_bytes(), text.text.as_bytes()]);
+            let said = work.troubles.iter().chain(&work.answers);
+            digest(detail.chain(texts).chain(said.map(String::as_bytes)))
         }
     }
 }
 
-fn write_student(
-    out: &Path,
-    key: &Key,
-    graded: &Graded,
-    detail: page::Detail,
+fn write(
+    path: &Path,
+    text: &str,
+    replace: impl Fn(&Path, &str) -> io::Result<()>,
 ) -> Result<(), String> {
-    let path: PathBuf = out.join("feedback").join(file_stem(&graded.id) + ".html");
-    write(&path, &page::student(key, graded, detail))
-}
-
-fn write_gradebooks(
-    out: &Path,
-    key: &Key,
-    graded: &Graded,
-    forms: &[gradebook::Form],
-) -> Result<(), String> {
-    for form in forms {
-        if let Some(file) = gradebook::of_student(*form, key, graded, &file_stem(&graded.id)) {
-            write(&out.join(&file.path), &file.text)?;
-        }
-    }
-    Ok(())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), String> {
     let folder = path.parent().unwrap_or(Path::new("."));
-    let done = fs::create_dir_all(folder).and_then(|()| output::replace(path, text));
+    let done = fs::create_dir_all(folder).and_then(|()| replace(path, text));
     done.map_err(|error| failed(path, &error))
 }

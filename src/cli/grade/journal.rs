@@ -1,5 +1,7 @@
-//! What was marked so far: one line for each student, so that a run that was stopped goes on where it was.
+//! What was marked so far: one line for each student, so that a run that was stopped goes on where it was, and so that
+//! another run marks only what changed.
 
+use crate::cli::output;
 use crate::grade::Graded;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -10,10 +12,10 @@ use std::sync::{Mutex, PoisonError};
 
 /// A line of the journal: what was handed in, by its digest, and what came of it.
 #[derive(Serialize, Deserialize)]
-struct Entry {
+pub(super) struct Entry {
     stamp: u64,
     work: u64,
-    graded: Graded,
+    pub(super) graded: Graded,
 }
 
 /// The line behind the last student of a part.
@@ -69,18 +71,18 @@ impl Journal {
         (*known == work).then(|| graded.clone())
     }
 
-    /// Adds a student.
-    pub(super) fn append(&self, work: u64, graded: &Graded) -> io::Result<()> {
-        let graded = Graded {
-            lines: vec![],
-            ..graded.clone()
-        };
-        let entry = Entry {
+    /// What is put down of a student.
+    pub(super) fn entry(&self, work: u64, graded: Graded) -> Entry {
+        Entry {
             stamp: self.stamp,
             work,
             graded,
-        };
-        self.write(&entry)
+        }
+    }
+
+    /// Adds a student.
+    pub(super) fn append(&self, entry: &Entry) -> io::Result<()> {
+        self.write(entry)
     }
 
     /// Says that all students of a part are there.
@@ -92,7 +94,7 @@ impl Journal {
     }
 
     fn write(&self, line: &impl Serialize) -> io::Result<()> {
-        let line = serde_json::to_string(line).map_err(io::Error::other)? + "\n";
+        let line = line_of(line)?;
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         file.write_all(line.as_bytes())
     }
@@ -101,6 +103,21 @@ impl Journal {
     pub(super) fn into_graded(self) -> impl Iterator<Item = Graded> {
         self.known.into_values().map(|(_, graded)| graded)
     }
+}
+
+/// One line of a journal.
+fn line_of(entry: &impl Serialize) -> io::Result<String> {
+    serde_json::to_string(entry)
+        .map_err(io::Error::other)
+        .map(|line| line + "\n")
+}
+
+/// Puts a journal with these students alone in the place of one: the same whatever the order was in which they were marked.
+pub(super) fn replace(path: &Path, entries: &[Entry]) -> io::Result<()> {
+    output::replace_by(path, |file| {
+        let mut lines = entries.iter();
+        lines.try_for_each(|entry| file.write_all(line_of(entry)?.as_bytes()))
+    })
 }
 
 /// The journals of all parts of a class.

@@ -4,6 +4,7 @@ use crate::grade::matching::{Entry, Part};
 use crate::grade::paper::Worth;
 use crate::grade::result::Outcome;
 use crate::grade::rules::{Attempt, Decision, Goal, Marker, decision};
+use crate::grade::slip::{self, Mending};
 
 /// Parts of lines that take the place of the key's own, and the wrong lines that they come from.
 pub(super) struct Carried {
@@ -23,6 +24,7 @@ impl Marker<'_> {
                 span,
                 parts: Some(parts),
                 defines: false,
+                by_unknown: false,
             },
             wrong,
         }
@@ -109,9 +111,14 @@ impl Marker<'_> {
                 Some(line),
                 format!("{name} is refuted, and may carry on an earlier slip"),
             ),
-            Some(wrong) if wrong.is_empty() => {
-                decision(Outcome::None, Some(line), format!("{name} is refuted"))
-            }
+            Some(wrong) if wrong.is_empty() => match self.repeats(goal, line) {
+                Some(first) => decision(
+                    Outcome::FollowThrough,
+                    Some(line),
+                    format!("{name} repeats the slip in {}", self.name(first)),
+                ),
+                None => decision(Outcome::None, Some(line), format!("{name} is refuted")),
+            },
             Some(wrong) => {
                 let slip = self.name(wrong[0]);
                 match self.is_easier(attempt, line) {
@@ -130,6 +137,29 @@ impl Marker<'_> {
                 }
             }
         }
+    }
+
+    /// The earlier wrong line, meant to be something else, that the same change to the same term puts right.
+    fn repeats(&self, goal: Goal, line: usize) -> Option<usize> {
+        let own = self.mending(line)?;
+        let earlier = (0..line).filter(|&at| self.worth(at) == Worth::False);
+        let mut others = earlier.filter(|&at| self.attempts(at).iter().all(|a| a.goal != goal));
+        others.find(|&at| self.mending(at).is_some_and(|mending| mending == own))
+    }
+
+    fn mending(&self, line: usize) -> Option<Mending> {
+        let line = &self.paper.lines[line];
+        slip::mending(
+            &self.paper.documents[line.document],
+            &line.found[self.stage],
+        )
+    }
+
+    /// Whether a wrong line has a slip that stands before it too, in the same term.
+    pub(in crate::grade) fn is_repeated(&self, line: usize) -> bool {
+        let own = self.mending(line);
+        let mut earlier = (0..line).filter(|&at| self.worth(at) == Worth::False);
+        own.is_some() && earlier.any(|at| self.mending(at) == own)
     }
 
     /// Whether a term of the key's line is gone.

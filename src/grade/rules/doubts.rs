@@ -129,7 +129,8 @@ impl Marker<'_> {
         match open {
             Some(line) => {
                 let reason = &self.paper.lines[line].found[self.stage].reason;
-                let reason = reason.as_deref().unwrap_or("it is not decided");
+                let unknown = "nothing tells what a letter in it is";
+                let reason = reason.as_deref().unwrap_or(unknown);
                 decision(
                     Outcome::Human,
                     Some(line),
@@ -146,6 +147,6 @@ impl Marker<'_> {
             return true;
         };
         let alike = |own: &Part| own.shares_variable(part) || own.likeness(part).is_some();
-        self.board.has_unknown(entry) || parts.iter().any(alike)
+        entry.by_unknown || self.board.has_unknown(entry) || parts.iter().any(alike)
     }
 }

@@ -30,6 +30,9 @@ impl Marker<'_> {
                 ),
             };
         }
+        if let Some(leap) = self.leap(line) {
+            return decision(Outcome::None, Some(line), leap);
+        }
         let reason = format!("{} is true", self.name(line));
         if !self.key.policy.working || self.route(goal.line).is_empty() || self.led_to(goal, line) {
             return full(reason);
@@ -51,6 +54,24 @@ impl Marker<'_> {
                 ),
             ),
         }
+    }
+
+    /// What to say of a line that uses more named rules at once than the key allows: rules that no earlier line used.
+    fn leap(&self, line: usize) -> Option<String> {
+        let most = self.key.policy.most_rules?;
+        let uses = |line: usize| self.paper.lines[line].found[self.stage].uses.iter();
+        let true_before = (0..line).filter(|&at| self.worth(at) == Worth::True);
+        let known: Vec<&String> = true_before.flat_map(uses).collect();
+        // The name of a rule is one word; premises and lines are said in several.
+        let new = uses(line).filter(|rule| !rule.contains(' ') && !known.contains(rule));
+        let new: Vec<&str> = new.map(String::as_str).collect();
+        (new.len() > most).then(|| {
+            format!(
+                "{} is true, but it uses more rules at once ({}) than the key allows, which is {most}",
+                self.name(line),
+                new.join(", ")
+            )
+        })
     }
 
     pub(super) fn route(&self, line: usize) -> &[usize] {

@@ -1,31 +1,36 @@
 //! The page of the class: marks, milestones, mistakes, and who waits for a person.
 
 use crate::grade::{Graded, Key, Outcome};
-use crate::report::grade::page::document;
+use crate::report::html::{document, prose};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
 /// Bars of the distribution of marks.
 const BARS: usize = 10;
 
-/// The page of a class.
-pub fn page(key: &Key, students: &[Graded]) -> String {
+/// The page of a class, with those on the roster who handed in nothing.
+pub fn page(key: &Key, students: &[Graded], missing: &[String]) -> String {
     let waiting: Vec<&Graded> = students.iter().filter(|s| s.queue.is_some()).collect();
     let body = html! {
         h1 { (key.name) }
-        p { (students.len()) " submissions, of which " (waiting.len()) " wait for a person; " (key.max()) " marks at most" }
+        p { (number(students.len(), "submission", "submissions")) ", of which " (number(waiting.len(), "waits", "wait")) " for a person. " (key.max()) " marks at most." }
         h2 { "Marks" }
         (bars(&distribution(key, students)))
         h2 { "Milestones" }
         (milestones(key, students))
-        h2 { "First slips" }
-        (bars(&counted(students.iter().filter_map(|s| s.first_slip.as_ref().map(|slip| slip.kind.clone())))))
-        h2 { "What nothing tells of" }
+        @let slips = counted(students.iter().filter_map(|s| s.first_slip.as_ref().map(|slip| slip.kind.clone())));
+        @if !slips.is_empty() { h2 { "First slips" } (bars(&slips)) }
         (questions(students))
-        h2 { "Who waits for a person" }
-        table {
-            tr { th { "Student" } th { "Why" } }
-            @for student in waiting { tr { td { (student.id) } td { (student.queue.as_deref().unwrap_or("")) } } }
+        @if !waiting.is_empty() {
+            h2 { "Who waits for a person" }
+            table {
+                tr { th { "Student" } th { "Why" } }
+                @for student in waiting { tr { td { (student.id) } td { (prose(student.queue.as_deref().unwrap_or(""))) } } }
+            }
+        }
+        @if !missing.is_empty() {
+            h2 { "Who handed in nothing" }
+            ul { @for id in missing { li { (id) } } }
         }
     };
     document(&key.name, &body)
@@ -62,13 +67,15 @@ fn milestones(key: &Key, students: &[Graded]) -> Markup {
             .count()
     };
     html! {
-        table {
-            tr { th { "Milestone" } th { "Marks" } th { "Reached" } th { "Carried" } th { "Not reached" } th { "Waiting" } }
-            @for (label, marks) in key.milestones() {
-                tr {
-                    td { (label) } td { (marks) }
-                    @for outcome in [Outcome::Full, Outcome::FollowThrough, Outcome::None, Outcome::Human] {
-                        td { (count(label, outcome)) }
+        div.wide {
+            table {
+                tr { th { "Milestone" } th { "Marks" } th { "Reached" } th { "Carried" } th { "Not reached" } th { "Waiting" } }
+                @for (label, marks) in key.milestones() {
+                    tr {
+                        td { (label) } td.number { (marks) }
+                        @for outcome in [Outcome::Full, Outcome::FollowThrough, Outcome::None, Outcome::Human] {
+                            td.number { (count(label, outcome)) }
+                        }
                     }
                 }
             }
@@ -87,12 +94,21 @@ fn questions(students: &[Graded]) -> Markup {
     let mut asked: Vec<_> = asked.into_iter().collect();
     asked.sort_by_key(|(_, (_, waiting))| std::cmp::Reverse(*waiting));
     html! {
-        ul {
-            @for (text, (submissions, waiting)) in asked {
-                li { (text) " It stands in " (submissions) " submissions, and " (waiting) " lines wait." }
+        @if !asked.is_empty() {
+            h2 { "Questions of the class" }
+            p { "An answer is a sentence under " code { "polhode:" } " in the key, or for one student a file in the folder of " code { "--answers" } "." }
+            ul {
+                @for (text, (submissions, waiting)) in asked {
+                    li { (prose(text)) " It stands in " (number(submissions, "submission", "submissions")) "; " (number(waiting, "line waits", "lines wait")) "." }
+                }
             }
         }
     }
+}
+
+fn number(count: usize, one: &str, several: &str) -> String {
+    let what = if count == 1 { one } else { several };
+    format!("{count} {what}")
 }
 
 fn counted(names: impl Iterator<Item = String>) -> Vec<(String, usize)> {
@@ -119,9 +135,9 @@ fn bars(numbers: &[(String, usize)]) -> Markup {
         svg role="img" viewBox=(format!("0 0 460 {height}")) width="460" height=(height) {
             @for (at, (name, count)) in numbers.iter().enumerate() {
                 @let top = at * HEIGHT;
-                text x="0" y=(top + 15) font-size="13" fill="currentColor" { (name) }
-                rect x="130" y=(top + 3) width=(count * 280 / most) height=(HEIGHT - 6) fill="#4a7ebb" {}
-                text x=(136 + count * 280 / most) y=(top + 15) font-size="13" fill="currentColor" { (count) }
+                text x="0" y=(top + 15) { (name) }
+                rect x="130" y=(top + 3) width=(count * 280 / most) height=(HEIGHT - 6) {}
+                text x=(136 + count * 280 / most) y=(top + 15) { (count) }
             }
         }
     }

@@ -4,6 +4,8 @@
 //! of a table begins as a formula of a spreadsheet does.
 
 use crate::grade::{Graded, Key, Outcome, Reached};
+use crate::report::grade::markdown;
+use crate::report::grade::told::{Detail, told};
 use serde_json::{Value, json};
 
 /// A form of a gradebook.
@@ -36,7 +38,8 @@ pub struct File {
     pub text: String,
 }
 
-/// The files of one student; none for a form that is a table of the class. `stem` names the student in paths.
+/// The file of one student, of what is told; none for a form that is a table of the class. `stem` names the student in
+/// paths.
 pub fn of_student(form: Form, key: &Key, graded: &Graded, stem: &str) -> Option<File> {
     let (path, value) = match form {
         Form::Gradescope => (
@@ -61,12 +64,12 @@ pub fn of_student(form: Form, key: &Key, graded: &Graded, stem: &str) -> Option<
     Some(File { path, text })
 }
 
-/// The file of a class; none for a form with a file for each student.
-pub fn of_class(form: Form, key: &Key, students: &[Graded]) -> Option<File> {
+/// The file of a class; none for a form with a file for each student. A table that students see has what they are told.
+pub fn of_class(form: Form, key: &Key, students: &[Graded], detail: Detail) -> Option<File> {
     let (path, text) = match form {
         Form::Csv => ("marks.csv", marks(key, students)),
         Form::Jsonl => ("marks.jsonl", lines(key, students)),
-        Form::Moodle => ("moodle.csv", moodle(students)),
+        Form::Moodle => ("moodle.csv", moodle(students, detail)),
         Form::Canvas => ("canvas.csv", canvas(key, students)),
         _ => return None,
     };
@@ -77,7 +80,7 @@ pub fn of_class(form: Form, key: &Key, students: &[Graded]) -> Option<File> {
 }
 
 /// A cell of a table: in quotes where it must be, and never a formula.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     let harmless = match text
         .trim_start()
         .starts_with(['=', '+', '-', '@', '\t', '\r', '|', '%'])
@@ -131,7 +134,7 @@ fn lines(key: &Key, students: &[Graded]) -> String {
 }
 
 /// A student who waits for a person has no grade yet.
-fn moodle(students: &[Graded]) -> String {
+fn moodle(students: &[Graded], detail: Detail) -> String {
     let mut text = row(["Username", "Grade", "Feedback"].map(str::to_owned));
     for student in students {
         let grade = match student.queue {
@@ -139,7 +142,11 @@ fn moodle(students: &[Graded]) -> String {
             None => student.marks.to_string(),
         };
         // A lone hyphen is no formula; Moodle takes it for no grade.
-        let cells = [cell(&student.id), grade, cell(&feedback(student))];
+        let cells = [
+            cell(&student.id),
+            grade,
+            cell(&feedback(&told(student, detail))),
+        ];
         text.push_str(&(cells.join(",") + "\n"));
     }
     text
@@ -175,12 +182,16 @@ fn canvas(key: &Key, students: &[Graded]) -> String {
     text
 }
 
-fn feedback(graded: &Graded) -> String {
-    let each = graded
-        .milestones
-        .iter()
-        .map(|m| format!("{}: {} of {}, {}", m.label, m.marks, m.max, m.reason));
-    each.collect::<Vec<_>>().join("; ")
+/// What is told of the milestones, as the text of a page.
+pub(super) fn feedback(told: &Graded) -> String {
+    let each = told.milestones.iter().map(|m| match m.reason.as_str() {
+        "" => format!("{}: {} of {}", m.label, m.marks, m.max),
+        reason => format!("{}: {} of {}, {reason}", m.label, m.marks, m.max),
+    });
+    let text = each.collect::<Vec<_>>().join("; ");
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
 }
 
 fn gradescope(key: &Key, graded: &Graded) -> Value {
@@ -194,7 +205,7 @@ fn gradescope(key: &Key, graded: &Graded) -> Value {
     };
     let tests: Vec<Value> = graded.milestones.iter().enumerate().map(test).collect();
     json!({
-        "score": graded.marks.to_f64(), "output": output(key, graded), "output_format": "text",
+        "score": graded.marks.to_f64(), "output": markdown::student(key, graded), "output_format": "md",
         "stdout_visibility": "hidden", "tests": tests,
     })
 }

@@ -19,6 +19,10 @@ const MOST_TRIED: usize = 600;
 /// No more false lines of a document are put right.
 const MOST_LINES: usize = 200;
 
+/// What may be spent on a document: each text that is tried costs the number of terms of its line, and this besides.
+const MOST_WORK: usize = 500_000;
+const LEAST_COST: usize = 10;
+
 /// What would put the refuted lines of a document right, by the place of the line.
 pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let document = judge.document;
@@ -27,33 +31,50 @@ pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let short = |line: &&Line| line.span.end - line.span.start <= LONGEST;
     let each = lines(document).filter(|line| refuted.contains_key(&line.span));
     let each: Vec<&Line> = each.filter(short).take(MOST_LINES).collect();
-    let mut found = HashMap::new();
+    let (mut found, mut left) = (HashMap::new(), MOST_WORK);
     for line in each {
-        if let Some(diagnosis) = correction(judge, line, &refuted[&line.span]) {
+        if let Some(diagnosis) = correction(judge, line, &refuted[&line.span], &mut left) {
             found.insert(line.span, diagnosis);
         }
     }
     found
 }
 
-/// The likeliest single change that makes a line provable.
-fn correction(judge: &mut Judge<'_>, line: &Line, judged: &Judged) -> Option<Diagnosis> {
+/// The likeliest single change that makes a line provable, as far as what is left allows to look for it.
+fn correction(
+    judge: &mut Judge<'_>,
+    line: &Line,
+    judged: &Judged,
+    left: &mut usize,
+) -> Option<Diagnosis> {
+    let cost = LEAST_COST + terms(judged);
     let document = judge.document;
     let letters = letters(document, line);
     let edits = slips(&document.source, line, &letters);
     let before = judge.stand_at(&judged.at);
     let mut tried = BTreeSet::new();
     let found = edits.into_iter().find_map(|edit| {
-        if tried.len() == MOST_TRIED {
+        if tried.len() == MOST_TRIED || *left < cost {
             return None;
         }
         let text = edited(document.source.slice(line.span), line.span.start, &[&edit])?;
         let new = tried.insert(text.clone());
+        if new {
+            *left -= cost;
+        }
         (new && !says_nothing(&text) && judge.follows_as(&text, judged.head, line))
             .then(|| diagnosis(edit, &text))
     });
     judge.stand_at(&before);
     found
+}
+
+/// How many terms a line has when its products are multiplied out.
+fn terms(judged: &Judged) -> usize {
+    let sides = judged.sides.iter().flat_map(|(left, right)| [left, right]);
+    sides
+        .map(|side| side.numerator().len() + side.denominator().len())
+        .sum()
 }
 
 fn diagnosis(edit: Edit, text: &str) -> Diagnosis {

@@ -34,13 +34,12 @@ pub(super) fn judgments<'a>(
     let judged = parts(document, declarations).into_iter().map(|part| {
         let mut judge = Judge::new(document, part, first);
         judge.run();
-        let corrections = corrections(&mut judge);
         let own = OwnLetters::of(document, &mut judge.reading);
         let before = std::mem::replace(&mut first, judge.reading.system.atoms.len());
         Judgment {
             judge,
             own,
-            corrections,
+            corrections: HashMap::new(),
             first: before,
         }
     });
@@ -48,6 +47,11 @@ pub(super) fn judgments<'a>(
 }
 
 impl Judgment<'_> {
+    /// Looks for what would put its refuted lines right.
+    pub(super) fn correct(&mut self) {
+        self.corrections = corrections(&mut self.judge);
+    }
+
     /// What its variables stand for, in LaTeX.
     pub(super) fn variables(&self) -> Vec<String> {
         let atoms = &self.judge.reading.system.atoms;
@@ -87,6 +91,10 @@ impl Judgment<'_> {
         let atoms = &self.judge.reading.system.atoms;
         let letters = shown.letters.iter().map(|(letter, value)| {
             let name = self.own.on_line(atoms, *letter, &judged.at, source);
+            let value = match self.own.is_opposite(atoms, *letter) {
+                true => -value.clone(),
+                false => value.clone(),
+            };
             (name, value.to_string())
         });
         Counterexample {

@@ -1,6 +1,6 @@
 //! Variables of the model in the letters by which the author declares them.
 
-use crate::algebra::{Fraction, Letter, Printer, Style, Variable};
+use crate::algebra::{Fraction, Letter, Polynomial, Printer, Style, Variable};
 use crate::notation::document::{Document, Row};
 use crate::notation::reread;
 use crate::verify::model::atoms::{Atoms, dotted};
@@ -8,12 +8,15 @@ use crate::verify::reading::Reading;
 use crate::verify::reading::builder::place_in;
 use crate::verify::term::letters::{At, Meaning, Reach};
 use crate::verify::term::lower::Lowering;
-use std::collections::{BTreeMap, HashMap};
+use crate::verify::term::value::Value;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The letters that stand for a variable each, and where.
 #[derive(Debug, Default)]
 pub(super) struct OwnLetters {
     of: BTreeMap<Variable, Vec<(String, Reach)>>,
+    /// Entries of tensors that are written as products of inertia, with the other sign.
+    opposite: BTreeSet<Variable>,
 }
 
 impl OwnLetters {
@@ -33,6 +36,11 @@ impl OwnLetters {
             let system = &mut reading.system;
             let mut lowering = Lowering::new(system, &letters, &document.source, &at, &shapes);
             let value = lowering.value(node);
+            if let Ok(value) = &value
+                && letters.customs.integrals
+            {
+                own.opposite.extend(products_of_inertia(value));
+            }
             let entry = value.ok().filter(|value| value.entries.len() == 1);
             if let Some(variable) = entry.and_then(|value| value.entries[0].as_variable()) {
                 let known = own.of.entry(variable).or_default();
@@ -85,12 +93,57 @@ impl OwnLetters {
         }
     }
 
+    /// Whether the letter of a variable stands for its opposite: a product of inertia that is an integral.
+    pub(super) fn is_opposite(&self, atoms: &Atoms, variable: Variable) -> bool {
+        let mut base = variable;
+        while let Some(of) = atoms.atom(base).rate_of {
+            base = of;
+        }
+        self.opposite.contains(&base)
+    }
+
+    /// A fraction with letters in the place of variables.
+    fn in_letters(&self, of: &Fraction, atoms: &Atoms) -> Fraction {
+        let written = |polynomial: &Polynomial| {
+            let terms = polynomial.terms().iter().map(|(monomial, number)| {
+                let powers = monomial.powers().into_iter();
+                let turned = powers.filter(|(v, _)| self.is_opposite(atoms, *v));
+                match turned.map(|(_, power)| power).sum::<u32>() % 2 {
+                    0 => (monomial.clone(), number.clone()),
+                    _ => (monomial.clone(), -number.clone()),
+                }
+            });
+            Polynomial::from_terms(terms.collect())
+        };
+        let turned = Fraction::new(written(of.numerator()), written(of.denominator()));
+        turned.unwrap_or_else(|| of.clone())
+    }
+
     /// A fraction in the letters of a line.
     pub(super) fn printed(&self, of: &Fraction, atoms: &Atoms, at: &At, source: &str) -> String {
+        let of = &self.in_letters(of, atoms);
         let letters = |variable: Variable| Letter {
             text: self.on_line(atoms, variable, at, source),
             place: atoms.atom(variable).place,
         };
         Printer::new(Style::Latex, &letters).fraction(of)
+    }
+}
+
+/// The variables off the diagonal of a symmetric tensor.
+fn products_of_inertia(value: &Value) -> Vec<Variable> {
+    let symmetric = value.is_matrix()
+        && value.basis[0] == value.basis[1]
+        && value.transposed().entries == value.entries;
+    let off_diagonal = value
+        .entries
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| at % 4 != 0);
+    match symmetric {
+        true => off_diagonal
+            .filter_map(|(_, entry)| entry.as_variable())
+            .collect(),
+        false => vec![],
     }
 }

@@ -260,8 +260,13 @@ impl Builder<'_> {
 
     /// Whether the document writes the rate of a letter: then it changes.
     fn has_rate(&self, distance: &Term) -> bool {
-        let Term::Formula(formula) = distance else {
-            return false;
+        let formula = match distance {
+            Term::Formula(formula) => formula,
+            Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
+                Some(Term::Formula(formula)) => formula,
+                _ => return false,
+            },
+            _ => return false,
         };
         let letter = node_of(formula).map(spelled);
         letter.is_some_and(|letter| self.reading.letters.written.contains(&rate_of(&letter)))
@@ -283,7 +288,7 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if what.head != MASS_CENTRE || reach_of(&declaration.extent) == Reach::All {
+            if what.head != MASS_CENTRE {
                 continue;
             }
             let Some(body) = what.slot(Slot::Of).and_then(|term| self.body(term)) else {

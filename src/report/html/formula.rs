@@ -71,7 +71,7 @@ const ATTRIBUTES: [&str; 27] = [
 ];
 
 /// Draws a formula in a line of its own.
-pub(super) fn formula(source: &str) -> Markup {
+pub(in crate::report) fn formula(source: &str) -> Markup {
     drawn_as(source, DisplayMode::Block)
 }
 

@@ -1,0 +1,100 @@
+//! Marking classes of 100 to 10 000 submissions of twenty lines, on one thread, with every output: how many a second, and
+//! how much memory.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+const KEY: &str = include_str!("../examples/grading/key.md");
+const SIZES: [usize; 3] = [100, 1_000, 10_000];
+
+/// Twenty lines: the example's derivation with steps between its milestones, and a slip in every third.
+fn submission(number: usize) -> String {
+    let sign = if number.is_multiple_of(3) { "+" } else { "-" };
+    let turned = if number.is_multiple_of(3) { "-" } else { "+" };
+    let mut text = String::from(
+        "$$\\vec M = (\\dot{\\vec L})_{xyz} + \\vec\\omega\\times\\vec L$$\n\
+         $$M_x = \\dot L_x + \\omega_y L_z - \\omega_z L_y$$\n\
+         $$M_y = \\dot L_y + \\omega_z L_x - \\omega_x L_z$$\n\
+         $$M_z = \\dot L_z + \\omega_x L_y - \\omega_y L_x$$\n",
+    );
+    text.push_str(&format!(
+        "$$L_x = I_{{xx}}\\omega_x - I_{{xz}}\\omega_z$$\n$$L_y = I_{{yy}}\\omega_y$$\n\
+         $$L_z = I_{{zz}}\\omega_z {sign} I_{{xz}}\\omega_x$$\n\
+         $$\\dot L_x = I_{{xx}}\\dot\\omega_x - I_{{xz}}\\dot\\omega_z$$\n$$\\dot L_y = I_{{yy}}\\dot\\omega_y$$\n\
+         $$M_x = \\dot L_x + \\omega_y(I_{{zz}}\\omega_z {sign} I_{{xz}}\\omega_x) - \\omega_z I_{{yy}}\\omega_y$$\n"
+    ));
+    let steps = [
+        "M_x - \\dot L_x = \\omega_y L_z - \\omega_z L_y",
+        "M_y - \\dot L_y = \\omega_z L_x - \\omega_x L_z",
+        "\\omega_z L_y = I_{yy}\\omega_y\\omega_z",
+        "2 L_y = 2 I_{yy}\\omega_y",
+        "L_y\\omega_x = I_{yy}\\omega_x\\omega_y",
+        "L_x\\omega_y = I_{xx}\\omega_x\\omega_y - I_{xz}\\omega_y\\omega_z",
+        "L_x\\omega_z = I_{xx}\\omega_x\\omega_z - I_{xz}\\omega_z^2",
+        "\\omega_x L_x = I_{xx}\\omega_x^2 - I_{xz}\\omega_x\\omega_z",
+        "L_y\\omega_y = I_{yy}\\omega_y^2",
+    ];
+    steps
+        .iter()
+        .for_each(|step| text.push_str(&format!("$${step}$$\n")));
+    text.push_str(&format!(
+        "$$M_x = I_{{xx}}\\dot\\omega_x - I_{{xz}}\\dot\\omega_z {turned_sign} I_{{xz}}\\omega_x\\omega_y \
+         + (I_{{zz}} - I_{{yy}})\\omega_y\\omega_z$$\n",
+        turned_sign = if turned == "+" { "-" } else { "+" }
+    ));
+    // No two are alike.
+    text.push_str(&format!("\nThis is the work of number {number}.\n"));
+    text
+}
+
+/// Seconds and peak memory in megabytes of one run.
+fn run(folder: &Path) -> (f64, u64) {
+    let path = |name: &str| folder.join(name);
+    let start = Instant::now();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_polhode"))
+        .arg("grade")
+        .args([path("key.md"), path("work")])
+        .arg("--out")
+        .arg(path("out"))
+        .args(["--threads", "1", "--feedback-format", "html,md,json"])
+        .arg("--gradebook=csv,jsonl,gradescope,prairielearn,moodle,canvas,coderunner,points")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command runs");
+    let mut peak = 0;
+    while child.try_wait().expect("waited for").is_none() {
+        let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<u64>().ok());
+        peak = peak.max(kilobytes.unwrap_or(0));
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    (start.elapsed().as_secs_f64(), peak >> 10)
+}
+
+fn main() {
+    println!("submissions   seconds   a second   peak MB");
+    let most = std::env::var("POLHODE_BENCH_MOST")
+        .ok()
+        .and_then(|n| n.parse().ok());
+    for size in SIZES
+        .into_iter()
+        .filter(|size| most.is_none_or(|most: usize| *size <= most))
+    {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::create_dir(folder.path().join("work")).expect("made");
+        fs::write(folder.path().join("key.md"), KEY).expect("written");
+        for number in 0..size {
+            let path = folder.path().join(format!("work/s{number:05}.md"));
+            fs::write(path, submission(number)).expect("written");
+        }
+        let (seconds, peak) = run(folder.path());
+        println!(
+            "{size:>11} {seconds:>9.1} {:>10.0} {peak:>9}",
+            size as f64 / seconds
+        );
+    }
+}
