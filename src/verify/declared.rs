@@ -17,7 +17,6 @@ use crate::verify::verdict::{
 use std::collections::{BTreeMap, HashMap};
 
 mod judgment;
-mod own;
 
 /// Of more sentences that the model is too large for nothing is said.
 const MOST_BEYOND: usize = 4;
@@ -77,9 +76,13 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let mut found: Vec<Unused> = vec![];
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
     let in_each = |sentence: &str| {
-        judgments
-            .iter()
-            .all(|own| own.judge.reading.unused.iter().any(|u| u.sentence == sentence))
+        judgments.iter().all(|own| {
+            own.judge
+                .reading
+                .unused
+                .iter()
+                .any(|u| u.sentence == sentence)
+        })
     };
     for unused in each.filter(|unused| unused.understood && in_each(&unused.sentence)) {
         let told = found.iter().filter(|known| known.beyond).count();
@@ -200,7 +203,6 @@ impl Rows<'_> {
     }
 }
 
-
 /// What stands in a tree that could not be read.
 fn error_in(node: &Node) -> Option<(String, Span)> {
     match &node.kind {
@@ -300,4 +302,3 @@ impl Rows<'_> {
         asked
     }
 }
-

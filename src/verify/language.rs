@@ -27,12 +27,25 @@ mod rewrite;
 mod roles;
 mod sign;
 pub mod statement;
+mod unread;
 mod words;
 
 pub use declare::{read_declarations, read_sentence};
 pub use lexicon::Lexicon;
 pub use manual::manual;
 pub use print::sentence;
+
+/// Whether only bodies have what a noun means: a momentum, an inertia.
+pub(crate) fn is_bodily(noun: &str) -> bool {
+    let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
+    entry.is_some_and(|entry| entry.bodily)
+}
+
+/// Whether a noun means a thing of the system: a frame, a point, a body.
+pub(crate) fn is_thing(noun: &str) -> bool {
+    let things = [lexicon::Class::Place, lexicon::Class::Thing];
+    Lexicon::shared().entry(noun, &things).is_some()
+}
 
 /// Whether a noun says what quantity a letter is, and no more than that.
 pub(crate) fn only_names(noun: &str) -> bool {

@@ -478,9 +478,9 @@ fn a_clause_may_have_a_part_of_the_document_of_its_own() {
 
 #[test]
 fn what_a_sentence_says_first_is_kept_where_the_rest_is_not_understood() {
-    let text = "$r$ is the position of P from O, $s$ its gribble.\nP consists of Q, $s$ its gribble.";
-    let (declarations, misread) =
-        read_declarations(text, &Macros::default(), &Lexicon::default());
+    let text =
+        "$r$ is the position of P from O, $s$ its gribble.\nP consists of Q, $s$ its gribble.";
+    let (declarations, misread) = read_declarations(text, &Macros::default(), &Lexicon::default());
     assert_eq!(misread.len(), 2);
     let read = |d: &&Declaration| !matches!(d.statement, Statement::Unread { .. });
     let kept: Vec<usize> = declarations.iter().filter(read).map(|d| d.line).collect();

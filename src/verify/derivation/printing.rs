@@ -103,7 +103,9 @@ impl Letters {
         let wholes = (0..system.bodies.len()).filter(|&b| !system.bodies[b].parts.is_empty());
         let mass = |body| {
             let parts = system.wholes(body).into_iter();
-            parts.fold(Fraction::zero(), |sum, part| sum + system.bodies[part].mass.clone())
+            parts.fold(Fraction::zero(), |sum, part| {
+                sum + system.bodies[part].mass.clone()
+            })
         };
         for mass in wholes.map(mass) {
             let factor = mass.numerator();

@@ -45,7 +45,8 @@ pub fn read_declarations(
             Ok(said) => declarations.extend(said),
             Err(error) => {
                 let tokens = tokens.unwrap_or_default();
-                let reader = |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
+                let reader =
+                    |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
                 let (begun, rest) = begun(&tokens, &reader);
                 declarations.extend(begun);
                 declarations.push(unread(rest, sentence, line, macros, lexicon));
@@ -249,7 +250,9 @@ fn parted_further(
                 return Parted::Understood(said);
             }
             Err(other) => {
-                let best = further.as_ref().map_or(error.column, |(_, best)| best.column);
+                let best = further
+                    .as_ref()
+                    .map_or(error.column, |(_, best)| best.column);
                 if other.column > best {
                     further = Some((candidate, other));
                 }

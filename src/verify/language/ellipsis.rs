@@ -139,7 +139,11 @@ fn completed(
         return all;
     }
     let reminded = [rest, subject].map(|spoken| reminded(second, spoken, lexicon));
-    all.extend(reminded.iter().map(|second| (whole.clone(), second.clone())));
+    all.extend(
+        reminded
+            .iter()
+            .map(|second| (whole.clone(), second.clone())),
+    );
     // "and `$b$` the mass of C": the verb of the first
     for second in [second, &reminded[0]] {
         for end in subjects_of_gap(second, lexicon) {
@@ -149,7 +153,11 @@ fn completed(
         }
         // "and is fixed in B", "and fixed in B": the subject of the first
         all.push((whole.clone(), [subject, second].concat()));
-        all.push((whole.clone(), [subject, verb, second].concat()));
+        let words: Vec<&str> = second.iter().map(|t| t.lower.as_str()).collect();
+        let said = [Class::Adjective, Class::Preposition, Class::Passive];
+        if lexicon.find(&words, &said).is_some() {
+            all.push((whole.clone(), [subject, verb, second].concat()));
+        }
     }
     let shared = all
         .iter()

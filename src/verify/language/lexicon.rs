@@ -94,6 +94,8 @@ pub(crate) struct Entry {
     pub(crate) part: bool,
     /// Whether it tells more than what a letter is: that something vanishes, has a length or does not change.
     pub(crate) tells: bool,
+    /// Only bodies have it.
+    pub(crate) bodily: bool,
 }
 
 impl Entry {
@@ -274,6 +276,7 @@ impl Lexicon {
             one: flags.contains("one"),
             part: flags.contains("part"),
             tells: flags.contains("tells"),
+            bodily: flags.contains("bodily"),
         };
         self.entries.push(entry);
         for form in parted(forms).into_iter().flat_map(alternatives) {

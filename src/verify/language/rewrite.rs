@@ -27,6 +27,8 @@ enum Piece {
     Any(char),
     /// A list of formulas.
     Formulas(char),
+    /// One piece or more without a comma.
+    Clause(char),
     /// One piece or more that begin with an article or another word that belongs to a noun.
     Phrase(char),
     /// A sign.
@@ -73,6 +75,7 @@ fn piece(text: &str) -> Piece {
         (Some(')'), None) => return Piece::Sign(Kind::Close),
         (Some(c @ ('F' | 'G')), None) => return Piece::Formulas(c),
         (Some(c @ ('N' | 'M')), None) => return Piece::Phrase(c),
+        (Some('U'), None) => return Piece::Clause('U'),
         (Some(c), None) if c.is_ascii_uppercase() => return Piece::Any(c),
         _ => {}
     }
@@ -142,7 +145,7 @@ impl Rule {
         let mut new: Vec<Token> = vec![];
         for piece in &self.plain {
             match piece {
-                Piece::Any(c) | Piece::Formulas(c) | Piece::Phrase(c) => {
+                Piece::Any(c) | Piece::Formulas(c) | Piece::Phrase(c) | Piece::Clause(c) => {
                     let found = bound.iter().find(|(letter, _)| letter == c);
                     new.extend(found.iter().flat_map(|(_, tokens)| tokens.iter().cloned()));
                 }
@@ -189,7 +192,7 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
         Piece::Sign(kind) => (tokens.first()?.kind == *kind)
             .then_some(())
             .and_then(|()| behind(1)),
-        Piece::Any(c) | Piece::Phrase(c) => {
+        Piece::Any(c) | Piece::Phrase(c) | Piece::Clause(c) => {
             if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
                 return None;
             }
@@ -199,10 +202,12 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             } else {
                 1
             };
-            let verb = |t: &Token| {
-                matches!(piece, Piece::Phrase(_)) && COPULAS.contains(&t.lower.as_str())
+            let ends = |t: &Token| match piece {
+                Piece::Phrase(_) => COPULAS.contains(&t.lower.as_str()),
+                Piece::Clause(_) => t.kind == Kind::Comma,
+                _ => false,
             };
-            let longest = tokens.iter().position(verb).unwrap_or(tokens.len());
+            let longest = tokens.iter().position(ends).unwrap_or(tokens.len());
             (shortest..=longest).find_map(|length| {
                 let (used, mut bound) = behind(length)?;
                 bound.push((*c, &tokens[..length]));

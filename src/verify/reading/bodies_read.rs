@@ -1,5 +1,6 @@
 //! Bodies, their parts, and the families that their members make.
 
+use crate::verify::language::is_bodily;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, Family, Rotors};
 use crate::verify::reading::builder::Builder;
@@ -12,17 +13,7 @@ use crate::verify::term::quantity::{Quantity, Whole};
 pub(super) const WHOLES: [&str; 4] = ["body", "rigid body", "particle", "system"];
 
 /// The name of the body that stands for each particle of several.
-pub(super) const EACH: &str = "each particle";
-
-/// Quantities that only bodies have.
-const OF_BODIES: [&str; 6] = [
-    "angular momentum",
-    "momentum",
-    "inertia tensor",
-    "kinetic energy",
-    "principal moments",
-    "moment of inertia",
-];
+pub(super) const EACH: &str = "each";
 
 /// Things that are fixed, and on which others stand or roll.
 const GROUNDS: [&str; 7] = [
@@ -110,7 +101,7 @@ impl Builder<'_> {
             };
             let slot = match what.head {
                 "point" => Slot::FixedIn,
-                head if OF_BODIES.contains(&head) => Slot::Of,
+                head if is_bodily(head) => Slot::Of,
                 _ => continue,
             };
             for term in what.all(slot) {
@@ -148,11 +139,7 @@ impl Builder<'_> {
     }
 
     /// "The spacecraft consists of the hub and the wheels."
-    fn bodies_of_parts(
-        &mut self,
-        subjects: &[Term],
-        slots: &[(Slot, Term)],
-    ) {
+    fn bodies_of_parts(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
         let [subject] = subjects else { return };
         let Some(name) = name_of(subject) else { return };
         let whole = self.add_named_body(&name);

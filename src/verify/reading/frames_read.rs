@@ -4,8 +4,7 @@ use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::name_of;
-use crate::verify::reading::turns_read::EULER_ANGLES;
+use crate::verify::reading::names::{EULER_ANGLES, name_of};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
@@ -328,9 +327,9 @@ impl Builder<'_> {
     /// The frame in which a sentence says that a vector is fixed.
     fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
         let says = |declaration: &&Declaration| match &declaration.statement {
-            Statement::Is { subjects, .. } => subjects.iter().any(
-                |subject| matches!(subject, Term::Formula(f) if f.source == letter.source),
-            ),
+            Statement::Is { subjects, .. } => subjects
+                .iter()
+                .any(|subject| matches!(subject, Term::Formula(f) if f.source == letter.source)),
             _ => false,
         };
         let mut said = self.declarations.iter().filter(says);

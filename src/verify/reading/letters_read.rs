@@ -8,9 +8,10 @@ use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{acting_force, is_force_at, rests_for_long};
 use crate::verify::reading::names::{
-    MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR, node_of, reach_of,
+    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,
+    UNIT_VECTOR, node_of, reach_of,
 };
-use crate::verify::reading::turns_read::EULER_ANGLES;
+use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -140,16 +141,9 @@ impl Builder<'_> {
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
-            "disturbance" if what.slots.is_empty() => {}
-            "positive" if !what.is("not") => {
-                for formula in formulas(subjects) {
-                    let value = self.formula_value(&formula.clone(), declaration);
-                    for entry in value.into_iter().flat_map(|value| value.entries) {
-                        self.system().atoms.set_positive(&entry);
-                    }
-                }
-            }
-            "reference value" | "disturbance" => {
+            DISTURBANCE if what.slots.is_empty() => {}
+            "positive" if !what.is("not") => self.read_positive(subjects, declaration),
+            REFERENCE | DISTURBANCE => {
                 if self.read_reference(subjects, what, declaration).is_none() {
                     self.say_unused(declaration);
                 }
@@ -175,10 +169,10 @@ impl Builder<'_> {
             }
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
-            "cross-product matrix" | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
+            CROSS_PRODUCT_MATRIX | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
                 self.read_operator(subjects, what, declaration);
             }
-            "angular velocity" if what.slot(Slot::ForAny).is_some() => {
+            ANGULAR_VELOCITY if what.slot(Slot::ForAny).is_some() => {
                 self.read_any_angular_velocity(subjects);
             }
             _ => self.read_quantity(subjects, what, declaration),

@@ -14,6 +14,15 @@ pub(crate) const PRODUCTS: &str = "products of inertia";
 /// The noun of the entries of a tensor on its principal axes.
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 
+/// The noun of angles in an order.
+pub(crate) const EULER_ANGLES: &str = "Euler angles";
+
+/// The noun of how a frame turns.
+pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
+
+/// The noun of the matrix that a cross product is.
+pub(crate) const CROSS_PRODUCT_MATRIX: &str = "cross-product matrix";
+
 /// The noun of a vector of length one.
 pub(crate) const UNIT_VECTOR: &str = "unit vector";
 

@@ -5,8 +5,11 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{PRODUCTS, index_letter, node_of, reach_of, without_commands};
-use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, plain, spelled};
+use crate::verify::reading::names::{
+    CROSS_PRODUCT_MATRIX, PRODUCTS, index_letter, node_of, reach_of, without_commands,
+};
+use crate::verify::term::labels::plain;
+use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, spelled};
 
 impl Builder<'_> {
     /// Takes in the rules of notation.
@@ -104,6 +107,10 @@ impl Builder<'_> {
                 self.reading.letters.customs.raised_frames =
                     *meaning == NotationMeaning::Fixed("that frame");
             }
+            Sign::Custom(brackets) if brackets.starts_with("square") => {
+                let customs = &mut self.reading.letters.customs;
+                customs.crossing_brackets = effect == Effect::CrossProductMatrix;
+            }
             Sign::Custom(_) => {}
         }
     }
@@ -145,8 +152,12 @@ impl Builder<'_> {
             return false;
         };
         let name = &self.reading.system.frames[*frame].name;
-        let letters = |text: &str| -> String { text.chars().filter(|c| c.is_alphabetic()).collect() };
-        let (command, name) = (letters(written.trim()), letters(name.trim_end_matches("~cal")));
+        let letters =
+            |text: &str| -> String { text.chars().filter(|c| c.is_alphabetic()).collect() };
+        let (command, name) = (
+            letters(written.trim()),
+            letters(name.trim_end_matches("~cal")),
+        );
         let single = written.trim().strip_prefix('\\') == Some(command.as_str());
         single && !name.is_empty() && command.ends_with(&name)
     }
@@ -154,11 +165,11 @@ impl Builder<'_> {
     fn effect(&self, meaning: &NotationMeaning) -> Option<Effect> {
         match meaning {
             NotationMeaning::Noun(phrase) => match phrase.head {
-                "rate" | "second rate" => Some(Effect::RateSeenFrom(
+                rate if rate.ends_with("rate") => Some(Effect::RateSeenFrom(
                     self.frame(phrase.slot(Slot::SeenFrom)?)?,
                 )),
                 "component" => Some(Effect::ComponentsOn(self.frame(phrase.slot(Slot::On)?)?)),
-                "cross-product matrix" => Some(Effect::CrossProductMatrix),
+                CROSS_PRODUCT_MATRIX => Some(Effect::CrossProductMatrix),
                 _ => None,
             },
             NotationMeaning::Fixed("itself") => Some(Effect::Itself),
@@ -176,7 +187,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
     };
     match sign {
         Sign::Operator(_) => matches!(phrase.head, "function" | "cross product" | "dot product"),
-        Sign::Mark("dot" | "dot on a scalar" | "dot on a matrix") => {
+        Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {
             phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()
         }
         _ => false,

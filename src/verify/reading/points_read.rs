@@ -7,7 +7,8 @@ use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, name_of, node_of, reach_of};
-use crate::verify::term::letters::{Reach, rate_of, spelled};
+use crate::verify::term::labels::rate_of;
+use crate::verify::term::letters::{Reach, spelled};
 
 /// What is said of a point, gathered from all sentences.
 #[derive(Clone, Debug, Default)]
@@ -142,8 +143,7 @@ impl Builder<'_> {
     /// A mass centre without a name is a point as well.
     fn add_centres(&self, spoken: &mut Vec<Spoken>) {
         for (body, whole) in self.reading.system.bodies.iter().enumerate() {
-            let is_its =
-                |s: &Spoken| s.centre_of == Some(body) || s.also_centre_of.contains(&body);
+            let is_its = |s: &Spoken| s.centre_of == Some(body) || s.also_centre_of.contains(&body);
             let known = spoken.iter().any(is_its);
             let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
             let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
@@ -216,13 +216,17 @@ impl Builder<'_> {
     /// The point that another is placed from, and the way there.
     fn way_to(&mut self, spoken: &Spoken, fixed_in: &[FrameId]) -> (PointId, Vector) {
         let bodies = &self.reading.system.bodies;
-        let each = spoken.centre_of.is_some_and(|body| bodies[body].members.is_some());
+        let each = spoken
+            .centre_of
+            .is_some_and(|body| bodies[body].members.is_some());
         if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index, each)) {
             return placed;
         }
         let text = format!("r_{{{}}}", spoken.name);
         let system = &mut self.reading.system;
-        let of_each = spoken.centre_of.and_then(|body| system.bodies[body].members.clone());
+        let of_each = spoken
+            .centre_of
+            .and_then(|body| system.bodies[body].members.clone());
         let indexed = |name: &str| Some(system.index_in(name.split_once('_')?.1)?.1);
         let member = of_each.or_else(|| indexed(&spoken.name));
         let member = member.as_deref();

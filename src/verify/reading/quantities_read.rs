@@ -7,19 +7,14 @@ use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::names::{
-    MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR, name_of, told,
+    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
+    UNIT_VECTOR, name_of, told,
 };
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
-/// Quantities of one point or one frame.
-const MOTIONS: [&str; 5] = [
-    "position",
-    "displacement",
-    "velocity",
-    "acceleration",
-    "angular velocity",
-];
+/// Quantities of one point.
+const MOTIONS: [&str; 4] = ["position", "displacement", "velocity", "acceleration"];
 
 impl Builder<'_> {
     /// The quantity that a phrase names.
@@ -28,6 +23,10 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
+        // Of several things each has its own.
+        if MOTIONS.contains(&phrase.head) && phrase.all(Slot::Of).count() > 1 {
+            return None;
+        }
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along)
             && !matches!(phrase.head, UNIT_VECTOR | "moment of inertia")
@@ -57,10 +56,6 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         let ground = self.reading.system.ground;
         let relative = told(phrase.slot(Slot::RelativeTo), ground, |t| self.frame(t));
-        // Of several things each has its own.
-        if MOTIONS.contains(&phrase.head) && phrase.all(Slot::Of).count() > 1 {
-            return None;
-        }
         if matches!(phrase.head, "position" | "displacement") {
             let of = self.spot(phrase.slot(Slot::Of)?)?;
             let from = phrase.slot(Slot::RelativeTo);
@@ -82,7 +77,7 @@ impl Builder<'_> {
                 let of = self.moving_spot(phrase)?;
                 Quantity::Acceleration { of, relative }
             }
-            "angular velocity" => {
+            ANGULAR_VELOCITY => {
                 let of = self.frame(phrase.slot(Slot::Of)?)?;
                 Quantity::AngularVelocity { of, relative }
             }
@@ -105,7 +100,7 @@ impl Builder<'_> {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
             }
-            "cross-product matrix" => {
+            CROSS_PRODUCT_MATRIX => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::CrossProductMatrix(of.boxed())
             }

@@ -11,8 +11,8 @@ use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use num_traits::Zero;
 
-const REFERENCE: &str = "reference value";
-const DISTURBANCE: &str = "disturbance";
+pub(super) const REFERENCE: &str = "reference value";
+pub(super) const DISTURBANCE: &str = "disturbance";
 
 impl Builder<'_> {
     /// "`P_0` is the reference value of `P`, and `p` its small disturbance": both are letters of their own.

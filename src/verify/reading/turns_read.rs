@@ -6,10 +6,7 @@ use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::Said;
-use crate::verify::reading::names::name_of;
-
-/// The noun of angles in an order.
-pub(super) const EULER_ANGLES: &str = "Euler angles";
+use crate::verify::reading::names::{EULER_ANGLES, name_of};
 
 impl Builder<'_> {
     /// Angles in an order: frames between, each turned about one axis.

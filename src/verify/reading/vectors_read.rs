@@ -8,7 +8,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::atoms::whole;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{node_of, told};
+use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, node_of, told};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -56,7 +56,12 @@ impl Builder<'_> {
     }
 
     /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
-    pub(super) fn read_column(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+    pub(super) fn read_column(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
         let entries = what.all(Slot::Of).map(|term| match term {
             Term::Formula(formula) => node_of(formula).cloned(),
             Term::Numbers(numbers) => match numbers[..] {
@@ -65,7 +70,9 @@ impl Builder<'_> {
             },
             _ => None,
         });
-        let Some(entries) = entries.collect::<Option<Vec<_>>>() else {
+        let entries = entries.collect::<Option<Vec<_>>>();
+        // The rows of a matrix are no row of matrices.
+        let Some(entries) = entries.filter(|entries| entries.len() > 1) else {
             return self.say_unused(declaration);
         };
         for formula in formulas(subjects) {
@@ -77,6 +84,15 @@ impl Builder<'_> {
                 span: crate::source::Span::default(),
             };
             self.denote(formula, Meaning::Same(Box::new(column)), declaration);
+        }
+    }
+
+    pub(super) fn read_positive(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            let value = self.formula_value(&formula.clone(), declaration);
+            for entry in value.into_iter().flat_map(|value| value.entries) {
+                self.system().atoms.set_positive(&entry);
+            }
         }
     }
 
@@ -157,7 +173,7 @@ impl Builder<'_> {
             };
             let Some(head) = head else { continue };
             let operator = match what.head {
-                "cross-product matrix" => Operator::CrossProductMatrix,
+                CROSS_PRODUCT_MATRIX => Operator::CrossProductMatrix,
                 _ => Operator::RotationVector,
             };
             let head = Formula {
@@ -173,9 +189,8 @@ impl Builder<'_> {
         let Some(formula) = formulas(subjects).next().cloned() else {
             return;
         };
-        let vector = node_of(&formula).is_some_and(|node| {
-                matches!(&node.kind, Kind::Symbol(s) if s.style.vector)
-        });
+        let vector = node_of(&formula)
+            .is_some_and(|node| matches!(&node.kind, Kind::Symbol(s) if s.style.vector));
         let ground = self.reading.system.ground;
         let text = formula.source.clone();
         if vector {

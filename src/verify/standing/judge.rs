@@ -184,7 +184,10 @@ impl<'a> Judge<'a> {
     fn is_only_named(&self, line: &Line) -> bool {
         let text = &self.document.source.text;
         let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
-        let beside = before.rsplit('\n').next().is_some_and(|line| line.contains(':'));
+        let beside = before
+            .rsplit('\n')
+            .next()
+            .is_some_and(|line| line.contains(':'));
         let paragraph = self.words.sentence.rsplit('\n').next();
         let paragraph = paragraph.unwrap_or("").trim_end();
         beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5

@@ -2,26 +2,13 @@
 //! point that is placed anew.
 
 use crate::notation::document::{Document, Headings, Item, Row};
+use crate::verify::language::is_thing;
 use crate::verify::language::statement::{Declaration, Extent, Statement};
-use crate::verify::reading::names::reach_of;
+use crate::verify::reading::names::{EULER_ANGLES, reach_of};
 use crate::verify::term::letters::{At, Reach};
 
 /// A document with more systems than this is read as one that speaks of a single one.
 const MOST_PARTS: usize = 12;
-
-/// Nouns by which a sentence builds the system.
-const NOUNS: [&str; 10] = [
-    "frame",
-    "axes",
-    "point",
-    "origin",
-    "mass centre",
-    "plane",
-    "particle",
-    "body",
-    "rigid body",
-    "Euler angles",
-];
 
 /// Verbs by which a sentence builds the system.
 const VERBS: [&str; 5] = ["turn", "lie", "place", "roll", "consist"];
@@ -100,7 +87,7 @@ fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Pa
 /// Whether a sentence builds the system for a part of the document alone.
 fn is_limited(declaration: &Declaration) -> bool {
     let builds = match &declaration.statement {
-        Statement::Is { what, .. } => NOUNS.contains(&what.head),
+        Statement::Is { what, .. } => is_thing(what.head) || what.head == EULER_ANGLES,
         Statement::Does { verb, .. } => VERBS.contains(verb),
         _ => false,
     };

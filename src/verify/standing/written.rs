@@ -3,7 +3,8 @@
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
-use crate::verify::term::letters::{rate_of, spell, spelled};
+use crate::verify::term::labels::rate_of;
+use crate::verify::term::letters::{spell, spelled};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.

@@ -1,7 +1,8 @@
 //! The letters in a formula that number axes.
 
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::verify::term::letters::{At, Letter, Letters, letters_of, spell};
+use crate::verify::term::labels::letters_of;
+use crate::verify::term::letters::{At, Letter, Letters, spell};
 use crate::verify::term::lower::Lowering;
 use std::collections::BTreeMap;
 

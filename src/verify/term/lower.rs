@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::mechanics;
-use crate::notation::ast::{Kind, Node, Number, Term};
+use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
 use crate::source::Source;
 use crate::verify::model::system::System;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, Meaning, loosely, spelled};
@@ -95,6 +95,26 @@ impl<'a> Lowering<'a> {
         value
     }
 
+    fn group(&mut self, bracket: Bracket, inner: &Node) -> Valued {
+        let value = self.value(inner)?;
+        let alone = matches!(inner.kind, Kind::Symbol(_) | Kind::InFrame(..));
+        self.in_brackets(value, alone && bracket == Bracket::Square)
+    }
+
+    fn matrix(&mut self, rows: &[Vec<Node>]) -> Valued {
+        let single = matches!(rows, [row] if row.len() == 1);
+        let value = self.list(rows, false)?;
+        self.in_brackets(value, single)
+    }
+
+    /// What square brackets make of a vector, where a sentence says so.
+    fn in_brackets(&mut self, value: Value, square: bool) -> Valued {
+        match square && self.letters.customs.crossing_brackets && value.is_vector() {
+            true => value.cross_product_matrix(),
+            false => Ok(value),
+        }
+    }
+
     /// The value of a node.
     pub(crate) fn value(&mut self, node: &Node) -> Valued {
         if let Some(value) = self.as_a_whole(node) {
@@ -121,10 +141,10 @@ impl<'a> Lowering<'a> {
                 })
             }
             Kind::Skew(inner) => self.skew(node, inner),
-            Kind::Group(_, inner) => self.value(inner),
+            Kind::Group(bracket, inner) => self.group(*bracket, inner),
             Kind::Norm(inner) => self.norm(inner),
             Kind::Tuple(entries) => self.list(std::slice::from_ref(entries), true),
-            Kind::Matrix(rows) => self.list(rows, false),
+            Kind::Matrix(rows) => self.matrix(rows),
             Kind::Determinant(rows) => self.determinant(rows),
             Kind::TimeDerivative {
                 operand,

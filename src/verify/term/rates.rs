@@ -3,7 +3,8 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Node};
 use crate::verify::model::system::FrameId;
-use crate::verify::term::letters::{Effect, Mark, plain};
+use crate::verify::term::labels::plain;
+use crate::verify::term::letters::{Effect, Mark};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 

@@ -5,7 +5,8 @@ use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
-use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, plain, spell};
+use crate::verify::term::labels::plain;
+use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued};
@@ -315,7 +316,10 @@ impl Lowering<'_> {
     }
 
     /// The value of a symbol that sentences tell of, with the frame of its components; `None` where none does.
-    pub(super) fn known(&mut self, symbol: &Symbol) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
+    pub(super) fn known(
+        &mut self,
+        symbol: &Symbol,
+    ) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
         let exact = spell(symbol, true);
         let number = self.counts.get(&exact).copied().unwrap_or(0).max(1);
         let found = self

@@ -4,7 +4,8 @@ use crate::algebra::{Fraction, Place};
 use crate::notation::ast::Symbol;
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, Nature, Space, fraction, whole};
-use crate::verify::term::letters::{letters_of, plain};
+use crate::verify::term::labels::{letters_of, plain};
+
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued};

@@ -1,0 +1,29 @@
+//! Labels of letters as texts.
+
+/// How the rate of a letter is noted among the symbols that are written.
+pub(crate) fn rate_of(spelled: &str) -> String {
+    format!("\\dot {spelled}")
+}
+
+/// A label without spaces and commas.
+pub(crate) fn plain(label: &str) -> String {
+    label
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != ',')
+        .collect()
+}
+
+/// The letters of a label, of which the Greek ones have names of several: `alpha`, `beta` of `alphabeta`.
+pub(crate) fn letters_of(label: &str, is_letter: impl Fn(&str) -> bool) -> Vec<String> {
+    let label = plain(label);
+    let mut letters = vec![];
+    let mut rest = label.as_str();
+    while let Some(first) = rest.chars().next() {
+        let ends = rest.char_indices().map(|(at, c)| at + c.len_utf8());
+        let named = ends.filter(|&end| is_letter(&rest[..end])).last();
+        let (letter, behind) = rest.split_at(named.unwrap_or(first.len_utf8()));
+        letters.push(letter.to_owned());
+        rest = behind;
+    }
+    letters
+}
