@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
-use crate::verify::language::statement::{Extent, Formula, Term};
+use crate::verify::language::statement::{Extent, Formula, Slot, Term};
 use crate::verify::term::letters::Reach;
 
 /// The point of a body by which its mass moves.
@@ -34,10 +34,15 @@ pub(crate) fn name_of(term: &Term) -> Option<String> {
     match term {
         Term::Name(name) => Some(name.trim().to_owned()),
         Term::Formula(formula) => Some(name_of_formula(formula)),
-        // A noun alone is a name as well: "the ring".
+        // A noun alone is a name as well, "the ring", and so is a frame of a kind: "the body frame".
         Term::Phrase(phrase) if phrase.slots.is_empty() && phrase.adjectives.is_empty() => {
             Some(phrase.head.to_owned())
         }
+        Term::Phrase(phrase) if phrase.head == "frame" => match phrase.slots.as_slice() {
+            [] => Some(format!("{} frame", phrase.adjectives.join(" "))),
+            [(Slot::Of, Term::Name(body))] => Some(format!("{body} frame")),
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -22,9 +22,7 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
-        let Some(Term::Formula(of)) = what.slot(Slot::Of).cloned() else {
-            return None;
-        };
+        let of = self.of_letter(what)?;
         let whole = self.formula_value(&of, declaration)?;
         for formula in formulas(subjects) {
             let text = formula.source.clone();
@@ -49,11 +47,11 @@ impl Builder<'_> {
             let Statement::Is { what, .. } = &declaration.statement else {
                 continue;
             };
-            if let (DISTURBANCE, Some(Term::Formula(of))) = (what.head, what.slot(Slot::Of)) {
-                let of = of.clone();
-                if self.made_up(&of, declaration).is_none() {
-                    self.say_unused(declaration);
-                }
+            if what.head == DISTURBANCE
+                && let Some(of) = self.of_letter(what)
+                && self.made_up(&of, declaration).is_none()
+            {
+                self.say_unused(declaration);
             }
         }
     }
@@ -70,14 +68,33 @@ impl Builder<'_> {
     /// The letter that a sentence says to be the reference value, or the disturbance, of another.
     fn letter_said(&self, noun: &str, of: &Formula) -> Option<Formula> {
         self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == noun => match what.slot(Slot::Of) {
-                Some(Term::Formula(said)) if said.source == of.source => {
-                    formulas(subjects).next().cloned()
-                }
-                _ => None,
-            },
+            Statement::Is { subjects, what } if what.head == noun => {
+                let said = self.of_letter(what)?;
+                (said.source == of.source).then(|| formulas(subjects).next().cloned())?
+            }
             _ => None,
         })
+    }
+
+    /// The letter of which something is the reference value or the disturbance; a disturbance of a reference value is one of
+    /// the letter itself.
+    fn of_letter(&self, what: &NounPhrase) -> Option<Formula> {
+        let Some(Term::Formula(of)) = what.slot(Slot::Of) else {
+            return None;
+        };
+        let refers = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } if what.head == REFERENCE => {
+                let mut letters = formulas(subjects);
+                let named = letters.any(|letter| letter.source == of.source);
+                match what.slot(Slot::Of) {
+                    Some(Term::Formula(whole)) if named => Some(whole.clone()),
+                    _ => None,
+                }
+            }
+            _ => None,
+        };
+        let whole = self.declarations.iter().find_map(refers);
+        Some(whole.unwrap_or_else(|| of.clone()))
     }
 
     /// Each component is its reference value and its disturbance; one that is told otherwise already holds the same.

@@ -138,3 +138,35 @@ $$ D C\ddot\epsilon_2 = (C - A)(A - D)\nu_1^2\epsilon_2 $$
 ";
     assert_eq!(judged(NEAR, text), "ppprpp");
 }
+
+#[test]
+fn its_disturbance_is_that_of_the_letter_and_not_of_its_reference_value() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\omega$ is the angular velocity of the body relative to N.
+$\\nu$ is the reference value of $\\omega$, and $\\epsilon$ its small disturbance, with the components $a$, $b$, $c$ on B.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\omega$ on B, $\\nu_1$, $\\nu_2$, $\\nu_3$ those of $\\nu$.
+";
+    let text = r"
+$$ \omega = \nu + \epsilon $$
+$$ \omega_2 = \nu_2 + b $$
+$$ \omega_2 = \nu_2 + a $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_frame_may_be_called_by_its_kind() {
+    let sentences = "The lab frame is an inertial frame.
+The body frame is a frame fixed in the body.
+O is a point fixed in the lab frame and in the body frame.
+$\\omega$ is the angular velocity of the body relative to the lab frame.
+$u$ is a vector fixed in the body frame.
+$v$ is the rate of $u$ seen from the lab frame.
+";
+    let text = r"
+$$ v = \omega\times u $$
+$$ v = u\times\omega $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
