@@ -1,5 +1,6 @@
 //! From statements to the model: which frames, points, bodies and loads there are, what letters denote, what holds.
 
+pub(crate) mod any_read;
 pub(crate) mod axes_read;
 pub(crate) mod bodies_read;
 pub(crate) mod builder;

@@ -7,6 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
+use crate::verify::reading::any_read::instances;
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
@@ -48,7 +49,7 @@ pub(crate) fn build(
 ) -> Reading {
     // What holds under a condition is never taken as always true.
     let (conditional, always): (Vec<Declaration>, Vec<Declaration>) =
-        declarations.iter().cloned().partition(has_condition);
+        instances(declarations).into_iter().partition(has_condition);
     let mut builder = Builder {
         declarations: &always,
         reading: Reading::default(),

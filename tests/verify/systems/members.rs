@@ -170,3 +170,24 @@ $$ v = u\times\omega $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn matrices_and_positions_are_told_for_any_frames_and_points() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+C is a frame that is turned relative to B.
+O is a point fixed in N.
+P is a point fixed in B.
+Q is a point fixed in B.
+$R_{XY}$ takes components on Y to components on X, for any frames X and Y.
+$\\vec r_{XY}$ is the position of Y from X, for any points X and Y.
+";
+    let text = r"
+$$ R_{NC} = R_{NB}R_{BC} $$
+$$ R_{NC} = R_{BC}R_{NB} $$
+$$ R_{CB} = R_{BC}^T $$
+$$ \vec r_{OQ} = \vec r_{OP} + \vec r_{PQ} $$
+$$ \vec r_{OQ} = \vec r_{OP} - \vec r_{PQ} $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+}

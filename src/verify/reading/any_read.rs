@@ -1,0 +1,211 @@
+//! What is said for any frames or points: one sentence for each pair of those that the text names.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::notation::print;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::names::{ANGULAR_VELOCITY, MASS_CENTRE, node_of};
+
+/// No more sentences are made of one.
+const MOST: usize = 200;
+
+/// Quantities of which the thing itself is a point.
+const OF_POINTS: [&str; 3] = ["position", "velocity", "acceleration"];
+
+/// The declarations with one for each pair of things in the place of what is said for any.
+pub(crate) fn instances(declarations: &[Declaration]) -> Vec<Declaration> {
+    let frames = named(declarations, |what| what.head == "frame");
+    let points = named(declarations, |what| {
+        matches!(what.head, "point" | MASS_CENTRE | "particle")
+    });
+    let each = declarations.iter().flat_map(|declaration| {
+        let Some(any) = any_things(&declaration.statement) else {
+            return vec![declaration.clone()];
+        };
+        let kinds = any.iter().map(|thing| {
+            let of_point = stands_for_point(&declaration.statement, thing);
+            if of_point { &points } else { &frames }
+        });
+        let kinds: Vec<&Vec<Term>> = kinds.collect();
+        let mut made = vec![];
+        for chosen in choices(&kinds).into_iter().take(MOST) {
+            let statement = with_things(&declaration.statement, &any, &chosen);
+            made.extend(statement.map(|statement| Declaration {
+                statement,
+                ..declaration.clone()
+            }));
+        }
+        made
+    });
+    each.collect()
+}
+
+/// The things that sentences say to be of a kind.
+fn named(declarations: &[Declaration], is: impl Fn(&NounPhrase) -> bool) -> Vec<Term> {
+    let mut found: Vec<Term> = vec![];
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        for subject in subjects {
+            let thing = matches!(subject, Term::Name(_) | Term::Formula(_));
+            if is(what) && thing && !found.contains(subject) {
+                found.push(subject.clone());
+            }
+        }
+    }
+    found
+}
+
+/// The names for which a sentence speaks of any, where these are things: "for any frames X and Y". An angular velocity has
+/// a law of its own, which reads its labels.
+fn any_things(statement: &Statement) -> Option<Vec<String>> {
+    let slots = match statement {
+        Statement::Is { what, .. } if what.head != ANGULAR_VELOCITY => &what.slots,
+        Statement::Does {
+            verb: "take",
+            slots,
+            ..
+        } => slots,
+        _ => return None,
+    };
+    let any = slots.iter().filter(|(slot, _)| *slot == Slot::ForAny);
+    let names: Option<Vec<String>> = any
+        .map(|(_, term)| match term {
+            Term::Name(name) if name.chars().count() == 1 => Some(name.clone()),
+            _ => None,
+        })
+        .collect();
+    names.filter(|names| !names.is_empty() && names.len() <= 3)
+}
+
+/// Whether a name stands where a point does: of a position, or from where it is measured.
+fn stands_for_point(statement: &Statement, name: &str) -> bool {
+    let Statement::Is { what, .. } = statement else {
+        return false;
+    };
+    what.slots.iter().any(|(slot, term)| {
+        let place = match slot {
+            Slot::Of | Slot::From | Slot::About => true,
+            Slot::RelativeTo => what.head == OF_POINTS[0],
+            _ => false,
+        };
+        place && OF_POINTS.contains(&what.head) && matches!(term, Term::Name(n) if n == name)
+    })
+}
+
+/// Each way to choose one of each kind, no thing twice.
+fn choices(kinds: &[&Vec<Term>]) -> Vec<Vec<Term>> {
+    let mut chosen: Vec<Vec<Term>> = vec![vec![]];
+    for kind in kinds {
+        let longer = chosen.iter().flat_map(|before| {
+            let others = kind.iter().filter(|thing| !before.contains(thing));
+            others.map(|thing| [before.as_slice(), std::slice::from_ref(thing)].concat())
+        });
+        chosen = longer.take(MOST).collect();
+    }
+    chosen
+}
+
+/// A statement with things in the place of the names for which it speaks of any.
+fn with_things(statement: &Statement, any: &[String], chosen: &[Term]) -> Option<Statement> {
+    let pairs: Vec<(&str, &Term)> = any.iter().map(String::as_str).zip(chosen).collect();
+    let told = |slots: &[(Slot, Term)]| -> Option<Vec<(Slot, Term)>> {
+        let others = slots.iter().filter(|(slot, _)| *slot != Slot::ForAny);
+        others
+            .map(|(slot, term)| Some((*slot, with_names(term, &pairs)?)))
+            .collect()
+    };
+    let subjects = |terms: &[Term]| -> Option<Vec<Term>> {
+        terms.iter().map(|term| with_names(term, &pairs)).collect()
+    };
+    Some(match statement {
+        Statement::Is { subjects: s, what } => Statement::Is {
+            subjects: subjects(s)?,
+            what: NounPhrase {
+                slots: told(&what.slots)?,
+                ..what.clone()
+            },
+        },
+        Statement::Does {
+            subjects: s,
+            verb,
+            slots,
+        } => Statement::Does {
+            subjects: subjects(s)?,
+            verb,
+            slots: told(slots)?,
+        },
+        _ => return None,
+    })
+}
+
+fn with_names(term: &Term, pairs: &[(&str, &Term)]) -> Option<Term> {
+    Some(match term {
+        Term::Name(name) => {
+            let chosen = pairs.iter().find(|(any, _)| any == name);
+            chosen.map_or_else(|| term.clone(), |(_, thing)| (*thing).clone())
+        }
+        Term::Formula(formula) => {
+            let mut node = node_of(formula)?.clone();
+            let labels: Option<Vec<(&str, String)>> = pairs
+                .iter()
+                .map(|(any, thing)| Some((*any, label(thing)?)))
+                .collect();
+            relabel(&mut node, &labels?);
+            Term::Formula(Formula {
+                source: print::latex(&node),
+                row: Row::Expression(node),
+            })
+        }
+        Term::Phrase(phrase) => {
+            let slots = phrase.slots.iter();
+            let slots = slots.map(|(slot, term)| Some((*slot, with_names(term, pairs)?)));
+            Term::Phrase(Box::new(NounPhrase {
+                slots: slots.collect::<Option<_>>()?,
+                ..(**phrase).clone()
+            }))
+        }
+        other => other.clone(),
+    })
+}
+
+/// A thing as it stands in a label.
+fn label(thing: &Term) -> Option<String> {
+    match thing {
+        Term::Name(name) => Some(name.clone()),
+        Term::Formula(formula) => match &node_of(formula)?.kind {
+            Kind::Symbol(symbol) => {
+                Some(symbol.name.clone() + &symbol.subscripts.concat() + &primes(symbol.primes))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn primes(count: u8) -> String {
+    "'".repeat(usize::from(count))
+}
+
+/// Puts names in the place of others in the labels of a formula.
+fn relabel(node: &mut Node, labels: &[(&str, String)]) {
+    let put = |text: &mut String| {
+        let characters = text.chars().map(|c| {
+            let found = labels.iter().find(|(any, _)| any.chars().eq([c]));
+            found.map_or_else(|| c.to_string(), |(_, name)| name.clone())
+        });
+        *text = characters.collect();
+    };
+    match &mut node.kind {
+        Kind::Symbol(symbol) => {
+            symbol.subscripts.iter_mut().for_each(put);
+            symbol.superscripts.iter_mut().for_each(put);
+        }
+        Kind::InFrame(_, frame) => put(&mut frame.text),
+        _ => {}
+    }
+    node.children_mut()
+        .into_iter()
+        .for_each(|child| relabel(child, labels));
+}
