@@ -210,7 +210,7 @@ fn a_sentence_that_is_not_understood_is_an_error_at_its_word() {
     );
     let (shown, _) = complained(folder.path(), &["ring.tex"], 3);
     assert!(
-        shown.contains("ring.tex:1:20") && shown.contains("the settings are"),
+        shown.contains("ring.tex:1:12") && shown.contains("the settings are"),
         "{shown}"
     );
     let (shown, error) = complained(folder.path(), &["bare.md", "--declare", "wrong.declare"], 3);
