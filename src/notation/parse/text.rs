@@ -17,6 +17,8 @@ pub(super) fn plain(tokens: &[Token<'_>]) -> String {
             // The centroidal axes x̄ and the axes x are not the same.
             Lexeme::Command("bar" | "overline") => over = Some('\u{304}'),
             Lexeme::Command("tilde" | "widetilde") => over = Some('\u{303}'),
+            // A dot in a label is none of the letter's.
+            Lexeme::Command("dot") => over = Some('\u{307}'),
             Lexeme::Number(text) => out.push_str(text),
             Lexeme::Text(text) => {
                 let lead = text.starts_with(' ') && !out.is_empty();

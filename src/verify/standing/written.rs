@@ -123,14 +123,20 @@ pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// The index of each sum in a tree that runs up to a letter, and that letter.
+/// The index of each sum in a tree that runs up to a letter, and that letter; with where the sum begins, if not at 1.
 pub(super) fn bounds_in(node: &Node) -> Vec<(String, String)> {
     let own = match &node.kind {
         Kind::IndexedSum {
             index,
-            limits: Some((_, upper)),
+            limits: Some((lower, upper)),
             ..
-        } if matches!(upper.kind, Kind::Symbol(_)) => Some((index.name.clone(), latex(upper))),
+        } if matches!(upper.kind, Kind::Symbol(_)) => {
+            let bound = match latex(lower).as_str() {
+                "1" => latex(upper),
+                first => format!("{} from {first}", latex(upper)),
+            };
+            Some((index.name.clone(), bound))
+        }
         _ => None,
     };
     own.into_iter()

@@ -191,3 +191,27 @@ $$ \vec r_{OQ} = \vec r_{OP} - \vec r_{PQ} $$
 ";
     assert_eq!(judged(sentences, text), "prppr");
 }
+
+#[test]
+fn sums_begin_where_the_document_begins_them_and_a_dotted_label_is_another_one() {
+    let sentences = "N is an inertial frame.
+The body consists of particles.
+$i$ numbers the particles.
+B is a frame fixed in the body.
+O is a point fixed in N and in B.
+$\\vec r_i$ is the position of particle $i$ from O.
+$m_i$ is the mass of particle $i$.
+$\\vec p$ is the momentum of the body relative to N.
+$\\hat n_s$ is a unit vector fixed in B.
+A dot means the rate seen from N.
+A prime means the rate seen from B.
+";
+    let text = r"
+$$ \vec p = \sum_{i=1}^n m_i\dot{\vec r}_i $$
+$$ \sum_{i=1}^n m_i\dot{\vec r}_i = \vec p $$
+$$ \vec p = \sum_{i=-1}^n m_i\dot{\vec r}_i $$
+$$ \hat n_s' = 0 $$
+$$ \hat n_{\dot s}' = 0 $$
+";
+    assert_eq!(judged(sentences, text), "ppupu");
+}
