@@ -2,6 +2,7 @@
 
 mod loads;
 mod members;
+mod parts;
 mod rolling;
 mod sound;
 mod start;

@@ -1,0 +1,76 @@
+//! Systems that change from one part of a document to another, and what frames and points may have in common.
+
+use super::judged;
+
+#[test]
+fn a_frame_may_turn_otherwise_on_other_lines() {
+    let sentences = "N is an inertial frame.
+$\\vec k$ is the third axis of N.
+B is a frame fixed in the body.
+On lines 2 and 3 B turns relative to N about z by the angle $\\theta$.
+On lines 4 and 5 B turns relative to N about z by the angle $\\phi$.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+";
+    let text = r"
+$$ \vec\omega = \dot\theta\vec k $$
+$$ \vec\omega = 2\dot\theta\vec k $$
+$$ \vec\omega = \dot\phi\vec k $$
+$$ \vec\omega = 2\dot\phi\vec k $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
+
+#[test]
+fn a_distance_of_which_a_rate_is_written_changes() {
+    let sentences = "N is an inertial frame.
+A is a frame that turns relative to N about z by the angle $\\theta$.
+$\\vec e$, $\\vec f$, $\\vec h$ are the axes of A.
+O is a point fixed in N.
+P is a particle.
+P lies at the distance $r$ from O along $\\vec e$.
+$\\vec v$ is the velocity of P relative to N.
+";
+    let moving = r"
+$$ \vec v = \dot r\vec e + r\dot\theta\vec f $$
+$$ \vec v = r\dot\theta\vec f $$
+";
+    assert_eq!(judged(sentences, moving), "pr");
+    let fixed = r"
+$$ \vec v = r\dot\theta\vec f $$
+";
+    assert_eq!(judged(sentences, fixed), "p");
+}
+
+#[test]
+fn two_frames_may_have_an_axis_in_common() {
+    let sentences = "N is an inertial frame.
+A and B are frames that turn relative to N.
+$\\vec a$, $\\vec b$, $\\vec h$ are the axes of A.
+$\\vec c$, $\\vec d$, $\\vec h$ are the axes of B.
+A turns relative to N about $\\vec h$ by the angle $\\alpha$.
+B turns relative to N about $\\vec h$ by the angle $\\beta$.
+$\\vec\\omega$ is the angular velocity of B relative to A.
+";
+    let text = r"
+$$ \vec\omega = (\dot\beta - \dot\alpha)\vec h $$
+$$ \vec\omega = (\dot\beta + \dot\alpha)\vec h $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_command_that_ends_with_its_frame_says_nothing_of_other_rates() {
+    let sentences = "N is an inertial frame.
+A is a frame that turns relative to N.
+$\\vec u$ is a vector fixed in A.
+$\\vec\\omega$ is the angular velocity of A relative to N.
+$\\ddtA$ is the rate seen from A.
+$\\frac{d}{dt}$ is the rate seen from N.
+";
+    let text = r"$$\newcommand{\ddtA}{\frac{{}^{A}d}{dt}}$$
+$$ \ddtA\vec u = 0 $$
+$$ \frac{d\vec u}{dt} = \vec\omega\times\vec u $$
+$$ \frac{d\vec u}{dt} = \vec u\times\vec\omega $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
