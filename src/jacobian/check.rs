@@ -7,7 +7,9 @@ use super::explain::{Problem, causes};
 use super::report::{Entry, Report, Verdict};
 use super::scale::equilibrate;
 use super::slot::Slot;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix, OVector, allocator::Allocator};
+use nalgebra::{
+    DMatrix, DVector, DefaultAllocator, Dim, OMatrix, OVector, Scalar, allocator::Allocator,
+};
 use num_dual::Dual64;
 use std::collections::BTreeSet;
 
@@ -108,13 +110,9 @@ impl Check {
     where
         DefaultAllocator: Allocator<M> + Allocator<N> + Allocator<M, N>,
     {
-        let shape = at.shape_generic();
-        let dynamic = |x: &DVector<Dual64>| {
-            let y = f(&OVector::from_fn_generic(shape.0, shape.1, |i, _| x[i]));
-            DVector::from_iterator(y.len(), y.iter().copied())
-        };
+        let dynamic = |x: &DVector<Dual64>| unsized_vector(&f(&sized_like(at, x)));
         let given = unsized_matrix(&jacobian(at));
-        let at = DVector::from_iterator(at.len(), at.iter().copied());
+        let at = unsized_vector(at);
         let right = reference(&dynamic, &at, self.tolerance);
         let judge = |r: usize, c: usize| {
             let (given, right, slack) = (given[(r, c)], right.matrix[(r, c)], right.slack[(r, c)]);
@@ -140,13 +138,9 @@ impl Check {
     where
         DefaultAllocator: Allocator<M> + Allocator<N> + Allocator<M, N>,
     {
-        let shape = at.shape_generic();
-        let dynamic = |x: &DVector<f64>| {
-            let y = f(&OVector::from_fn_generic(shape.0, shape.1, |i, _| x[i]));
-            DVector::from_iterator(y.len(), y.iter().copied())
-        };
+        let dynamic = |x: &DVector<f64>| unsized_vector(&f(&sized_like(at, x)));
         let given = unsized_matrix(&jacobian(at));
-        let at = DVector::from_iterator(at.len(), at.iter().copied());
+        let at = unsized_vector(at);
         let quotients = quotients(&dynamic, &at, &given);
         self.by_differences(&at, &given, &quotients)
     }
@@ -341,6 +335,25 @@ fn quotients(
         let given = given.get((r, c)).copied().unwrap_or(0.0);
         ladders[c].quotient(r, grains[r], given)
     })
+}
+
+/// A vector with the length of another.
+fn sized_like<T: Scalar + Copy, N: Dim>(
+    other: &OVector<f64, N>,
+    entries: &DVector<T>,
+) -> OVector<T, N>
+where
+    DefaultAllocator: Allocator<N>,
+{
+    let (rows, columns) = other.shape_generic();
+    OVector::from_fn_generic(rows, columns, |i, _| entries[i])
+}
+
+fn unsized_vector<T: Scalar + Copy, N: Dim>(vector: &OVector<T, N>) -> DVector<T>
+where
+    DefaultAllocator: Allocator<N>,
+{
+    DVector::from_iterator(vector.len(), vector.iter().copied())
 }
 
 fn unsized_matrix<M: Dim, N: Dim>(matrix: &OMatrix<f64, M, N>) -> DMatrix<f64>

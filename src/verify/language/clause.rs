@@ -324,6 +324,10 @@ impl<'a> Reader<'a> {
         if let Some(Statement::Is { what: first, .. }) = statements.last_mut()
             && first.slots.is_empty()
             && !its
+            && self
+                .lexicon
+                .entry(first.head, &NOUNS)
+                .is_some_and(|noun| noun.slot("of").is_some())
         {
             first.slots.clone_from(&what.slots);
         }

@@ -1,6 +1,7 @@
 //! Which sides a line sets equal: each against the head of its chain.
 
-use crate::notation::ast::{Line, Node, Relation};
+use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::verify::term::letters::{At, Letters, loosely, spelled};
 
 /// Two sides and what is said of them.
 #[derive(Clone, Debug)]
@@ -49,4 +50,18 @@ impl Chain {
         }
         links
     }
+}
+
+/// Whether a letter of which no sentence tells stands alone on a side.
+pub(crate) fn may_define(links: &[Link], letters: &Letters, at: &At) -> bool {
+    let is_new = |side: &Node| {
+        let letter = matches!(side.kind, Kind::Symbol(_) | Kind::Call(..));
+        letter
+            && letters
+                .find(&spelled(side), &loosely(side), at, 0)
+                .is_none()
+    };
+    links
+        .iter()
+        .any(|link| is_new(&link.left) || is_new(&link.right))
 }

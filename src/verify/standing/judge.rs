@@ -9,7 +9,7 @@ use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::reading::Reading;
 use crate::verify::reading::builder::build;
-use crate::verify::standing::chains::{Chain, Link};
+use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::roles::{Purpose, purpose};
@@ -218,7 +218,8 @@ impl<'a> Judge<'a> {
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
-        if self.reading.left_out(&self.at) || links.is_empty() || cut {
+        let elsewhere = !self.is_own() && !may_define(&links, &self.reading.letters, &self.at);
+        if self.reading.left_out(&self.at) || links.is_empty() || cut || elsewhere {
             return;
         }
         self.take_premises();
