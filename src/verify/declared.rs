@@ -16,6 +16,7 @@ use crate::verify::verdict::{
 };
 use std::collections::{BTreeMap, HashMap};
 
+mod extents;
 mod judgment;
 
 /// Of more sentences that the model is too large for nothing is said.

@@ -2,9 +2,11 @@
 //!
 //! `lexicon` reads the words from a file of data, `words` parts a sentence, `reader` goes along it, `phrase`,
 //! `hanging`, `extent`, `sign`, `roles`, `predicate` and `clause` are the grammar, `bodies` finds the bodies that a text
-//! introduces, `declare` reads many sentences, `print` writes statements as sentences again and
+//! introduces, `kinds` what things are by other sentences, `rewrite`, `reorder`, `ellipsis` and `anaphora` bring other wordings
+//! to the plain one, `declare` reads many sentences, `print` writes statements as sentences again and
 //! `manual` tells people about all of it. English stands nowhere else.
 
+mod anaphora;
 mod bodies;
 mod clause;
 pub(crate) mod cues;
@@ -15,6 +17,7 @@ mod forms;
 mod hanging;
 pub(crate) mod heads;
 mod implied;
+mod kinds;
 mod lexicon;
 mod manual;
 pub(crate) mod messages;

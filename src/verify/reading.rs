@@ -6,6 +6,7 @@ pub(crate) mod bodies_read;
 pub(crate) mod builder;
 pub(crate) mod contact_read;
 pub(crate) mod frames_read;
+pub(crate) mod incline_read;
 pub(crate) mod letters_read;
 pub(crate) mod load_quantities_read;
 pub(crate) mod loads_read;
@@ -77,6 +78,8 @@ pub(crate) struct Reading {
     pub(crate) shapes: HashMap<String, Shape>,
     /// Lines that hold for a part of the document: which, and where.
     pub(crate) held: Vec<(Reach, Reach)>,
+    /// What is greater than zero, and where: sides of inequalities, the greater less the smaller.
+    pub(crate) orders: Vec<(Reach, Fraction)>,
     /// Lines that hold to first order in these variables.
     pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
     pub(crate) start: Start,

@@ -1,5 +1,6 @@
 //! What the judge says of a part of the document, in the author's letters.
 
+use super::extents::located;
 use crate::algebra::{
     Fraction, Letter, Monomial, Polynomial, Printer, Proof, Rational, Style, Variable,
 };
@@ -40,7 +41,8 @@ pub(super) fn judgments<'a>(
     declarations: &[Declaration],
 ) -> Vec<Judgment<'a>> {
     let mut first = 0;
-    let judged = parts(document, declarations).into_iter().map(|part| {
+    let declarations = located(document, declarations);
+    let judged = parts(document, &declarations).into_iter().map(|part| {
         let mut judge = Judge::new(document, part, first);
         judge.run();
         let own = OwnLetters::of(document, &mut judge.reading);

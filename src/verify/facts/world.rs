@@ -26,8 +26,14 @@ const TURNS: [[i64; 3]; 6] = [
 ];
 
 impl World {
-    /// A world in which the fractions are numbers and one of them is not zero; the fractions are in free variables.
-    pub(crate) fn refuting(facts: &Facts, atoms: &Atoms, residuals: &[Fraction]) -> Option<Self> {
+    /// A world in which the fractions are numbers and one of them is not zero, and in which nothing of `orders` is less
+    /// than zero; all are in free variables.
+    pub(crate) fn refuting(
+        facts: &Facts,
+        atoms: &Atoms,
+        residuals: &[Fraction],
+        orders: &[Fraction],
+    ) -> Option<Self> {
         (0..TRIES).find_map(|seed| {
             let mut world = Self::default();
             let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
@@ -35,6 +41,11 @@ impl World {
                 for variable in residual.variables() {
                     world.draw(facts, atoms, variable, &mut state)?;
                 }
+            }
+            world.complete(facts, atoms, orders.iter(), state)?;
+            let obeys = |order| world.value(order).is_some_and(|v| v > Rational::zero());
+            if !orders.iter().all(obeys) {
+                return None;
             }
             let values = residuals.iter().map(|r| world.value(r));
             let values = values.collect::<Option<Vec<_>>>()?;

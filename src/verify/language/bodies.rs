@@ -2,6 +2,7 @@
 
 use super::lexicon::{Class, Inflection, Lexicon};
 use super::reader::{ARTICLES, is_glue};
+use super::statement::Slot;
 use super::words::{Kind, Token};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,54 +12,33 @@ pub(crate) const LONGEST_NAME: usize = 4;
 /// A text introduces so many bodies.
 const MOST_BODIES: usize = 300;
 
-/// The words before the name of a body.
-const BEFORE: [&str; 46] = [
+/// Words before the name of a body, beside the nouns of which only bodies have something.
+const BEFORE: [&str; 25] = [
+    "mass of",
+    "masses of",
+    "attitude of",
     "fixed in",
     "fixed to",
     "attached to",
     "at rest in",
-    "mass of",
-    "masses of",
-    "centre of",
-    "center of",
-    "gravity of",
+    "relative to the",
     "consists of",
     "consist of",
     "numbers",
-    "force on",
-    "forces on",
-    "moment on",
-    "moments on",
-    "torque on",
-    "force of",
-    "forces of",
-    "moment of",
-    "torque of",
-    "loads on",
-    "load on",
     "acts on",
     "act on",
     "rolls on",
     "slides on",
+    "rests on",
+    "hinged to",
     "touches",
-    "weight of",
-    "inertia of",
     "point where",
-    "impulse of",
-    "impulse on",
     "velocity of",
     "speed of",
-    "momentum of",
-    "energy of",
-    "lagrangian of",
-    "tension of",
-    "axis of",
     "angle of",
+    "lagrangian of",
     "strikes",
     "leaves",
-    "attitude of",
-    "frame of",
-    "tensor of",
 ];
 
 /// The bodies that some sentences introduce, by their names in lower case.
@@ -125,14 +105,13 @@ fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<Str
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let mut names = vec![];
     for at in 0..words.len() {
-        let before = contexts
-            .iter()
-            .any(|context| words[..at].ends_with(context));
+        let before = contexts.iter().any(|context| follows(tokens, at, context))
+            || owned(tokens, at, lexicon);
         if before {
             listed(tokens, at, lexicon, &mut names);
         } else if let Some((name, end)) = name(tokens, at, lexicon)
             && begins(tokens, at)
-            && said(&words[end..], lexicon)
+            && said(&words[past_index(tokens, end)..], lexicon)
         {
             names.push(name);
         }
@@ -140,9 +119,46 @@ fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<Str
     names
 }
 
+/// Whether some words stand before a place; letters between them only name what they say: "the tension `$T$` of the wire".
+fn follows(tokens: &[Token], at: usize, context: &[&str]) -> bool {
+    let letter = |t: &&Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+    let mut before = tokens[..at].iter().rev().filter(|t| !letter(t));
+    let words = context.iter().rev();
+    let same = words
+        .zip(before.by_ref())
+        .filter(|(word, t)| t.lower == **word);
+    same.count() == context.len()
+}
+
+/// Whether a noun stands before a place of which bodies have something, or on bodies: "the mass of", "the lift on".
+fn owned(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
+    let letter = |t: &&Token| !matches!(t.kind, Kind::Formula | Kind::Plain);
+    let before: Vec<&str> = tokens[..at]
+        .iter()
+        .filter(letter)
+        .map(|t| t.lower.as_str())
+        .collect();
+    let Some((preposition, before)) = before.split_last() else {
+        return false;
+    };
+    let starts = before.len().saturating_sub(LONGEST_NAME)..before.len();
+    let noun = starts.into_iter().find_map(|start| {
+        let noun = lexicon.find(&before[start..], &[Class::Noun, Class::Place])?;
+        (start + noun.length == before.len()).then_some(noun.entry)
+    });
+    noun.is_some_and(|noun| match *preposition {
+        "of" => noun.bodily || noun.slot("on").is_some() || noun.class == Class::Place,
+        "on" => noun.slot("on") == Some(Slot::Upon),
+        _ => false,
+    })
+}
+
 /// A list of bodies: "the hub, the leg and the foot".
 fn listed(tokens: &[Token], mut at: usize, lexicon: &Lexicon, names: &mut Vec<String>) {
     while at < tokens.len() {
+        // "the hub and `$n$` blades"
+        let counted = at > 0 && matches!(tokens[at].kind, Kind::Formula | Kind::Plain);
+        at += usize::from(counted && tokens.get(at + 1).is_some_and(|t| t.kind == Kind::Word));
         match name(tokens, at, lexicon) {
             Some((name, end)) => {
                 names.push(name);
@@ -221,7 +237,8 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
     });
     let last = tokens.get(end.wrapping_sub(1))?;
     let body = whole || !known(tokens, end.wrapping_sub(1), lexicon) && last.kind == Kind::Word;
-    let found = unknown && body && !described && (article || index);
+    let counted = start > 0 && matches!(tokens[start - 1].kind, Kind::Formula | Kind::Plain);
+    let found = unknown && body && !described && (article || index || counted);
     let words: Vec<&str> = tokens
         .get(start..end)?
         .iter()
@@ -234,6 +251,20 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
 fn known(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
     let words: Vec<&str> = tokens.iter().skip(at).map(|t| t.lower.as_str()).collect();
     lexicon.find(&words, &Class::ALL).is_some()
+}
+
+/// Where the name of a member ends: behind its index, and what that counts through in brackets.
+fn past_index(tokens: &[Token], end: usize) -> usize {
+    let letter = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number);
+    let behind = end + usize::from(tokens.get(end).is_some_and(letter));
+    match tokens.get(behind..behind + 3) {
+        Some([open, counted, close])
+            if open.kind == Kind::Open && letter(counted) && close.kind == Kind::Close =>
+        {
+            behind + 3
+        }
+        _ => behind,
+    }
 }
 
 /// Whether the subject of a sentence may begin here: at its beginning or behind an extent.
@@ -250,7 +281,7 @@ fn begins(tokens: &[Token], at: usize) -> bool {
 /// Whether these words say something of a body: that it is a …, or that it moves.
 fn said(words: &[&str], lexicon: &Lexicon) -> bool {
     match words {
-        ["is", "a" | "an", ..] => true,
+        ["is", "a" | "an", ..] | ["is", "at", "rest", ..] | ["is", "fixed", ..] => true,
         ["are", rest @ ..] => lexicon
             .find(rest, &[Class::Adjective, Class::Thing])
             .is_some(),

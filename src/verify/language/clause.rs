@@ -132,6 +132,7 @@ impl<'a> Reader<'a> {
     /// "No moment acts on the body about G", behind "no".
     fn nothing_acts(&mut self) -> Read<Statement> {
         let (mut phrase, noun) = self.named()?;
+        self.slots(noun, &mut phrase.slots)?;
         let verb = self
             .find(&[Class::Verb])
             .filter(|verb| verb.entry.name == "act");
@@ -171,11 +172,9 @@ impl<'a> Reader<'a> {
             statements.extend(self.said_of(subjects)?);
             self.appositions(subjects, formulas.as_deref(), statements)?;
             self.renamed_behind(subjects, statements)?;
+            while self.gap(subjects, statements)? {}
             let start = self.at;
             let separated = self.take_separator();
-            if separated && self.at_gap() {
-                self.at = self.gap(start, statements)?;
-            }
             let is = matches!(statements.last(), Some(Statement::Is { .. }));
             if separated && is && self.at_adjective() {
                 statements.extend(self.predicate(subjects, formulas.clone())?);
@@ -270,7 +269,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether nothing, or another clause, follows some words.
-    fn ends_clause(&self, ahead: usize) -> bool {
+    pub(crate) fn ends_clause(&self, ahead: usize) -> bool {
         let next = self.tokens.get(self.at + ahead);
         next.is_none_or(|next| {
             matches!(next.kind, Kind::Comma | Kind::Semicolon) || next.lower == "and"
@@ -299,16 +298,26 @@ impl<'a> Reader<'a> {
     }
 
     /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
-    /// whose it is. Says where it ends.
-    fn gap(&mut self, start: usize, statements: &mut Vec<Statement>) -> Read<usize> {
-        let Some(Statement::Is {
-            subjects: told,
-            what,
-        }) = statements.last()
-        else {
-            return Ok(start);
+    /// whose it is. Says whether there is one.
+    fn gap(&mut self, of: &[Term], statements: &mut Vec<Statement>) -> Read<bool> {
+        let start = self.at;
+        let told = match statements.last() {
+            Some(Statement::Is { subjects, what }) if self.take_separator() && self.at_gap() => {
+                Some((subjects, what))
+            }
+            _ => None,
         };
-        let (letter, owner) = (told.first().cloned(), what.slot(Slot::Of).cloned());
+        let Some((told, what)) = told else {
+            self.at = start;
+            return Ok(false);
+        };
+        // A magnitude has no components: they are of what the clause is about.
+        let scalar = matches!(what.head, "magnitude" | "component");
+        let letter = match scalar {
+            true => of.first().cloned(),
+            false => told.first().cloned(),
+        };
+        let owner = what.slot(Slot::Of).cloned();
         let mut subjects = vec![];
         self.term(&mut subjects)?;
         let its = self.take_any(&["its"]);
@@ -331,8 +340,10 @@ impl<'a> Reader<'a> {
         {
             first.slots.clone_from(&what.slots);
         }
+        let said = subjects.clone();
         statements.push(Statement::Is { subjects, what });
-        Ok(self.at)
+        self.renamed_behind(&said, statements)?;
+        Ok(true)
     }
 
     /// A verb with what hangs on it.
@@ -393,7 +404,7 @@ impl<'a> Reader<'a> {
 /// The thing whose quantity a statement says a letter to be.
 fn owner_in(statement: &Statement) -> Option<Term> {
     match statement {
-        Statement::Is { what, .. } => {
+        Statement::Is { what, .. } | Statement::Premise(what) => {
             let of = what.slot(Slot::Of).or(what.slot(Slot::Upon))?;
             (!matches!(of, Term::Formula(_))).then(|| of.clone())
         }

@@ -1,11 +1,16 @@
 //! Declarations: sentences that an author writes, one a line.
 
+use super::anaphora::referring;
 use super::bodies::introduced;
 use super::clause::Said;
 use super::ellipsis::{joins, joint_weakness, parted_at, with_its};
+use super::kinds::show_frames;
 use super::lexicon::Lexicon;
 use super::reader::Reader;
-use super::reorder::{axes, described_first, fronted, possessives, without_brackets};
+use super::reorder::{
+    axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
+    without_ranges,
+};
 use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement, Term};
 use super::words::{Kind, Token, tokens, wrong};
@@ -36,24 +41,34 @@ pub fn read_declarations(
         .filter_map(|(_, _, tokens)| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);
     let (mut declarations, mut misread) = (vec![], vec![]);
-    for (line, sentence, tokens) in parted {
-        let said = match &tokens {
-            Ok(tokens) => read(tokens, sentence, line, macros, lexicon, &bodies),
+    let mut before: Vec<&[Token]> = vec![];
+    for (line, sentence, tokens) in &parted {
+        let line = *line;
+        let reader = |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
+        let said = match tokens {
+            Ok(tokens) => {
+                let said = reader(tokens).or_else(|error| {
+                    let others = referring(tokens, &before, lexicon);
+                    let read = others.iter().find_map(|other| reader(other).ok());
+                    read.ok_or(error)
+                });
+                before.push(tokens);
+                said
+            }
             Err(error) => Err(error.clone()),
         };
         match said {
             Ok(said) => declarations.extend(said),
             Err(error) => {
-                let tokens = tokens.unwrap_or_default();
-                let reader =
-                    |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
-                let (begun, rest) = begun(&tokens, &reader);
+                let tokens = tokens.as_deref().unwrap_or_default();
+                let (begun, rest) = begun(tokens, &reader);
                 declarations.extend(begun);
                 declarations.push(unread(rest, sentence, line, macros, lexicon));
                 misread.push(error);
             }
         }
     }
+    show_frames(&mut declarations);
     (declarations, misread)
 }
 
@@ -196,7 +211,10 @@ fn understood(
     };
     let others = [
         Some(without_brackets(&now)),
+        without_ranges(&now),
+        indexed_by_any(&now),
         described_first(&now, lexicon),
+        told_beside(&now, lexicon),
         with_its(&now, lexicon),
     ];
     for other in others.into_iter().flatten().chain(fronted(&now, lexicon)) {

@@ -2,6 +2,7 @@
 
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
+use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::words::{Kind, Token};
 
@@ -72,8 +73,17 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     let Some((relative, rest)) = second.split_first().filter(|(t, _)| is_relative(t)) else {
         return vec![];
     };
-    let last = first.last().map(std::slice::from_ref).unwrap_or_default();
+    let last = last_named(first);
     let subject = clause(first, lexicon).map_or(first, |(subject, ..)| subject);
+    // "which it touches at C"
+    if let [it, rest @ ..] = rest
+        && matches!(it.lower.as_str(), "it" | "they")
+    {
+        let words: Vec<&str> = rest.iter().map(|t| t.lower.as_str()).collect();
+        let verb = lexicon.find(&words, &[Class::Verb]);
+        let (verb, behind) = rest.split_at(verb.map_or(0, |verb| verb.length));
+        return vec![[subject, verb, last, behind].concat()];
+    }
     let whose = |owner: &[Token]| {
         let noun = nouns_end(rest, lexicon);
         let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, relative));
@@ -90,7 +100,7 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
 }
 
 /// Where the noun ends with which something begins.
-fn nouns_end(tokens: &[Token], lexicon: &Lexicon) -> usize {
+pub(super) fn nouns_end(tokens: &[Token], lexicon: &Lexicon) -> usize {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let nouns = [Class::Noun, Class::Place];
     let found = (0..tokens.len().min(4)).find_map(|at| {
@@ -133,7 +143,7 @@ fn completed(
     let others = others
         .into_iter()
         .chain(instead(first, second, lexicon))
-        .chain(meant_by_it(subject, second));
+        .chain(meant_by_it(second, subject, rest));
     all.extend(others.map(|second| (whole.clone(), second)));
     if !agrees(second) {
         return all;
@@ -147,6 +157,7 @@ fn completed(
     // "and `$b$` the mass of C": the verb of the first
     for second in [second, &reminded[0]] {
         for end in subjects_of_gap(second, lexicon) {
+            all.extend(fuller(first, second, (subject, end), lexicon).map(|s| (whole.clone(), s)));
             let verb = in_number(verb, &second[..end]);
             let filled = [&second[..end], &verb, &second[end..]].concat();
             all.push((whole.clone(), filled));
@@ -195,25 +206,57 @@ fn instead(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Option<Vec<T
     Some([&first[..at], second].concat())
 }
 
+/// "P is placed from O by `$r$`, and Q by `$s$`": another subject, and another end behind the same preposition.
+fn fuller(
+    first: &[Token],
+    second: &[Token],
+    (subject, end): (&[Token], usize),
+    lexicon: &Lexicon,
+) -> Option<Vec<Token>> {
+    let rest = &second[end..];
+    preposition(rest, lexicon)?;
+    let word = rest.first()?;
+    let at = first.iter().rposition(|t| t.lower == word.lower)?;
+    let said = first.get(subject.len()..at)?;
+    Some([&second[..end], said, rest].concat())
+}
+
 /// Whether a preposition comes next.
 fn preposition(tokens: &[Token], lexicon: &Lexicon) -> Option<usize> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     Some(lexicon.find(&words, &[Class::Preposition])?.length)
 }
 
-/// "and O is a point fixed in it": the thing of which the first clause speaks.
-fn meant_by_it(subject: &[Token], second: &[Token]) -> Option<Vec<Token>> {
-    let meant = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
-    let at = second.iter().position(meant)?;
-    Some([&second[..at], subject, &second[at + 1..]].concat())
+/// "and O is a point fixed in it": the thing of which the first clause speaks. "They" and "them" are several: its subject
+/// if that is a list, or what it names last.
+pub(super) fn meant_by_it(
+    second: &[Token],
+    subject: &[Token],
+    rest: &[Token],
+) -> Option<Vec<Token>> {
+    let pronoun = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
+    let at = second.iter().position(pronoun)?;
+    let several = second[at].lower != "it";
+    let many = |tokens: &[Token]| {
+        is_list(tokens)
+            || tokens
+                .last()
+                .is_some_and(|t| t.lower.len() > 2 && t.lower.ends_with('s'))
+    };
+    let last = last_named(rest);
+    let meant = match several && !many(subject) {
+        true => Some(last).filter(|last| many(last)),
+        false => Some(subject),
+    };
+    Some([&second[..at], meant?, &second[at + 1..]].concat())
 }
 
 /// "…; on line 3 it is written `$w$`": each "it" with what the clause before speaks of.
 pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let semicolon = tokens.iter().position(|t| t.kind == Kind::Semicolon)?;
     let (first, second) = tokens.split_at(semicolon);
-    let (subject, ..) = clause(first, lexicon)?;
-    let second = meant_by_it(subject, second)?;
+    let (subject, _, rest) = clause(first, lexicon)?;
+    let second = meant_by_it(second, subject, rest)?;
     Some([first, &second].concat())
 }
 
@@ -237,7 +280,7 @@ fn shared_tail(
 }
 
 /// Subject, verb, and the rest of a clause.
-fn clause<'t>(
+pub(super) fn clause<'t>(
     tokens: &'t [Token],
     lexicon: &Lexicon,
 ) -> Option<(&'t [Token], &'t [Token], &'t [Token])> {
@@ -249,7 +292,9 @@ fn clause<'t>(
         let verb = lexicon.find(&words[at..], &[Class::Verb])?;
         let nouns = [Class::Noun, Class::Place, Class::Thing];
         let noun = lexicon.find(&words[at..], &nouns);
-        noun.is_none().then_some((at, verb.length))
+        // "`$x$` points east": behind a letter no noun stands
+        let letter = matches!(tokens[at - 1].kind, Kind::Formula | Kind::Plain);
+        (noun.is_none() || letter).then_some((at, verb.length))
     })?;
     let (subject, rest) = tokens.split_at(at);
     let (verb, rest) = rest.split_at(length);
@@ -283,7 +328,7 @@ fn in_number(verb: &[Token], subject: &[Token]) -> Vec<Token> {
 }
 
 /// The clause with the noun of the first one for "that" and "those".
-fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
+pub(super) fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
     let reminds = |at: usize| {
         let rest: Vec<&str> = second[at + 1..].iter().map(|t| t.lower.as_str()).collect();
         REMINDERS.contains(&second[at].lower.as_str())
@@ -304,7 +349,7 @@ fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token>
 }
 
 /// The noun with which something begins, without its article: what stands before the first preposition.
-fn head<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
+pub(super) fn head<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let start = usize::from(words.first().is_some_and(|word| ARTICLES.contains(word)));
     let nouns = [Class::Noun, Class::Place, Class::Thing];
@@ -330,7 +375,10 @@ fn owned<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
             .is_some_and(|t| ARTICLES.contains(&t.lower.as_str())),
     );
     let of = start + noun.len();
-    if tokens.get(of).is_none_or(|t| t.lower != "of") {
+    if tokens
+        .get(of)
+        .is_none_or(|t| !matches!(t.lower.as_str(), "of" | "on"))
+    {
         return noun;
     }
     let hangs = |at: usize| {

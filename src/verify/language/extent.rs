@@ -11,6 +11,14 @@ const MOST_EXTENTS: usize = 200;
 /// How a line is called.
 const LINES: [&str; 4] = ["line", "lines", "row", "rows"];
 
+/// How parts of a document with a number are called: their heading begins so.
+const UNITS: [&str; 9] = [
+    "problem", "part", "exercise", "question", "example", "chapter", "step", "case", "task",
+];
+
+/// How lines with a label are called.
+const EQUATIONS: [&str; 4] = ["equation", "equations", "eq", "eqs"];
+
 impl Reader<'_> {
     /// The extents with which a sentence begins. Several parts of a document beside one another ("on lines 4 and 41")
     /// are several extents.
@@ -42,16 +50,28 @@ impl Reader<'_> {
         match self.word() {
             "on" | "in" if LINES.contains(&next) => number(2),
             "in" if matches!(next, "cell" | "cells") => number(2),
+            "in" | "on" if EQUATIONS.contains(&next) => true,
+            "in" if UNITS.contains(&next) => self.numbered(2),
             "in" => next == "section" || next == "the" && self.word_at(2) == "section",
-            "from" => next == "line" && number(2),
+            "from" | "until" => next == "line" && number(2),
+            "up" => next == "to" && self.word_at(2) == "line" && number(3),
             _ => false,
         }
+    }
+
+    /// Whether a number or a letter stands some words further on.
+    fn numbered(&self, ahead: usize) -> bool {
+        let token = self.tokens.get(self.at + ahead);
+        token.is_some_and(|t| t.kind == Kind::Number || t.text.chars().count() == 1)
     }
 
     /// The extents of one clause of several, or those that stand behind what it says.
     pub(crate) fn extents_of_clause(&mut self, whole: &[Extent]) -> Read<Option<Vec<Extent>>> {
         let start = self.at;
         self.take_sign(Kind::Comma);
+        if self.take("elsewhere") {
+            return Ok(Some(vec![Extent::Document]));
+        }
         if !self.at_extent() {
             self.at = start;
             return Ok(None);
@@ -82,6 +102,20 @@ impl Reader<'_> {
             if self.take_any(&["cell", "cells"]) {
                 return Ok(vec![Extent::Cells(self.numbers()?)]);
             }
+            if EQUATIONS.contains(&self.word())
+                && self
+                    .tokens
+                    .get(self.at + 1)
+                    .is_some_and(|t| t.kind == Kind::Open)
+            {
+                self.at += 1;
+                return self.labels_from_to();
+            }
+            if UNITS.contains(&self.word()) && self.numbered(1) {
+                let title = format!("{} {}", self.word(), self.word_or_number(1));
+                self.at += 2;
+                return Ok(vec![Extent::Section(title)]);
+            }
             if self.take("the section") || self.take("section") {
                 return Ok(vec![Extent::Section(self.quoted()?)]);
             }
@@ -89,6 +123,18 @@ impl Reader<'_> {
         self.at = start;
         if self.take("under the heading") {
             return Ok(vec![Extent::Section(self.quoted()?)]);
+        }
+        let label = self
+            .tokens
+            .get(self.at + 1)
+            .is_some_and(|t| t.kind == Kind::Open);
+        if self.word() == "from" && label {
+            self.at += 1;
+            let from = self.label()?;
+            return match self.take("on") {
+                true => Ok(vec![Extent::Between(from, String::new())]),
+                false => Err(self.unexpected("end of an extent", "say `from (4) on`", &[])),
+            };
         }
         if self.take("from line") {
             let first = self.number()?;
@@ -100,6 +146,9 @@ impl Reader<'_> {
                 true => Ok(vec![lines(first, None)]),
                 false => Err(self.unexpected("end of an extent", "say `from line 38 on`", &[])),
             };
+        }
+        if self.take("up to line") || self.take("until line") {
+            return Ok(vec![lines(1, Some(self.number()?))]);
         }
         if self.word() == "between"
             && self
@@ -184,6 +233,12 @@ impl Reader<'_> {
             }
         }
         Ok(Some(formula))
+    }
+
+    /// A word or a number further on, as written.
+    fn word_or_number(&self, ahead: usize) -> &str {
+        let token = self.tokens.get(self.at + ahead);
+        token.map_or("", |token| token.text.as_str())
     }
 
     fn number(&mut self) -> Read<usize> {

@@ -54,7 +54,7 @@ impl Reader<'_> {
             let of_thing = |p: &NounPhrase| p.slot(Slot::Of) == Some(thing);
             let names_quantity = match term {
                 Term::Formula(_) => true,
-                Term::Phrase(p) => of_thing(p),
+                Term::Phrase(p) => of_thing(p) || p.head == "axes",
                 _ => false,
             };
             if *slot == Slot::Of && names_quantity {
@@ -89,36 +89,56 @@ impl Reader<'_> {
         let noun = self
             .lexicon
             .find(self.following(skipped), &[Class::Noun, Class::Place])?;
-        let named = self.tokens.get(self.at + skipped + noun.length)?;
-        let name = match named.kind {
+        let named = self.tokens.get(self.at + skipped + noun.length);
+        let name = named.is_some_and(|named| match named.kind {
             Kind::Formula | Kind::Plain => true,
             Kind::Word => named.text.starts_with(char::is_uppercase),
             _ => false,
-        };
-        (skipped > 0 && name).then_some(skipped)
+        });
+        let place = noun.entry.name == "frame" || noun.entry.name == "axes";
+        (skipped > 0 && (name || place)).then_some(skipped)
     }
 }
 
-/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`" says one thing of each; as many subjects as they are of.
+/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`", "the angular momenta of the body about O and about G": what hangs on
+/// a noun as often as there are subjects is said of each in turn.
 pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
-    let of: Vec<Term> = what.all(Slot::Of).cloned().collect();
-    let alike = |terms: &[Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
-    let things = |terms: &[Term]| terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
-    if subjects.len() < 2
-        || subjects.len() != of.len()
-        || !alike(&subjects)
-        || !(alike(&of) || things(&of))
-    {
+    let alike = |terms: &[&Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
+    let things = |terms: &[&Term]| terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
+    let letters: Vec<&Term> = subjects.iter().collect();
+    let parted = |slot: Slot| {
+        let terms: Vec<&Term> = what.all(slot).collect();
+        let several = terms.len() > 1 && terms.len() == subjects.len() && alike(&letters);
+        several && (slot != Slot::Of || alike(&terms) || things(&terms))
+    };
+    let slots: Vec<Slot> = PARTED.into_iter().filter(|slot| parted(*slot)).collect();
+    if slots.is_empty() {
         return vec![Statement::Is { subjects, what }];
     }
-    let one = |(subject, of): (Term, Term)| {
+    let one = |(number, subject): (usize, Term)| {
         let mut own = what.clone();
-        own.slots.retain(|(slot, _)| *slot != Slot::Of);
-        own.slots.insert(0, (Slot::Of, of));
+        for slot in &slots {
+            let term = what.all(*slot).nth(number).cloned();
+            let at = own.slots.iter().position(|(s, _)| s == slot);
+            own.slots.retain(|(s, _)| s != slot);
+            if let (Some(at), Some(term)) = (at, term) {
+                own.slots.insert(at.min(own.slots.len()), (*slot, term));
+            }
+        }
         Statement::Is {
             subjects: vec![subject],
             what: own,
         }
     };
-    subjects.into_iter().zip(of).map(one).collect()
+    subjects.into_iter().enumerate().map(one).collect()
 }
+
+/// What may be of each subject in turn.
+const PARTED: [Slot; 6] = [
+    Slot::Of,
+    Slot::About,
+    Slot::RelativeTo,
+    Slot::On,
+    Slot::Along,
+    Slot::From,
+];

@@ -298,7 +298,8 @@ impl<'a> Reader<'a> {
             }
             if let Some(adjective) = adjective {
                 self.at += adjective.length;
-                adjectives.push(adjective.entry);
+                let says = adjective.entry.name != "whole";
+                adjectives.extend(says.then_some(adjective.entry));
             } else if let Some(skipped) = self.unknown_before_name() {
                 self.at += skipped;
             } else if let Some(n) = ORDINALS.iter().position(|o| *o == self.word()) {

@@ -50,6 +50,14 @@ impl<'a> Reader<'a> {
             let what = (**phrase).clone();
             return Ok(vec![Statement::Is { subjects, what }]);
         }
+        if let [Term::Phrase(phrase)] = subjects.as_slice()
+            && self.at_name()
+            && self.ends_clause(1)
+        {
+            let what = (**phrase).clone();
+            let subjects = self.terms()?;
+            return Ok(vec![Statement::Is { subjects, what }]);
+        }
         if let Some(statement) = self.the_only(&subjects)? {
             return Ok(vec![statement]);
         }
@@ -151,10 +159,15 @@ impl<'a> Reader<'a> {
             return Err(self.error("as many nouns as letters are wanted", "say one by one"));
         }
         let last = nouns.last().map_or(vec![], |noun| noun.slots.clone());
+        let mut behind = vec![];
+        if let Some(entry) = self.lexicon.entry(first.head, &NOUNS) {
+            self.tail(entry, &mut behind)?;
+        }
         let one = |(subject, mut what): (&Term, NounPhrase)| {
             if what.slots.is_empty() {
                 what.slots.clone_from(&last);
             }
+            what.slots.extend(behind.iter().cloned());
             Statement::Is {
                 subjects: vec![subject.clone()],
                 what,

@@ -56,6 +56,7 @@ fn extent(extent: &Extent) -> Option<String> {
             format!("in {noun} {}", listed(&numbers))
         }
         Extent::Section(heading) => format!("in the section \"{heading}\""),
+        Extent::Between(a, b) if b.is_empty() => format!("from ({a}) on"),
         Extent::Between(a, b) => format!("between ({a}) and ({b})"),
         Extent::Occurrence {
             cell: Some(cell),

@@ -51,7 +51,7 @@ pub(crate) fn possessives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
         };
         let words: Vec<&str> = tokens[at + 1..].iter().map(|t| t.lower.as_str()).collect();
         let adjectives = usize::from(lexicon.find(&words, &[Class::Adjective]).is_some());
-        let noun = [Class::Noun, Class::Place];
+        let noun = [Class::Noun, Class::Place, Class::Thing];
         let Some(found) = [0, adjectives].iter().find_map(|&skip| {
             let found = lexicon.find(words.get(skip..)?, &noun)?;
             Some(skip + found.length)
@@ -131,6 +131,105 @@ pub(crate) fn described_first(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec
         _ => [subject, &[word("is")], inside].concat(),
     };
     Some([subject, rest, &[semicolon], &second].concat())
+}
+
+/// "The top, which consists of the rod and the disc, is symmetric" as "The top is symmetric; the top consists of the rod and
+/// the disc": what is told beside, of the thing named last.
+pub(crate) fn told_beside(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let comma = |t: &Token| t.kind == Kind::Comma;
+    let relative = |pair: &[Token]| {
+        comma(&pair[0]) && matches!(pair[1].lower.as_str(), "which" | "who" | "that")
+    };
+    let open = tokens.windows(2).position(relative).filter(|&at| at > 0)?;
+    let (before, inside) = (&tokens[..open], &tokens[open + 2..]);
+    let words: Vec<&str> = inside.iter().map(|t| t.lower.as_str()).collect();
+    let verb = COPULAS.contains(words.first()?) || lexicon.find(&words, &[Class::Verb]).is_some();
+    let close = inside.iter().rposition(comma).filter(|_| verb)?;
+    let semicolon = put_in(Kind::Semicolon, "", &tokens[open]);
+    let (inside, behind) = (&inside[..close], &inside[close + 1..]);
+    Some([before, behind, &[semicolon], last_named(before), inside].concat())
+}
+
+/// The thing that is named last: a name or a formula, or a noun with its article.
+pub(crate) fn last_named(tokens: &[Token]) -> &[Token] {
+    let last = tokens.len().saturating_sub(1);
+    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    let noun = tokens
+        .last()
+        .is_some_and(|t| t.kind == Kind::Word && t.lower == t.text);
+    let start = tokens.iter().rposition(article);
+    match start.filter(|&at| noun && last - at <= LONGEST_NAMED) {
+        Some(at) => &tokens[at..],
+        None => &tokens[last.min(tokens.len())..],
+    }
+}
+
+/// A thing is named by so many words behind its article at most.
+const LONGEST_NAMED: usize = 3;
+
+/// The sentence without what says which numbers an index takes: ", for `$k=1,2,3$`", "(`$j = 1, 2$`)". The members of its
+/// family are as many.
+pub(crate) fn without_ranges(tokens: &[Token]) -> Option<Vec<Token>> {
+    let range = |t: &Token| t.kind == Kind::Formula && counts(&t.text);
+    let at = tokens.iter().position(range)?;
+    let before = &tokens[..at];
+    let bracket = before.last().is_some_and(|t| t.kind == Kind::Open);
+    let said = before.last().is_some_and(|t| t.lower == "for");
+    let closed = tokens.get(at + 1).is_some_and(|t| t.kind == Kind::Close);
+    if !(said || bracket && closed) {
+        return None;
+    }
+    let start = at - 1 - usize::from(said && at > 1 && tokens[at - 2].kind == Kind::Comma);
+    let end = at + 1 + usize::from(bracket);
+    Some([&tokens[..start], &tokens[end..]].concat())
+}
+
+/// "`$c$` and `$s$` with an angle as index are the cosine and the sine of that angle" with the angle as a letter of any name.
+pub(crate) fn indexed_by_any(tokens: &[Token]) -> Option<Vec<Token>> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let at = words
+        .windows(4)
+        .position(|w| w[0] == "with" && matches!(w[1], "a" | "an" | "any") && w[3] == "as")?;
+    let noun = words[at + 2];
+    let index = (at + 4..words.len().min(at + 6))
+        .find(|&i| matches!(words[i], "index" | "subscript" | "label"))?;
+    let any = put_in(Kind::Formula, ANY_LETTER, &tokens[at]);
+    let labelled = |t: &Token| match t.kind {
+        Kind::Formula => put_in(Kind::Formula, &format!("{}_{{{ANY_LETTER}}}", t.text), t),
+        _ => t.clone(),
+    };
+    let mut plain: Vec<Token> = tokens[..at].iter().map(labelled).collect();
+    for token in &tokens[index + 1..] {
+        let pointed = plain
+            .last()
+            .is_some_and(|t| matches!(t.lower.as_str(), "that" | "the" | "this"));
+        if token.lower == noun && pointed {
+            plain.pop();
+            plain.push(any.clone());
+        } else {
+            plain.push(token.clone());
+        }
+    }
+    let ending = [(Kind::Comma, ""), (Kind::Word, "for"), (Kind::Word, "any")];
+    plain.extend(ending.map(|(kind, text)| put_in(kind, text, &tokens[index])));
+    plain.push(any);
+    Some(plain)
+}
+
+/// Stands for any letter.
+const ANY_LETTER: &str = "\\alpha";
+
+/// Whether a formula counts an index through: `k = 1, 2, 3`, `i=1,\ldots,n`.
+fn counts(formula: &str) -> bool {
+    let Some((index, numbers)) = formula.split_once('=') else {
+        return false;
+    };
+    let letter = index.trim().chars().count() == 1;
+    let mut numbers = numbers.split(',');
+    let first = numbers
+        .next()
+        .is_some_and(|n| n.trim().parse::<usize>().is_ok());
+    letter && first && numbers.next().is_some()
 }
 
 /// "Relative to B the wheel turns about z" with what stands in front at its end, for each place where that may end.

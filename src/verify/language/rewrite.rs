@@ -33,6 +33,8 @@ enum Piece {
     Phrase(char),
     /// A sign.
     Sign(Kind),
+    /// A formula that is put together from formulas and signs.
+    Built(String),
 }
 
 /// A way to say something, and the plain one.
@@ -73,11 +75,14 @@ fn piece(text: &str) -> Piece {
         (Some(';'), None) => return Piece::Sign(Kind::Semicolon),
         (Some('('), None) => return Piece::Sign(Kind::Open),
         (Some(')'), None) => return Piece::Sign(Kind::Close),
-        (Some(c @ ('F' | 'G')), None) => return Piece::Formulas(c),
+        (Some(c @ ('F' | 'G' | 'H')), None) => return Piece::Formulas(c),
         (Some(c @ ('N' | 'M')), None) => return Piece::Phrase(c),
         (Some('U'), None) => return Piece::Clause('U'),
         (Some(c), None) if c.is_ascii_uppercase() => return Piece::Any(c),
         _ => {}
+    }
+    if let Some(built) = text.strip_prefix('[').and_then(|t| t.strip_suffix(']')) {
+        return Piece::Built(built.to_owned());
     }
     let words = |text: &str| text.split('|').map(str::to_owned).collect();
     match text.strip_suffix('?') {
@@ -157,10 +162,28 @@ impl Rule {
                     let place = new.last().unwrap_or(near);
                     new.push(put_in(*kind, "", place));
                 }
+                Piece::Built(pattern) => {
+                    let place = new.last().unwrap_or(near);
+                    new.push(put_in(Kind::Formula, &built(pattern, bound), place));
+                }
             }
         }
         new
     }
+}
+
+/// A formula with formulas for the capitals of a pattern.
+fn built(pattern: &str, bound: &Bound<'_>) -> String {
+    let source = |c: char| {
+        let (_, tokens) = bound.iter().find(|(letter, _)| *letter == c)?;
+        let texts: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
+        Some(texts.join(" "))
+    };
+    let pieces = pattern.chars().map(|c| match c {
+        '*' => " ".to_owned(),
+        c => source(c).unwrap_or_else(|| c.to_string()),
+    });
+    pieces.collect()
 }
 
 /// A piece that the author did not write, at the place of another.
@@ -168,7 +191,7 @@ pub(crate) fn put_in(kind: Kind, text: &str, near: &Token) -> Token {
     Token {
         kind,
         text: text.to_owned(),
-        lower: text.to_owned(),
+        lower: text.to_lowercase(),
         column: near.column,
     }
 }
@@ -192,6 +215,7 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
         Piece::Sign(kind) => (tokens.first()?.kind == *kind)
             .then_some(())
             .and_then(|()| behind(1)),
+        Piece::Built(_) => None,
         Piece::Any(c) | Piece::Phrase(c) | Piece::Clause(c) => {
             if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
                 return None;

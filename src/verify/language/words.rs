@@ -64,6 +64,18 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
                 "say it in several",
             ));
         }
+        // "{b}": a name in braces.
+        if let Some(name) = in_braces(trimmed) {
+            tokens.push(Token {
+                kind: Kind::Word,
+                text: name.to_owned(),
+                lower: name.to_lowercase(),
+                column,
+            });
+            column += name.chars().count() + 2;
+            rest = &trimmed[name.len() + 2..];
+            continue;
+        }
         // What stands behind a colon says more of what stands before it.
         if first == ':' && !tokens.is_empty() {
             tokens.push(Token {
@@ -96,6 +108,16 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         rest = &trimmed[length..];
     }
 }
+
+/// The short name of a thing that is written between braces.
+fn in_braces(text: &str) -> Option<&str> {
+    let (name, _) = text.strip_prefix('{')?.split_once('}')?;
+    let short = name.chars().count() <= LONGEST_NAME;
+    (short && !name.is_empty() && name.chars().all(char::is_alphanumeric)).then_some(name)
+}
+
+/// A name between braces has no more letters.
+const LONGEST_NAME: usize = 4;
 
 /// The first piece of a text: what it is, its text and how many bytes it takes.
 fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {

@@ -2,12 +2,15 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
-use crate::notation::print;
+use crate::notation::{Macros, print, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::reading::names::{ANGULAR_VELOCITY, MASS_CENTRE, node_of};
+use crate::verify::reading::names::{ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, node_of};
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
+
+/// Functions of angles for which authors have letters.
+const KERNELS: [&str; 3] = ["cosine", "sine", "tangent"];
 
 /// Quantities of which the thing itself is a point.
 const OF_POINTS: [&str; 3] = ["position", "velocity", "acceleration"];
@@ -18,7 +21,11 @@ pub(crate) fn instances(declarations: &[Declaration]) -> Vec<Declaration> {
     let points = named(declarations, |what| {
         matches!(what.head, "point" | MASS_CENTRE | "particle")
     });
+    let angles = angles(declarations);
     let each = declarations.iter().flat_map(|declaration| {
+        if let Some(made) = of_any_angle(declaration, &angles) {
+            return made;
+        }
         let Some(any) = any_things(&declaration.statement) else {
             return vec![declaration.clone()];
         };
@@ -57,6 +64,76 @@ fn named(declarations: &[Declaration], is: impl Fn(&NounPhrase) -> bool) -> Vec<
     found
 }
 
+/// "`$c_\\alpha$` is the cosine of `$\\alpha$`, for any `$\\alpha$`": that of each angle of the text.
+fn of_any_angle(declaration: &Declaration, angles: &[Formula]) -> Option<Vec<Declaration>> {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return None;
+    };
+    let [Term::Formula(letter)] = subjects.as_slice() else {
+        return None;
+    };
+    let any = what.all(Slot::ForAny).collect::<Vec<_>>();
+    let ([Term::Formula(any)], true) = (any.as_slice(), KERNELS.contains(&what.head)) else {
+        return None;
+    };
+    let one = |angle: &Formula| {
+        let source = letter.source.replace(&any.source, &angle.source);
+        let row = read_formula(&source, 0, &Macros::default())
+            .into_iter()
+            .next()?;
+        let what = NounPhrase {
+            slots: vec![(Slot::Of, Term::Formula(angle.clone()))],
+            ..what.clone()
+        };
+        Some(Declaration {
+            statement: Statement::Is {
+                subjects: vec![Term::Formula(Formula { source, row })],
+                what,
+            },
+            ..declaration.clone()
+        })
+    };
+    Some(angles.iter().filter_map(one).collect())
+}
+
+/// The letters of angles: those that sentences call so, or by which something turns.
+fn angles(declarations: &[Declaration]) -> Vec<Formula> {
+    let letter = |term: &Term| match term {
+        Term::Formula(formula) => Some(formula.clone()),
+        Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
+            Some(Term::Formula(formula)) => Some(formula.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut found: Vec<Formula> = vec![];
+    for declaration in declarations {
+        let terms: Vec<&Term> = match &declaration.statement {
+            Statement::Is { subjects, what }
+                if what.head == EULER_ANGLES || what.head.ends_with("angle") =>
+            {
+                subjects.iter().collect()
+            }
+            Statement::Does {
+                verb: "turn",
+                slots,
+                ..
+            } => slots
+                .iter()
+                .filter(|(s, _)| *s == Slot::By)
+                .map(|(_, t)| t)
+                .collect(),
+            _ => vec![],
+        };
+        for angle in terms.into_iter().filter_map(letter) {
+            if !found.iter().any(|known| known.source == angle.source) {
+                found.push(angle);
+            }
+        }
+    }
+    found
+}
+
 /// The names for which a sentence speaks of any, where these are things: "for any frames X and Y". An angular velocity has
 /// a law of its own, which reads its labels.
 fn any_things(statement: &Statement) -> Option<Vec<String>> {
@@ -84,13 +161,15 @@ fn stands_for_point(statement: &Statement, name: &str) -> bool {
     let Statement::Is { what, .. } = statement else {
         return false;
     };
+    let of_point = OF_POINTS.contains(&what.head);
     what.slots.iter().any(|(slot, term)| {
         let place = match slot {
-            Slot::Of | Slot::From | Slot::About => true,
+            Slot::About => true,
+            Slot::Of | Slot::From => of_point,
             Slot::RelativeTo => what.head == OF_POINTS[0],
             _ => false,
         };
-        place && OF_POINTS.contains(&what.head) && matches!(term, Term::Name(n) if n == name)
+        place && matches!(term, Term::Name(n) if n == name)
     })
 }
 

@@ -58,6 +58,7 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        self.read_incline();
     }
 
     pub(super) fn read_triad(

@@ -56,7 +56,7 @@ impl Builder<'_> {
         let normal = match what.slot(Slot::With).cloned() {
             Some(normal) => self.direction(&normal, declaration, Some(frame))?,
             None if what.is("horizontal") => self.upward(),
-            None => return None,
+            None => self.normal_of_incline()?,
         };
         for name in subjects.iter().filter_map(name_of) {
             self.system().planes.push(Plane {

@@ -6,6 +6,7 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::incline_read::{DOWNHILL, NORMAL};
 use crate::verify::reading::loads_read::{acting_force, is_force_at, rests_for_long};
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,
@@ -167,6 +168,7 @@ impl Builder<'_> {
                     self.say_unused(declaration);
                 }
             }
+            DOWNHILL | NORMAL if self.normal_of_incline().is_some() => {}
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
             CROSS_PRODUCT_MATRIX | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {

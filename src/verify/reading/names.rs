@@ -34,6 +34,11 @@ pub(crate) fn name_of(term: &Term) -> Option<String> {
     match term {
         Term::Name(name) => Some(name.trim().to_owned()),
         Term::Formula(formula) => Some(name_of_formula(formula)),
+        // An axis may be called by its number.
+        Term::Numbers(numbers) => match numbers.as_slice() {
+            [number] => Some(number.to_string()),
+            _ => None,
+        },
         // A noun alone is a name as well, "the ring", and so is a frame of a kind: "the body frame".
         Term::Phrase(phrase) if phrase.slots.is_empty() && phrase.adjectives.is_empty() => {
             Some(phrase.head.to_owned())
@@ -108,7 +113,8 @@ pub(crate) fn reach_of(extent: &Extent) -> Reach {
         },
         Extent::Cells(cells) => Reach::Cells(cells.clone()),
         Extent::Section(title) => Reach::Section(title.clone()),
-        Extent::Between(..) => Reach::All,
+        // Labels are looked up in the document; what is left of them stands nowhere.
+        Extent::Between(..) => Reach::Cells(vec![]),
         Extent::Occurrence {
             number, cell, line, ..
         } => Reach::Occurrence {

@@ -9,7 +9,7 @@ use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, PRODUCTS, index_letter, node_of, reach_of, without_commands,
 };
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, spelled};
+use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
 
 impl Builder<'_> {
     /// Takes in the rules of notation.
@@ -107,12 +107,27 @@ impl Builder<'_> {
                 self.reading.letters.customs.raised_frames =
                     *meaning == NotationMeaning::Fixed("that frame");
             }
+            Sign::Custom("frame at the upper right") => self.label_components(&reach),
             Sign::Custom(brackets) if brackets.starts_with("square") => {
                 let customs = &mut self.reading.letters.customs;
                 customs.crossing_brackets = effect == Effect::CrossProductMatrix;
             }
             Sign::Custom(_) => {}
         }
+    }
+
+    /// Each frame's name as a label says that components on it are meant.
+    fn label_components(&mut self, reach: &Reach) {
+        let frames = self.reading.system.frames.iter().enumerate();
+        let rules = frames.map(|(frame, named)| LabelRule {
+            label: plain_label(&named.name),
+            effect: Effect::ComponentsOn(frame),
+            on_rate: false,
+            component: None,
+            reach: reach.clone(),
+        });
+        let rules: Vec<LabelRule> = rules.collect();
+        self.reading.letters.labels.extend(rules);
     }
 
     /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".

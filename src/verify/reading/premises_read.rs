@@ -199,7 +199,11 @@ impl Builder<'_> {
             },
             _ => None,
         });
-        let lines = reach_of(lines);
+        let lines = match lines {
+            // "On lines 3 to 9 everything holds …"
+            Extent::Document => reach_of(&declaration.extent),
+            lines => reach_of(lines),
+        };
         let small: Vec<&Term> = slots
             .iter()
             .filter(|(s, _)| *s == Slot::In)
@@ -249,9 +253,6 @@ impl Builder<'_> {
         let equal = relations
             .iter()
             .all(|(r, _)| matches!(r, Relation::Equal | Relation::Defined));
-        if !equal {
-            return self.say_unused(declaration);
-        }
         self.reading.letters.keep_apart(sides);
         let value = |builder: &mut Self, node: &crate::notation::ast::Node| {
             let formula = Formula {
@@ -261,6 +262,11 @@ impl Builder<'_> {
             builder.mentioned_value(&formula, declaration)
         };
         let values: Vec<Option<Value>> = sides.iter().map(|side| value(self, side)).collect();
+        if !equal {
+            let relations: Vec<Relation> = relations.iter().map(|(r, _)| *r).collect();
+            let told = self.read_order(&values, &relations, declaration);
+            return told.unwrap_or_else(|| self.say_unused(declaration));
+        }
         // Of what a letter is tells a formula with a side on which all is known.
         let system = &mut self.reading.system;
         if values.iter().flatten().any(|value| system.is_told(value)) {
@@ -307,6 +313,31 @@ impl Builder<'_> {
         }
     }
 
+    /// "`$A > B$`", "`$A \\ne B$`": nothing follows from it for an equation, but numbers against one have to obey it.
+    fn read_order(
+        &mut self,
+        values: &[Option<Value>],
+        relations: &[Relation],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        for (pair, relation) in values.windows(2).zip(relations) {
+            let [left, right] = pair else { return None };
+            let (left, right) = (
+                left.clone()?.to_scalar().ok()?,
+                right.clone()?.to_scalar().ok()?,
+            );
+            let greater = match relation {
+                Relation::Greater | Relation::GreaterOrEqual => left - right,
+                Relation::Less | Relation::LessOrEqual => right - left,
+                Relation::NotEqual => continue,
+                _ => return None,
+            };
+            let reach = reach_of(&declaration.extent);
+            self.reading.orders.push((reach, greater));
+        }
+        Some(())
+    }
+
     /// Declared roles of lines.
     pub(super) fn read_roles(&mut self) {
         for declaration in self.declarations {
@@ -324,6 +355,11 @@ impl Builder<'_> {
                 DeclaredRole::Define(formula) => formula.as_ref().and_then(node_of).map(latex),
                 _ => None,
             };
+            // "On lines 4 to 9 line 3 is assumed": it holds there alone.
+            if matches!(role, DeclaredRole::Assume) && declaration.extent != Extent::Document {
+                let there = reach_of(&declaration.extent);
+                self.reading.held.push((reach.clone(), there));
+            }
             let role = match role {
                 DeclaredRole::Given => Some(Role::Given),
                 DeclaredRole::Assume => Some(Role::Assume),

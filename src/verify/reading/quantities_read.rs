@@ -13,6 +13,9 @@ use crate::verify::reading::names::{
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
+/// The part of a vector along a direction, or perpendicular to it.
+const PART: &str = "part";
+
 /// Quantities of one point.
 const MOTIONS: [&str; 4] = ["position", "displacement", "velocity", "acceleration"];
 
@@ -29,7 +32,7 @@ impl Builder<'_> {
         }
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along)
-            && !matches!(phrase.head, UNIT_VECTOR | "moment of inertia")
+            && !matches!(phrase.head, UNIT_VECTOR | PART | "moment of inertia")
             && phrase.slot(Slot::Upon).is_none()
         {
             let along = self.axis_quantity(&along.clone(), declaration)?;
@@ -99,6 +102,17 @@ impl Builder<'_> {
             "magnitude" => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
+            }
+            PART => {
+                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+                let across = phrase.slot(Slot::With);
+                let axis = across.or_else(|| phrase.slot(Slot::Along))?;
+                let axis = self.axis_quantity(&axis.clone(), declaration)?;
+                Quantity::Part {
+                    of: of.boxed(),
+                    axis: axis.boxed(),
+                    across: across.is_some(),
+                }
             }
             CROSS_PRODUCT_MATRIX => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;

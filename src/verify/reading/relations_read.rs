@@ -5,6 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::incline_read::is_incline;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
@@ -29,6 +30,13 @@ impl Builder<'_> {
         let [one, other] = ends.as_slice() else {
             return None;
         };
+        let told = ends
+            .iter()
+            .any(is_incline)
+            .then(|| self.normal_of_incline());
+        if let Some(Some(_)) = told {
+            return Some(());
+        }
         let Some(Term::Formula(letter)) = subjects.first() else {
             return None;
         };

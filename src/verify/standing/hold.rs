@@ -352,6 +352,19 @@ impl Judge<'_> {
         proof
     }
 
+    /// What inequalities say at this place, in free variables.
+    fn orders(&mut self) -> Vec<Fraction> {
+        let own = self.reading.orders.iter();
+        let own: Vec<Fraction> = own
+            .filter(|(reach, _)| reach.covers(&self.at, 0))
+            .map(|(_, order)| order.clone())
+            .collect();
+        let atoms = &mut self.reading.system.atoms;
+        own.iter()
+            .filter_map(|order| self.facts.normal(atoms, order).ok())
+            .collect()
+    }
+
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
     fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
@@ -376,8 +389,9 @@ impl Judge<'_> {
         let hidden = angles
             .into_iter()
             .any(|angle| angle.variables().iter().any(told));
+        let orders = self.orders();
         let atoms = &mut self.reading.system.atoms;
-        match World::refuting(&self.facts, atoms, residuals).filter(|_| !hidden) {
+        match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
             }

@@ -26,6 +26,13 @@ impl System {
                     false => axis.dot(&value.to_vector()?),
                 })
             }
+            Quantity::Part { of, axis, across } => {
+                let axis = self.value_of(axis)?.to_vector()?;
+                let vector = self.value_of(of)?.to_vector()?;
+                let along = axis.clone() * (axis.dot(&vector) / axis.dot(&axis));
+                let part = if *across { vector - along } else { along };
+                Value::vector(&part, Basis::Itself)
+            }
             Quantity::Component { of, axis, on } => {
                 let vector = self.value_of(of)?.to_vector()?;
                 let along = self.axis(*on, *axis);

@@ -44,7 +44,7 @@ impl Quantity {
                 *of = spot(of);
                 *axis = inner(axis);
             }
-            Self::Along { of, axis } => {
+            Self::Along { of, axis } | Self::Part { of, axis, .. } => {
                 *of = inner(of);
                 *axis = inner(axis);
             }
@@ -82,6 +82,7 @@ impl Quantity {
             }
             Self::Rate { of, .. }
             | Self::Along { of, .. }
+            | Self::Part { of, .. }
             | Self::Component { of, .. }
             | Self::Entry { of, .. }
             | Self::Magnitude(of)

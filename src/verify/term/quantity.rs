@@ -95,6 +95,12 @@ pub(crate) enum Quantity {
         of: Box<Quantity>,
         axis: Box<Quantity>,
     },
+    /// The part of a vector along another one, or what is left of it across.
+    Part {
+        of: Box<Quantity>,
+        axis: Box<Quantity>,
+        across: bool,
+    },
     /// A component of a vector on the axes of a frame.
     Component {
         of: Box<Quantity>,
@@ -179,6 +185,7 @@ impl Quantity {
             Self::Rotation { .. } => "attitude",
             Self::Rate { of, .. }
             | Self::Along { of, .. }
+            | Self::Part { of, .. }
             | Self::Component { of, .. }
             | Self::Entry { of, .. }
             | Self::On(of, _)

@@ -1,0 +1,80 @@
+//! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
+
+use super::ellipsis::{clause, head, meant_by_it, nouns_end, reminded};
+use super::lexicon::Lexicon;
+use super::reader::ARTICLES;
+use super::rewrite::put_in;
+use super::words::{Kind, Token};
+
+/// Words before a noun that has been said.
+const POINTING: [&str; 4] = ["that", "this", "those", "these"];
+
+/// Looks no further back than so many sentences.
+const FURTHEST: usize = 12;
+
+/// The sentence with what was said before in the place of the words that remind of it, each reading on its own; `said`
+/// are the sentences before, in their order.
+pub(crate) fn referring(tokens: &[Token], said: &[&[Token]], lexicon: &Lexicon) -> Vec<Vec<Token>> {
+    let mut all: Vec<Vec<Token>> = said_before(tokens, lexicon).into_iter().collect();
+    let mut clauses = said.iter().rev().filter_map(|said| clause(said, lexicon));
+    let Some((subject, _, rest)) = clauses.clone().next() else {
+        return all;
+    };
+    let that_of = reminded(tokens, rest, lexicon);
+    if that_of != tokens {
+        all.push(that_of);
+    }
+    all.extend(its(tokens, subject, lexicon));
+    if tokens
+        .first()
+        .is_some_and(|t| matches!(t.lower.as_str(), "it" | "they"))
+    {
+        all.extend(meant_by_it(tokens, subject, rest));
+    }
+    let pointed = pointed_at(tokens, lexicon);
+    if let Some((at, end)) = pointed {
+        let noun = &tokens[at + 1..end];
+        let same = |(_, _, rest): &(_, _, &[Token])| words(head(rest, lexicon)) == words(noun);
+        let found = clauses.by_ref().take(FURTHEST).find(same);
+        all.extend(found.map(|(subject, ..)| [&tokens[..at], subject, &tokens[end..]].concat()));
+    }
+    all
+}
+
+/// "its mass centre and its inertia tensor about that point": a noun that the sentence itself has said.
+fn said_before(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let (at, end) = pointed_at(tokens, lexicon)?;
+    let noun = words(&tokens[at + 1..end]);
+    let before = &tokens[..at];
+    let last = (0..before.len())
+        .rev()
+        .find(|&to| words(&before[..=to]).ends_with(&noun))?;
+    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    let from = before[..last].iter().rposition(article)?;
+    Some([before, &before[from..=last], &tokens[end..]].concat())
+}
+
+/// "Its mass is `$m$`" at the beginning: the mass of what the sentence before is about.
+fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let (first, rest) = tokens.split_first()?;
+    if !matches!(first.lower.as_str(), "its" | "their") {
+        return None;
+    }
+    let (noun, behind) = rest.split_at(nouns_end(rest, lexicon));
+    let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, first));
+    Some([&[the], noun, &[of], subject, behind].concat())
+}
+
+/// Where a noun stands behind "that" or "this": it has been said before.
+fn pointed_at(tokens: &[Token], lexicon: &Lexicon) -> Option<(usize, usize)> {
+    let at = tokens
+        .iter()
+        .position(|t| POINTING.contains(&t.lower.as_str()))?;
+    let rest = &tokens[at + 1..];
+    let noun = head(rest, lexicon).len();
+    (noun > 0).then_some((at, at + 1 + noun))
+}
+
+fn words(tokens: &[Token]) -> Vec<&str> {
+    tokens.iter().map(|t| t.lower.as_str()).collect()
+}
