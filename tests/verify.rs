@@ -19,5 +19,6 @@ mod verify {
     mod rejected;
     mod relations;
     mod systems;
+    mod wordings;
     mod wrong_verdicts;
 }

@@ -1,7 +1,7 @@
 //! The small language in which people say what a document means.
 //!
 //! `lexicon` reads the words from a file of data, `words` parts a sentence, `reader` goes along it, `phrase`,
-//! `hanging`, `extent`, `sign`, `roles`, `predicate` and `clause` are the grammar, `bodies` finds the bodies that a text
+//! `hanging`, `gaps`, `extent`, `sign`, `roles`, `predicate` and `clause` are the grammar, `bodies` finds the bodies that a text
 //! introduces, `kinds` what things are by other sentences, `rewrite`, `reorder`, `ellipsis` and `anaphora` bring other wordings
 //! to the plain one, `declare` reads many sentences, `print` writes statements as sentences again and
 //! `manual` tells people about all of it. English stands nowhere else.
@@ -14,6 +14,7 @@ mod declare;
 mod ellipsis;
 mod extent;
 mod forms;
+mod gaps;
 mod hanging;
 pub(crate) mod heads;
 mod implied;

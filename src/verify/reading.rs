@@ -2,6 +2,7 @@
 
 pub(crate) mod any_read;
 pub(crate) mod axes_read;
+pub(crate) mod bases_read;
 pub(crate) mod bodies_read;
 pub(crate) mod builder;
 pub(crate) mod contact_read;

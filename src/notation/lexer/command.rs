@@ -39,6 +39,7 @@ fn is_silent(name: &str) -> bool {
             | "mathinner"
             | "ensuremath"
             | "boxed"
+            | "Aboxed"
             | "fbox"
             | "small"
             | "large"

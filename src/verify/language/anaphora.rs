@@ -1,8 +1,9 @@
 //! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
 
-use super::ellipsis::{clause, head, meant_by_it, nouns_end, reminded};
+use super::ellipsis::{clause, head, is_list, nouns_end, reminded};
 use super::lexicon::Lexicon;
 use super::reader::ARTICLES;
+use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::words::{Kind, Token};
 
@@ -77,4 +78,41 @@ fn pointed_at(tokens: &[Token], lexicon: &Lexicon) -> Option<(usize, usize)> {
 
 fn words(tokens: &[Token]) -> Vec<&str> {
     tokens.iter().map(|t| t.lower.as_str()).collect()
+}
+
+/// "and O is a point fixed in it": the thing of which the first clause speaks. "They" and "them" are several: its subject
+/// if that is a list, or what it names last.
+pub(super) fn meant_by_it(
+    second: &[Token],
+    subject: &[Token],
+    rest: &[Token],
+) -> Option<Vec<Token>> {
+    let pronoun = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
+    let at = second.iter().position(pronoun)?;
+    let owned = |t: &Token| matches!(t.lower.as_str(), "its" | "their");
+    if subject.iter().any(owned) {
+        return None;
+    }
+    let several = second[at].lower != "it";
+    let many = |tokens: &[Token]| {
+        is_list(tokens)
+            || tokens
+                .last()
+                .is_some_and(|t| t.lower.len() > 2 && t.lower.ends_with('s'))
+    };
+    let last = last_named(rest);
+    let meant = match several && !many(subject) {
+        true => Some(last).filter(|last| many(last)),
+        false => Some(subject),
+    };
+    Some([&second[..at], meant?, &second[at + 1..]].concat())
+}
+
+/// "…; on line 3 it is written `$w$`": each "it" with what the clause before speaks of.
+pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let semicolon = tokens.iter().position(|t| t.kind == Kind::Semicolon)?;
+    let (first, second) = tokens.split_at(semicolon);
+    let (subject, _, rest) = clause(first, lexicon)?;
+    let second = meant_by_it(second, subject, rest)?;
+    Some([first, &second].concat())
 }

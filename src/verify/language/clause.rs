@@ -1,6 +1,5 @@
 //! Whole sentences.
 
-use super::implied::of_letters;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
@@ -35,12 +34,13 @@ impl<'a> Reader<'a> {
             match self.apart()? {
                 Some(several) => statements.extend(several),
                 None => {
+                    let thing = said.last().and_then(|(_, said)| owner_in(said));
+                    self.thing = thing.or(self.thing.take());
                     let kind = self.kind_of_subject();
                     let subjects = match self.occurrence(&mut extents)? {
                         Some(formula) => vec![Term::Formula(formula)],
                         None => self.terms()?,
                     };
-                    self.thing = said.last().and_then(|(_, said)| owner_in(said));
                     self.owner = match said.is_empty() {
                         true => subjects.clone(),
                         false => spoken_of,
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
             statements.extend(self.said_of(subjects)?);
             self.appositions(subjects, formulas.as_deref(), statements)?;
             self.renamed_behind(subjects, statements)?;
-            while self.gap(subjects, statements)? {}
+            while self.gap(statements)? {}
             let start = self.at;
             let separated = self.take_separator();
             let is = matches!(statements.last(), Some(Statement::Is { .. }));
@@ -225,6 +225,15 @@ impl<'a> Reader<'a> {
 
     /// Whether a subject and its verb come next: names and letters with nothing that hangs on them.
     pub(crate) fn at_clause(&self) -> bool {
+        // "and radius `$r$`": a size has no article, and what is spoken of has one.
+        let size = self.lexicon.find(self.following(0), &[Class::Noun]);
+        let letter = |n: usize| {
+            let token = self.tokens.get(self.at + n);
+            token.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain))
+        };
+        if size.is_some_and(|size| letter(size.length)) {
+            return false;
+        }
         for ahead in 0..LONGEST_SUBJECT {
             let word = self.word_at(ahead);
             if COPULAS.contains(&word) {
@@ -241,7 +250,11 @@ impl<'a> Reader<'a> {
     }
 
     /// ", also written `$c$`" behind what is said of some subjects.
-    fn renamed_behind(&mut self, subjects: &[Term], statements: &mut Vec<Statement>) -> Read<()> {
+    pub(crate) fn renamed_behind(
+        &mut self,
+        subjects: &[Term],
+        statements: &mut Vec<Statement>,
+    ) -> Read<()> {
         let start = self.at;
         if self.take_separator() && self.at_renaming() && self.take("also written") {
             statements.push(Statement::Same {
@@ -297,55 +310,6 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
-    /// whose it is. Says whether there is one.
-    fn gap(&mut self, of: &[Term], statements: &mut Vec<Statement>) -> Read<bool> {
-        let start = self.at;
-        let told = match statements.last() {
-            Some(Statement::Is { subjects, what }) if self.take_separator() && self.at_gap() => {
-                Some((subjects, what))
-            }
-            _ => None,
-        };
-        let Some((told, what)) = told else {
-            self.at = start;
-            return Ok(false);
-        };
-        // A magnitude has no components: they are of what the clause is about.
-        let scalar = matches!(what.head, "magnitude" | "component");
-        let letter = match scalar {
-            true => of.first().cloned(),
-            false => told.first().cloned(),
-        };
-        let owner = what.slot(Slot::Of).cloned();
-        let mut subjects = vec![];
-        self.term(&mut subjects)?;
-        let its = self.take_any(&["its"]);
-        let mut what = self.phrase()?;
-        if its {
-            let owner = match of_letters(what.head) {
-                true => letter,
-                false => owner,
-            };
-            what.slots.extend(owner.map(|owner| (Slot::Of, owner)));
-        }
-        // "`$v$` is the velocity and `$p$` the momentum of P": what hangs on the last one hangs on both.
-        if let Some(Statement::Is { what: first, .. }) = statements.last_mut()
-            && first.slots.is_empty()
-            && !its
-            && self
-                .lexicon
-                .entry(first.head, &NOUNS)
-                .is_some_and(|noun| noun.slot("of").is_some())
-        {
-            first.slots.clone_from(&what.slots);
-        }
-        let said = subjects.clone();
-        statements.push(Statement::Is { subjects, what });
-        self.renamed_behind(&said, statements)?;
-        Ok(true)
-    }
-
     /// A verb with what hangs on it.
     fn said_of(&mut self, subjects: &[Term]) -> Read<Vec<Statement>> {
         let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
@@ -390,6 +354,9 @@ impl<'a> Reader<'a> {
         {
             let terms = self.terms_alike()?;
             slots.extend(terms.into_iter().map(|term| (slot, term)));
+        }
+        if verb.entry.name == "number" && slots.is_empty() {
+            return Err(self.unexpected("noun", "what is numbered could stand here", &NOUNS));
         }
         self.slots(verb.entry, &mut slots)?;
         self.tail(verb.entry, &mut slots)?;

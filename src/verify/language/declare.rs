@@ -1,12 +1,12 @@
 //! Declarations: sentences that an author writes, one a line.
 
-use super::anaphora::referring;
+use super::anaphora::{referring, with_its};
 use super::bodies::introduced;
 use super::clause::Said;
-use super::ellipsis::{joins, joint_weakness, parted_at, with_its};
+use super::ellipsis::{joins, joint_weakness, parted_at};
 use super::kinds::show_frames;
 use super::lexicon::Lexicon;
-use super::reader::Reader;
+use super::reader::{COPULAS, Reader};
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
     without_ranges,
@@ -97,7 +97,7 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
 }
 
 /// What a sentence says before the clause that is not understood, and that clause. It has to be one of its own, with a
-/// letter as its subject, for what goes on from a clause may change what it says.
+/// subject and a verb, for what goes on from a clause may change what it says.
 fn begun<'t>(
     tokens: &'t [Token],
     reader: &impl Fn(&[Token]) -> Result<Vec<Declaration>, Misread>,
@@ -108,20 +108,31 @@ fn begun<'t>(
     };
     for at in (1..tokens.len()).rev() {
         let joined = tokens[at..].iter().take_while(|t| joins(t)).count();
-        let next = tokens.get(at + joined..at + joined + 2);
+        let next = &tokens[at + joined..];
         let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
-        let clause = next.is_some_and(|next| formula(&next[0]) && next[1].kind == Kind::Word);
-        if joined == 0 || !clause {
+        let letter = next.len() > 1 && formula(&next[0]) && next[1].kind == Kind::Word;
+        let apart = tokens[at].kind == Kind::Comma && has_own_subject(next);
+        if joined == 0 || !(letter || apart) {
             continue;
         }
         if let Ok(said) = reader(&tokens[..at])
-            && said.iter().all(letters)
+            && (said.iter().all(letters) || apart)
         {
             return (said, &tokens[at + joined..]);
         }
     }
     (vec![], tokens)
 }
+
+/// Whether a clause begins with a noun and its article, and a verb follows: "the third of them is …".
+fn has_own_subject(clause: &[Token]) -> bool {
+    let article = |t: &Token| matches!(t.lower.as_str(), "the" | "its" | "their" | "there");
+    let verb = |t: &Token| COPULAS.contains(&t.lower.as_str());
+    clause.first().is_some_and(article) && clause.iter().take(LONGEST_SUBJECT).any(verb)
+}
+
+/// The subject of a clause has no more words than this.
+const LONGEST_SUBJECT: usize = 7;
 
 /// A sentence that is not understood: of which part of the document, and of which letters it speaks.
 fn unread(

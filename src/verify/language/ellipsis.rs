@@ -1,5 +1,6 @@
 //! Several things said in one sentence: where it parts, and the words that its parts leave out.
 
+use super::anaphora::meant_by_it;
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
@@ -139,6 +140,14 @@ fn completed(
     let whole = first.to_vec();
     let relative = related(first, second, lexicon);
     all.extend(relative.into_iter().map(|second| (whole.clone(), second)));
+    // "about O, a point fixed in N"
+    if second
+        .first()
+        .is_some_and(|t| t.kind == Kind::Word && matches!(t.text.as_str(), "a" | "an"))
+    {
+        let is = put_in(Kind::Word, "is", &second[0]);
+        all.push((whole.clone(), [last_named(first), &[is], second].concat()));
+    }
     let others = likewise(second, verb, rest);
     let others = others
         .into_iter()
@@ -227,39 +236,6 @@ fn preposition(tokens: &[Token], lexicon: &Lexicon) -> Option<usize> {
     Some(lexicon.find(&words, &[Class::Preposition])?.length)
 }
 
-/// "and O is a point fixed in it": the thing of which the first clause speaks. "They" and "them" are several: its subject
-/// if that is a list, or what it names last.
-pub(super) fn meant_by_it(
-    second: &[Token],
-    subject: &[Token],
-    rest: &[Token],
-) -> Option<Vec<Token>> {
-    let pronoun = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
-    let at = second.iter().position(pronoun)?;
-    let several = second[at].lower != "it";
-    let many = |tokens: &[Token]| {
-        is_list(tokens)
-            || tokens
-                .last()
-                .is_some_and(|t| t.lower.len() > 2 && t.lower.ends_with('s'))
-    };
-    let last = last_named(rest);
-    let meant = match several && !many(subject) {
-        true => Some(last).filter(|last| many(last)),
-        false => Some(subject),
-    };
-    Some([&second[..at], meant?, &second[at + 1..]].concat())
-}
-
-/// "…; on line 3 it is written `$w$`": each "it" with what the clause before speaks of.
-pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let semicolon = tokens.iter().position(|t| t.kind == Kind::Semicolon)?;
-    let (first, second) = tokens.split_at(semicolon);
-    let (subject, _, rest) = clause(first, lexicon)?;
-    let second = meant_by_it(second, subject, rest)?;
-    Some([first, &second].concat())
-}
-
 /// "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end.
 fn shared_tail(
     first: &[Token],
@@ -292,9 +268,12 @@ pub(super) fn clause<'t>(
         let verb = lexicon.find(&words[at..], &[Class::Verb])?;
         let nouns = [Class::Noun, Class::Place, Class::Thing];
         let noun = lexicon.find(&words[at..], &nouns);
-        // "`$x$` points east": behind a letter no noun stands
-        let letter = matches!(tokens[at - 1].kind, Kind::Formula | Kind::Plain);
-        (noun.is_none() || letter).then_some((at, verb.length))
+        // "`$x$` points east", "the disc rolls": behind a letter or another noun it is no noun
+        let before = &tokens[at - 1];
+        let letter = matches!(before.kind, Kind::Formula | Kind::Plain);
+        let things = [Class::Thing, Class::Place];
+        let thing = lexicon.find(&words[at - 1..at], &things).is_some();
+        (noun.is_none() || letter || thing).then_some((at, verb.length))
     })?;
     let (subject, rest) = tokens.split_at(at);
     let (verb, rest) = rest.split_at(length);
@@ -311,7 +290,7 @@ fn agrees(clause: &[Token]) -> bool {
     }
 }
 
-fn is_list(tokens: &[Token]) -> bool {
+pub(super) fn is_list(tokens: &[Token]) -> bool {
     let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain) && t.text.contains(',');
     tokens.iter().any(|t| joins(t) || formula(t))
 }

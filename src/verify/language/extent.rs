@@ -24,6 +24,10 @@ impl Reader<'_> {
     /// are several extents.
     pub(crate) fn extents(&mut self) -> Read<Vec<Extent>> {
         let mut extents = vec![Extent::Document];
+        if self.take("elsewhere") {
+            self.take_sign(Kind::Comma);
+            return Ok(extents);
+        }
         loop {
             let start = self.at;
             let found = self.extent(extents == [Extent::Document])?;

@@ -42,7 +42,7 @@ impl Reader<'_> {
         let of_letters = self
             .lexicon
             .entry(phrase.head, &[Class::Noun])
-            .is_none_or(|noun| {
+            .is_some_and(|noun| {
                 noun.slot("in components on").is_none()
                     && noun.slot("at").is_none()
                     && noun.name != "mass"
@@ -112,6 +112,9 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
         several && (slot != Slot::Of || alike(&terms) || things(&terms))
     };
     let slots: Vec<Slot> = PARTED.into_iter().filter(|slot| parted(*slot)).collect();
+    if let Some(several) = about_axes(&subjects, &what) {
+        return several;
+    }
     if slots.is_empty() {
         return vec![Statement::Is { subjects, what }];
     }
@@ -131,6 +134,33 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
         }
     };
     subjects.into_iter().enumerate().map(one).collect()
+}
+
+/// "the moments of inertia of the body about the axes through O along `$x$` and `$z$`": each about one axis.
+fn about_axes(subjects: &[Term], what: &NounPhrase) -> Option<Vec<Statement>> {
+    let at = what
+        .slots
+        .iter()
+        .position(|(slot, _)| *slot == Slot::About)?;
+    let Term::Phrase(axes) = &what.slots[at].1 else {
+        return None;
+    };
+    let along: Vec<&Term> = axes.all(Slot::Along).collect();
+    if axes.head != "axes" || along.len() < 2 || along.len() != subjects.len() {
+        return None;
+    }
+    let one = |(subject, along): (&Term, &Term)| {
+        let mut axis = NounPhrase::new("axis", vec![(Slot::Along, along.clone())]);
+        let others = axes.slots.iter().filter(|(slot, _)| *slot != Slot::Along);
+        axis.slots.extend(others.cloned());
+        let mut own = what.clone();
+        own.slots[at].1 = Term::Phrase(Box::new(axis));
+        Statement::Is {
+            subjects: vec![subject.clone()],
+            what: own,
+        }
+    };
+    Some(subjects.iter().zip(along).map(one).collect())
 }
 
 /// What may be of each subject in turn.

@@ -34,7 +34,7 @@ impl<'a> Reader<'a> {
         self.term(&mut terms)?;
         loop {
             let start = self.at;
-            if !self.take_separator() || !self.goes_on() {
+            if self.at_apposition(&terms) || !self.take_separator() || !self.goes_on() {
                 self.at = start;
                 return Ok(terms);
             }
@@ -82,12 +82,6 @@ impl<'a> Reader<'a> {
             && self.find(&[Class::Adverb]).is_none()
     }
 
-    /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
-    pub(crate) fn at_gap(&self) -> bool {
-        let letter = self.at_formula() && ["the", "a", "an"].contains(&self.word_at(1));
-        self.word_at(1) == "its" || letter
-    }
-
     /// Whether two members of a list may stand in one slot: no quantity beside a thing.
     fn alike(&self, a: &Term, b: &Term) -> bool {
         let quantity = |term: &Term| match term {
@@ -112,6 +106,10 @@ impl<'a> Reader<'a> {
                 None => return Err(self.error("the number is too large", "")),
             },
             _ if self.at_name() => terms.push(self.name()),
+            _ if self.word() == "it" && self.meant_by_it().is_some() => {
+                self.at += 1;
+                terms.extend(self.meant_by_it());
+            }
             _ => terms.push(self.deeper(Self::described)?),
         }
         Ok(())

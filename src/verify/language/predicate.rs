@@ -92,6 +92,10 @@ impl<'a> Reader<'a> {
             return Ok(None);
         }
         let mut premise = (**phrase).clone();
+        // "The only loads on the disc are its weight …"
+        let on = premise.slots.iter();
+        let on = on.filter(|(slot, _)| matches!(slot, Slot::Of | Slot::Upon | Slot::On));
+        self.owner = on.map(|(_, term)| term.clone()).collect();
         let terms = self.terms()?;
         let those = terms.into_iter().map(|term| (Slot::With, term));
         premise.slots.extend(those);
@@ -147,6 +151,9 @@ impl<'a> Reader<'a> {
     fn one_each(&mut self, subjects: &[Term], first: &NounPhrase) -> Read<Option<Vec<Statement>>> {
         let start = self.at;
         let mut nouns = vec![first.clone()];
+        // "the force on the hub and the moment on it"
+        let of = first.slot(Slot::Of).or(first.slot(Slot::Upon));
+        self.thing = of.cloned().or(self.thing.take());
         while subjects.len() > 1 && self.take_separator() && self.noun_next() {
             nouns.push(self.said()?.0);
         }

@@ -27,6 +27,8 @@ enum Piece {
     Any(char),
     /// A list of formulas.
     Formulas(char),
+    /// One piece.
+    One(char),
     /// One piece or more without a comma.
     Clause(char),
     /// One piece or more that begin with an article or another word that belongs to a noun.
@@ -77,7 +79,8 @@ fn piece(text: &str) -> Piece {
         (Some(')'), None) => return Piece::Sign(Kind::Close),
         (Some(c @ ('F' | 'G' | 'H')), None) => return Piece::Formulas(c),
         (Some(c @ ('N' | 'M')), None) => return Piece::Phrase(c),
-        (Some('U'), None) => return Piece::Clause('U'),
+        (Some(c @ ('S' | 'U')), None) => return Piece::Clause(c),
+        (Some('V'), None) => return Piece::One('V'),
         (Some(c), None) if c.is_ascii_uppercase() => return Piece::Any(c),
         _ => {}
     }
@@ -150,7 +153,11 @@ impl Rule {
         let mut new: Vec<Token> = vec![];
         for piece in &self.plain {
             match piece {
-                Piece::Any(c) | Piece::Formulas(c) | Piece::Phrase(c) | Piece::Clause(c) => {
+                Piece::Any(c)
+                | Piece::One(c)
+                | Piece::Formulas(c)
+                | Piece::Phrase(c)
+                | Piece::Clause(c) => {
                     let found = bound.iter().find(|(letter, _)| letter == c);
                     new.extend(found.iter().flat_map(|(_, tokens)| tokens.iter().cloned()));
                 }
@@ -216,6 +223,11 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             .then_some(())
             .and_then(|()| behind(1)),
         Piece::Built(_) => None,
+        Piece::One(c) => {
+            let (used, mut bound) = behind(1)?;
+            bound.push((*c, tokens.get(..1)?));
+            Some((used, bound))
+        }
         Piece::Any(c) | Piece::Phrase(c) | Piece::Clause(c) => {
             if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
                 return None;
@@ -239,15 +251,11 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             })
         }
         Piece::Formulas(c) => {
-            let is_formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
-            let ends = (1..=formulas(tokens))
-                .rev()
-                .filter(|&end| is_formula(&tokens[end - 1]));
-            ends.into_iter().find_map(|length| {
-                let (used, mut bound) = behind(length)?;
-                bound.push((*c, &tokens[..length]));
-                Some((used, bound))
-            })
+            // A list is taken whole.
+            let length = Some(formulas(tokens)).filter(|length| *length > 0)?;
+            let (used, mut bound) = behind(length)?;
+            bound.push((*c, &tokens[..length]));
+            Some((used, bound))
         }
     }
 }

@@ -135,7 +135,9 @@ impl<'a> Reader<'a> {
             self.take_entry(&[Class::Meaning])
         });
         match found {
-            Some(found) if self.done() || self.kind() == Some(Kind::Semicolon) => {
+            Some(found)
+                if self.done() || self.kind() == Some(Kind::Semicolon) || self.at_extent() =>
+            {
                 Some(found.entry.name)
             }
             _ => {

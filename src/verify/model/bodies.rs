@@ -39,6 +39,7 @@ impl System {
             centre,
             mass,
             inertia: None,
+            base: None,
             parts: vec![],
             rotors: None,
             round: None,
@@ -94,15 +95,40 @@ impl System {
         let tensor = match self.bodies[body].frame {
             None => Matrix::zeros(),
             Some(frame) => {
-                let text = match body {
-                    0 => "I".to_owned(),
-                    _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
-                };
+                let text = self.tensor_name(body);
                 self.carried_tensor(&text, frame)
             }
         };
+        let tensor = match self.bodies[body].base {
+            // Steiner's law the other way round.
+            Some(base) => {
+                let way = self.position(self.bodies[body].centre, base);
+                mechanics::parallel_axis(&tensor, &-self.bodies[body].mass.clone(), &way)
+            }
+            None => tensor,
+        };
         self.bodies[body].inertia = Some(tensor.clone());
         tensor
+    }
+
+    /// Whether a whole body is one whose tensor is written about this point.
+    fn has_base(&self, body: BodyId, about: PointId) -> bool {
+        self.bodies[body].base == Some(about) && self.bodies[body].members.is_none()
+    }
+
+    /// The tensor of a body about its base point, and its angular velocity.
+    fn spin_about_base(&mut self, body: BodyId, relative: FrameId) -> Option<(Matrix, Vector)> {
+        let frame = self.bodies[body].frame?;
+        let name = self.tensor_name(body);
+        let omega = self.angular_velocity(frame, relative);
+        Some((self.carried_tensor(&name, frame), omega))
+    }
+
+    fn tensor_name(&self, body: BodyId) -> String {
+        match body {
+            0 => "I".to_owned(),
+            _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
+        }
     }
 
     /// A symmetric tensor that does not change as seen from a frame.
@@ -133,6 +159,12 @@ impl System {
     pub(crate) fn inertia(&mut self, body: BodyId, about: PointId) -> Matrix {
         let mut sum = Matrix::zeros();
         for part in self.wholes(body) {
+            if self.has_base(part, about)
+                && let Some((tensor, _)) = self.spin_about_base(part, self.ground)
+            {
+                sum += tensor;
+                continue;
+            }
             let central = self.central_inertia(part);
             let way = self.position(self.bodies[part].centre, about);
             let own = mechanics::parallel_axis(&central, &self.bodies[part].mass.clone(), &way);
@@ -173,6 +205,17 @@ impl System {
         let mut sum = Vector::zeros();
         for part in self.wholes(body) {
             let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
+            if self.has_base(part, about)
+                && let Some((inertia, omega)) = self.spin_about_base(part, frame)
+            {
+                // L_P = I_P ω + m r × v_P, r from P to the mass centre
+                let velocity = self.velocity(about, frame) - base.clone();
+                let way = self.position(centre, about);
+                sum += mechanics::angular_momentum(&inertia, &omega);
+                sum += mechanics::cross(&way, &velocity) * mass;
+                sum += self.momentum_of_rotors(part);
+                continue;
+            }
             if let Some((inertia, omega)) = self.spin(part, frame) {
                 sum += mechanics::angular_momentum(&inertia, &omega);
             }
@@ -206,6 +249,15 @@ impl System {
         let half = Fraction::from_ratio(1, 2);
         for part in self.wholes(body) {
             let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
+            if let Some(base) = self.bodies[part].base
+                && !rotation_alone
+                && self.has_base(part, base)
+                && self.velocity(base, frame).iter().all(Zero::is_zero)
+                && let Some((inertia, omega)) = self.spin_about_base(part, frame)
+            {
+                sum += mechanics::kinetic_energy(&inertia, &omega);
+                continue;
+            }
             if let Some((inertia, omega)) = self.spin(part, frame) {
                 sum += mechanics::kinetic_energy(&inertia, &omega);
             }

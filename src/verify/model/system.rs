@@ -94,6 +94,8 @@ pub(crate) struct Body {
     pub(crate) mass: Fraction,
     /// Its inertia tensor about the mass centre, once it was asked for.
     pub(crate) inertia: Option<Matrix>,
+    /// A point of it about which its tensor is written in variables of its own, where that is not the mass centre.
+    pub(crate) base: Option<PointId>,
     /// The bodies that it is made of; empty for one that is a whole.
     pub(crate) parts: Vec<BodyId>,
     /// Wheels that are part of it and do not change its inertia.

@@ -325,6 +325,7 @@ impl Builder<'_> {
             self.reading.system.bodies[own].mass = self.reading.system.bodies[of].mass.clone();
         }
         self.read_rotors();
+        self.find_bases();
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;

@@ -4,7 +4,7 @@ use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{EULER_ANGLES, name_of};
+use crate::verify::reading::names::{EULER_ANGLES, name_of, opposite};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
@@ -283,6 +283,9 @@ impl Builder<'_> {
             && let Some(&(frame, axis)) = self.axes.get(&name)
         {
             return Some(self.system().axis(frame, axis));
+        }
+        if let Some(opposite) = opposite(term) {
+            return Some(-self.direction(&opposite, declaration, carried)?);
         }
         match term {
             Term::Phrase(phrase) if matches!(phrase.head, "axis" | "line") => {

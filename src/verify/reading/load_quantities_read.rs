@@ -10,6 +10,9 @@ use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        if let Some(at) = phrase.slot(Slot::At) {
+            return self.point(at).and_then(|at| self.force_at(at));
+        }
         let of = self.whole_of(phrase)?;
         match of {
             Whole::Member(family, index) if phrase.is("external") => {

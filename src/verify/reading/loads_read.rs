@@ -210,7 +210,15 @@ impl Builder<'_> {
         let (mut loads, mut open): (Vec<Load>, Option<(PointId, Option<Formula>)>) = (vec![], None);
         for load in premise.all(Slot::With) {
             if let Term::Formula(letter) = load {
-                loads.push(self.load(letter, lasting)?);
+                let particle = self.reading.system.bodies[body].frame.is_none();
+                match self.load(letter, lasting) {
+                    Some(load) => loads.push(load),
+                    // A force on a particle acts where that is.
+                    None if particle && open.is_none() => {
+                        open = Some((self.centre_of(body), Some(letter.clone())));
+                    }
+                    None => return None,
+                }
                 continue;
             }
             let Term::Phrase(load) = load else {
@@ -241,6 +249,15 @@ impl Builder<'_> {
                 return None;
             }
             let letter = letters.first().map(|letter| (*letter).clone());
+            // Another sentence may name the force at this point.
+            match (self.loads_at(at, lasting).as_slice(), &letter) {
+                ([named], None) => {
+                    loads.push(named.clone());
+                    continue;
+                }
+                ([_, ..], None) => return None,
+                _ => {}
+            }
             match (&open, letter) {
                 (None, letter) => open = Some((at, letter)),
                 (Some(_), letter) => {
@@ -250,6 +267,45 @@ impl Builder<'_> {
         }
         self.hold_loads(body, &loads, open, lasting, declaration);
         Some(())
+    }
+
+    fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
+        let loads = self.reading.system.loads.iter();
+        let there = loads.filter(|load| load.at == Some(at) && load.lasting == lasting);
+        there.cloned().collect()
+    }
+
+    /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
+    pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
+        let value = match self.loads_at(at, Lasting::Always).as_slice() {
+            [named] => named.value.clone(),
+            [] => {
+                let declaration = self
+                    .declarations
+                    .iter()
+                    .find(|d| self.has_force_at(d, at))?;
+                let load = self.open_load("force", at, None, declaration)?;
+                self.system().loads.push(load.clone());
+                load.value
+            }
+            _ => return None,
+        };
+        Some(Quantity::Known(Value::vector(&value, Basis::Itself)))
+    }
+
+    /// Whether a sentence says of a force at a point that it is one of the only loads.
+    fn has_force_at(&self, declaration: &Declaration, at: PointId) -> bool {
+        let Statement::Premise(premise) = &declaration.statement else {
+            return false;
+        };
+        let mut loads = premise.all(Slot::With);
+        premise.is("only")
+            && loads.any(|load| match load {
+                Term::Phrase(load) if FORCES.contains(&load.head) => {
+                    load.slot(Slot::At).and_then(|term| self.point(term)) == Some(at)
+                }
+                _ => false,
+            })
     }
 
     /// A force that nothing tells, beside another one: a vector of its own.

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
+use crate::notation::print::latex;
 use crate::verify::language::statement::{Extent, Formula, Slot, Term};
 use crate::verify::term::letters::Reach;
 
@@ -69,6 +70,20 @@ pub(crate) fn name_of_formula(formula: &Formula) -> String {
         }
         _ => formula.source.trim().to_owned(),
     }
+}
+
+/// `x` of `-x`: the direction against which something points.
+pub(crate) fn opposite(term: &Term) -> Option<Term> {
+    let Term::Formula(formula) = term else {
+        return None;
+    };
+    let Kind::Negate(inner) = &node_of(formula)?.kind else {
+        return None;
+    };
+    Some(Term::Formula(Formula {
+        source: latex(inner),
+        row: Row::Expression((**inner).clone()),
+    }))
 }
 
 /// The expression that a formula is, if it is one.

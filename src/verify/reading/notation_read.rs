@@ -59,7 +59,9 @@ impl Builder<'_> {
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
         if matches!(sign, Sign::Custom("repeated axis index" | "repeated index")) {
-            self.reading.letters.customs.summed = *meaning == NotationMeaning::Fixed("summed");
+            let summed = *meaning == NotationMeaning::Fixed("summed");
+            let reaches = &mut self.reading.letters.customs.summed;
+            reaches.extend(summed.then_some(reach));
             return;
         }
         if let (Sign::Operator(_), NotationMeaning::FunctionsOf(letters)) = (sign, meaning) {

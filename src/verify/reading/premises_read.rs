@@ -55,7 +55,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The point of a turning frame that lies on its axis has no velocity.
+    /// The point of a turning frame that lies on its axis has no velocity, where the axis passes through a point at rest.
     fn hold_axis_through(
         &mut self,
         frame: FrameId,
@@ -64,7 +64,8 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let points = &self.reading.system.points;
-        if points[point].fixed_in.contains(&frame) {
+        let rests = points[point].fixed_in.contains(&relative);
+        if points[point].fixed_in.contains(&frame) || !rests {
             return;
         }
         let Some(own) = points.iter().position(|p| p.fixed_in.contains(&frame)) else {
@@ -108,7 +109,12 @@ impl Builder<'_> {
     /// The products of inertia vanish on the axes of the frame.
     fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
         let of = self.whole_of(premise)?;
-        let about = self.about(premise, &of)?;
+        let about = match premise.slot(Slot::About).or(premise.slot(Slot::At)) {
+            Some(_) => self.about(premise, &of)?,
+            None => self
+                .base_of(&of)
+                .map_or_else(|| self.about(premise, &of), Some)?,
+        };
         let axes = match premise.slot(Slot::With) {
             Some(Term::Phrase(axes)) => axes.slot(Slot::Of),
             _ => None,
@@ -164,7 +170,8 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         };
         let of = crate::verify::term::quantity::Whole::Body(body);
-        let about = self.centre_of(body);
+        // The axis passes through the point about which all is told.
+        let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));
         let tensor = Quantity::Inertia { of, about };
         let n = self.system().axis(frame, axis);
         let Ok(tensor) = self.system().value_of(&tensor).and_then(|v| v.to_matrix()) else {

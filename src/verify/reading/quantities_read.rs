@@ -8,7 +8,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
-    UNIT_VECTOR, name_of, told,
+    UNIT_VECTOR, name_of, opposite, told,
 };
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -233,6 +233,10 @@ impl Builder<'_> {
             && let Some(&(frame, axis)) = self.axes.get(&name)
         {
             return Some(Quantity::Axis(frame, axis));
+        }
+        if let Some(opposite) = opposite(term) {
+            let axis = self.axis_quantity(&opposite, declaration)?;
+            return Some(Quantity::Scaled(axis.boxed(), whole(-1)));
         }
         if let Term::Formula(formula) = term
             && let Some(quantity) = self.quantity_of(formula, declaration)

@@ -77,12 +77,26 @@ impl Builder<'_> {
                 },
                 _ => None,
             });
-            let formula = told.filter(|_| wanted.count == 1)?;
+            if wanted.count != 1 {
+                return None;
+            }
+            // A size of which nothing is said is a constant without a letter.
+            let own = || {
+                format!(
+                    "\\text{{{} of {}}}",
+                    wanted.name, self.reading.system.bodies[body].name
+                )
+            };
+            let text = told
+                .as_ref()
+                .map_or_else(own, |formula| formula.source.clone());
             let quantity = Quantity::Scalar {
-                text: formula.source.clone(),
+                text,
                 constant: true,
             };
-            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+            if let Some(formula) = told {
+                self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+            }
             let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
             self.system().atoms.set_positive(&size);
             sizes.push(size);
@@ -99,10 +113,12 @@ impl Builder<'_> {
             ("sphere" | "shell", [radius]) => Some(Round::Sphere {
                 radius: radius.clone(),
             }),
-            ("disc" | "ring", [radius]) => Some(Round::Rim {
-                radius: radius.clone(),
-                axis,
-            }),
+            ("disc" | "ring", [radius]) | ("cylinder", [radius, _]) | ("tube", [_, radius, _]) => {
+                Some(Round::Rim {
+                    radius: radius.clone(),
+                    axis,
+                })
+            }
             _ => None,
         };
         let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;

@@ -30,8 +30,12 @@ const MOST_BEYOND: usize = 4;
 impl Builder<'_> {
     /// Verbs and nouns for which the model has no law yet.
     pub(super) fn say_unheard(&mut self) {
+        let inclined = self.normal_of_incline().is_some();
         for declaration in self.declarations {
             let heard = match &declaration.statement {
+                Statement::Does {
+                    verb: "incline", ..
+                } => inclined,
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Unread { .. } => false,
                 _ => true,

@@ -324,18 +324,21 @@ impl Judge<'_> {
         new.any(|letter| unknown.contains(&letter))
     }
 
-    /// What follows of a part of the premises follows of all of them: of the short ones, or of those of one sentence or
-    /// line.
+    /// What follows of a part of the premises follows of all of them: of the short ones, of those of one sentence or line,
+    /// or of both.
     fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
         let all = self.premises();
         let short =
             |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
         let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
         for (_, source) in &all {
-            let own = all.iter().filter(|(_, other)| other == source);
-            let own: Vec<_> = own.cloned().collect();
-            if parts.len() <= MOST_PARTS && !parts.contains(&own) {
-                parts.push(own);
+            let own = |(_, other): &&(Fraction, Source)| other == source;
+            let alone: Vec<_> = all.iter().filter(own).cloned().collect();
+            let with_short = all.iter().filter(|p| own(p) || short(p));
+            for part in [alone, with_short.cloned().collect()] {
+                if parts.len() <= MOST_PARTS && !parts.contains(&part) {
+                    parts.push(part);
+                }
             }
         }
         let before = self.facts.clone();

@@ -12,7 +12,7 @@ pub(crate) fn free_letters(letters: &Letters, at: &At, sides: &[&Node]) -> Vec<S
     for side in sides {
         for term in terms(side) {
             for (letter, times) in axis_letters(letters, at, term) {
-                if (!letters.customs.summed || times == 1) && !free.contains(&letter) {
+                if (!letters.customs.sums_at(at) || times == 1) && !free.contains(&letter) {
                     free.push(letter);
                 }
             }

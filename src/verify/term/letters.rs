@@ -38,6 +38,13 @@ pub(crate) enum Reach {
     Both(Box<Reach>, Box<Reach>),
 }
 
+impl Customs {
+    /// Whether an index that stands twice is summed over at a place.
+    pub(crate) fn sums_at(&self, at: &At) -> bool {
+        self.summed.iter().any(|reach| reach.covers(at, 0))
+    }
+}
+
 impl Reach {
     /// Whether a place belongs to it; an occurrence is asked for by its number.
     pub(crate) fn covers(&self, at: &At, number: usize) -> bool {
@@ -203,7 +210,7 @@ pub(crate) struct Letters {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Customs {
     /// A repeated axis index is summed.
-    pub(crate) summed: bool,
+    pub(crate) summed: Vec<Reach>,
     /// A frame written above a letter takes components on it.
     pub(crate) raised_frames: bool,
     /// Whether products of inertia are integrals: I_xy = ∫ x y dm.

@@ -56,7 +56,7 @@ impl Lowering<'_> {
 
     /// A letter without an axis that stands once in each of two factors: it is summed over, where that is the convention.
     fn summed_letter(&self, factors: &[Factor]) -> Option<String> {
-        if !self.letters.customs.summed {
+        if !self.letters.customs.sums_at(self.at) {
             return None;
         }
         let mut times: BTreeMap<String, Vec<usize>> = BTreeMap::new();

@@ -111,3 +111,123 @@ fn a_model_that_grows_too_large_is_bounded_and_said() {
         "{report:?}"
     );
 }
+
+#[test]
+fn of_several_letters_each_is_about_its_own_point() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+O is a point fixed in N.
+$\\vec r$ is the position of G from O.
+$\\vec p$ is the momentum of the body relative to N.
+$\\vec L$ and $\\vec H$ are the angular momenta of the body about O and about G relative to N.
+";
+    let text = r"
+$$ \vec L = \vec H + \vec r\times\vec p $$
+$$ \vec L = \vec H $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn what_is_assumed_for_some_lines_ends_with_them() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+O is a point fixed in N and in B.
+$\\vec L$ is the angular momentum of the body about O relative to N.
+$\\vec M$ is the total moment on the body about O.
+On lines 2 and 3 line 2 is assumed.
+";
+    let text = r"
+$$ \vec M = 0 $$
+$$ \dot{\vec L} = 0 $$
+$$ \dot{\vec L} = 0 $$
+";
+    assert_eq!(judged(sentences, text), "apr");
+}
+
+#[test]
+fn labels_bound_what_is_said_of_the_lines_between_them() {
+    let sentences = "N is an inertial frame.
+P is a particle.
+O is a point fixed in N.
+$\\vec r$ is the position of P from O.
+Between (1) and (2) $\\vec q$ is the velocity of P relative to N.
+From (3) on $\\vec q$ is the acceleration of P relative to N.
+";
+    let text = r"
+$$ \vec q = \dot{\vec r} \tag{1} $$
+$$ \vec q = \ddot{\vec r} \tag{2} $$
+$$ \vec q = \ddot{\vec r} \tag{3} $$
+$$ \vec q = \dot{\vec r} $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
+
+#[test]
+fn labels_that_the_document_lacks_leave_lines_open() {
+    let sentences = "N is an inertial frame.
+P is a particle.
+O is a point fixed in N.
+$\\vec r$ is the position of P from O.
+Between (1) and (7) $\\vec q$ is the velocity of P relative to N.
+";
+    let text = r"
+$$ \vec q = \dot{\vec r} \tag{1} $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn numbers_that_deny_a_line_obey_the_inequalities() {
+    let sentences = "$a > b$
+$b > 0$
+$a$ is a constant.
+$b$ is a constant.
+";
+    let text = r"
+$$ \sqrt{(a - b)^2} = a - b $$
+$$ \sqrt{(a - b)^2} = b - a $$
+";
+    let verdicts = judged(sentences, text);
+    assert!(
+        !verdicts.starts_with('r') && !verdicts.ends_with('p'),
+        "{verdicts}"
+    );
+}
+
+#[test]
+fn a_frame_that_is_fixed_in_a_body_is_its_frame_whatever_else_is_said_of_it() {
+    let sentences = "N is an inertial frame.
+B, the body frame, is fixed in the body.
+G is the mass centre of the body.
+The axes of B are principal axes of the body.
+No moment about G acts on the body.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components on B of the angular velocity of B relative to N.
+From line 3 to line 4 everything holds to first order in $\\omega_1$ and $\\omega_2$.
+";
+    let text = r"
+$$ I_3\dot\omega_3 = (I_1 - I_2)\omega_1\omega_2 $$
+$$ I_3\dot\omega_3 = 0 $$
+$$ I_1\dot\omega_1 = (I_3 - I_2)\omega_2\omega_3 $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn they_are_not_the_thing_of_which_the_sentence_speaks() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+The body consists of particles, and $i$ numbers them.
+O is a point fixed in N.
+$m_i$ is the mass of particle $i$.
+$\\vec r_i$ is the position of particle $i$ from O.
+$\\vec L$ is the angular momentum of the body about O relative to N.
+";
+    let text = r"
+$$ \vec L = \sum_i m_i\vec r_i\times\dot{\vec r}_i $$
+$$ \vec L = -\sum_i m_i\vec r_i\times\dot{\vec r}_i $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
