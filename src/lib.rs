@@ -52,6 +52,8 @@ pub mod bench;
 pub mod cli;
 #[cfg(any(feature = "verify", feature = "scene"))]
 pub mod diagnostic;
+#[cfg(feature = "emit")]
+pub mod emit;
 #[cfg(feature = "verify")]
 pub mod grade;
 #[cfg(feature = "verify")]

@@ -22,6 +22,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("motion", &["scalar", "mechanics"]),
     ("jacobian", &["scalar", "mechanics", "motion"]),
     ("audit", &["scalar", "mechanics", "motion"]),
+    ("emit", &["scalar", "mechanics", "motion"]),
     (
         "verify",
         &[
