@@ -24,6 +24,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("audit", &["scalar", "mechanics", "motion"]),
     ("emit", &["scalar", "mechanics", "motion"]),
     (
+        "optimise",
+        &["scalar", "mechanics", "motion", "jacobian", "audit"],
+    ),
+    (
         "verify",
         &[
             "source",
