@@ -36,17 +36,22 @@ pub fn gyroscope(
 /// How much a guess far from a ball counts: enough to keep a plate, which stands at infinity, from running there.
 const PRIOR: f64 = 1e-4;
 
-/// The tensor whose motion under known torques comes closest to what was measured. Its log-Cholesky parameters are sought: every
-/// guess is a body that can exist.
-pub fn identify(torques: &[Vector3<f64>], measured: &[Vector3<f64>]) -> Option<Identified> {
-    // 1 kg m² about each axis.
-    let ball = DVector::from_vec(vec![-0.5 * 2.0_f64.ln(), 0.0, 0.0, 0.0, 0.0, 0.0]);
-    let residuals = |guess: &DVector<f64>| {
+/// Where the search begins: 1 kg m² about each axis, in log-Cholesky parameters.
+pub fn ball() -> DVector<f64> {
+    DVector::from_vec(vec![-0.5 * 2.0_f64.ln(), 0.0, 0.0, 0.0, 0.0, 0.0])
+}
+
+/// What the motion of a guess misses, and its derivative. The guess is in log-Cholesky parameters: each is a body that can exist.
+pub fn residuals(
+    torques: &[Vector3<f64>],
+    measured: &[Vector3<f64>],
+) -> impl Fn(&DVector<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
+    let last = 3 * measured.len();
+    move |guess| {
         let (tensor, by_guess) = possible_inertia(&guess.fixed_rows::<6>(0).into_owned());
         let system = System::new(tensor, Torque::None).ok()?;
         let rollout = Rollout::new(Rk4, system, State::at_rest(), DT, torques).ok()?;
-        let mut missed = DVector::zeros(3 * measured.len() + 6);
-        let mut jacobian = DMatrix::zeros(3 * measured.len() + 6, 6);
+        let (mut missed, mut jacobian) = (DVector::zeros(last + 6), DMatrix::zeros(last + 6, 6));
         let steps = from_start(rollout.jacobians::<15>()).zip(measured);
         for (k, (step, seen)) in steps.enumerate() {
             let off = step.state.angular_velocity - seen;
@@ -54,15 +59,17 @@ pub fn identify(torques: &[Vector3<f64>], measured: &[Vector3<f64>]) -> Option<I
             let slopes = step.by_inertia().fixed_rows::<3>(3) * by_guess;
             jacobian.fixed_rows_mut::<3>(3 * k).copy_from(&slopes);
         }
-        let last = 3 * measured.len();
-        missed
-            .rows_mut(last, 6)
-            .copy_from(&((guess - &ball) * PRIOR));
+        let prior = (guess - ball()) * PRIOR;
+        missed.rows_mut(last, 6).copy_from(&prior);
         jacobian.rows_mut(last, 6).fill_diagonal(PRIOR);
         Some((missed, jacobian))
-    };
-    let (problem, report) =
-        LevenbergMarquardt::new().minimize(LeastSquares::new(ball.clone(), residuals));
+    }
+}
+
+/// The tensor whose motion under known torques comes closest to what was measured.
+pub fn identify(torques: &[Vector3<f64>], measured: &[Vector3<f64>]) -> Option<Identified> {
+    let problem = LeastSquares::new(ball(), residuals(torques, measured));
+    let (problem, report) = LevenbergMarquardt::new().minimize(problem);
     if !report.termination.was_successful() {
         return None;
     }

@@ -190,13 +190,13 @@ impl Request {
 /// The code of a request.
 ///
 /// # Errors
-/// A tensor that no body has or that single precision can't hold, a column that the quantity's Jacobian has not, a name that is
+/// A tensor that no body has or that the precision can't hold, a column that the quantity's Jacobian has not, a name that is
 /// no name in the language, single precision in a language that has none.
 pub fn emit(request: &Request) -> Result<Code, EmitError> {
     error::refuse(request)?;
     let routine = Routine::new(request);
     let lines = Lines::new(&routine);
-    if request.precision == Precision::Single && !lines.fit_in_single() {
+    if !lines.fit(request.precision) {
         return Err(EmitError::OutOfRange);
     }
     let text = print::text(request, &lines);

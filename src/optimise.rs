@@ -17,7 +17,7 @@
 //!
 //! | what is sought | what to take | what it costs |
 //! | --- | --- | --- |
-//! | the gradient of one cost in all torques | [`Rollout::gradient`](crate::motion::Rollout::gradient) | no matrix: one product a step, backwards |
+//! | the gradient of one cost in all torques | [`Rollout::gradient`](crate::motion::Rollout::gradient), [`Objective`] | no matrix: one product a step, backwards |
 //! | residuals of a fit in a few parameters | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | one small product a step |
 //! | a motion with constraints | [`Nodes::defects`] | a banded matrix, as [`Csc`] for solvers |
 //!
@@ -72,7 +72,7 @@
 //!
 //! With the feature `levenberg-marquardt` the same problem goes to that crate, which finds its way from a worse start:
 //! `LevenbergMarquardt::new().minimize(LeastSquares::new(guess, residuals))`. With the feature `argmin` it is a problem for the
-//! solvers of that crate, from Gauss and Newton to L-BFGS; `problem.start()` is its first parameter. Both crates stand on
+//! solvers of that crate, from Gauss and Newton to L-BFGS, and so is an [`Objective`]; `problem.start()` is the first parameter. Both crates stand on
 //! another nalgebra than this one, and no matrix has to be copied by hand. [`LeastSquares::covariance`] says how well the
 //! parameters are known.
 //!
@@ -87,15 +87,18 @@
 
 #[cfg(feature = "argmin")]
 mod argmin;
+mod evaluated;
 mod least_squares;
 #[cfg(feature = "levenberg-marquardt")]
 mod levenberg_marquardt;
+mod objective;
 #[cfg(any(feature = "argmin", feature = "levenberg-marquardt"))]
 mod older;
 mod shooting;
 mod sparse;
 
 pub use least_squares::LeastSquares;
+pub use objective::Objective;
 #[cfg(any(feature = "argmin", feature = "levenberg-marquardt"))]
 pub use older::{OlderMatrix, OlderVector};
 pub use shooting::Nodes;

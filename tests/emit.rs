@@ -243,6 +243,10 @@ fn what_cannot_be_written_is_an_error() {
         r.precision = Precision::Single;
     };
     assert_eq!(refused(tiny), EmitError::OutOfRange);
+    let without_inverse = |r: &mut Request| {
+        r.known = KnownInertia::Tensor(Matrix3::identity() * 1e-310);
+    };
+    assert_eq!(refused(without_inverse), EmitError::OutOfRange);
     let python = |r: &mut Request| {
         r.language = Language::Python;
         r.precision = Precision::Single;

@@ -14,7 +14,7 @@ pub enum EmitError {
     NoColumn(Column),
     /// A name that is no name of a function in the language.
     Name(String),
-    /// Numbers of the code are too large or too small for single precision.
+    /// Numbers of the code are too large or too small for the precision.
     OutOfRange,
     /// Single precision in a language that has none.
     NoSingle,
@@ -43,7 +43,7 @@ impl fmt::Display for EmitError {
             ),
             Self::OutOfRange => write!(
                 f,
-                "the inertia or its inverse is out of the range of single precision: ask for double precision"
+                "the inertia or its inverse is out of range: ask for double precision, or take units in which it is of a middling size"
             ),
             Self::NoSingle => write!(
                 f,

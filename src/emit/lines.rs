@@ -1,5 +1,6 @@
 //! Which of the recorded operations have a line and a name of their own.
 
+use crate::emit::Precision;
 use crate::emit::graph::{Operation, Symbol};
 use crate::emit::routine::{Argument, Routine};
 use std::collections::{BTreeMap, BTreeSet};
@@ -113,18 +114,18 @@ impl<'a> Lines<'a> {
         })
     }
 
-    /// Whether every number that stands in the code is a finite one in single precision, and not lost to zero.
-    pub(super) fn fit_in_single(&self) -> bool {
-        self.used
-            .iter()
-            .all(|symbol| match self.operation(*symbol) {
-                Operation::Constant(bits) => {
-                    let number = f64::from_bits(bits);
-                    let single = number as f32;
-                    single.is_finite() && (single.is_normal() || number == 0.0)
-                }
-                _ => true,
-            })
+    /// Whether every number that stands in the code can be written in a precision: finite, and not lost to zero.
+    pub(super) fn fit(&self, precision: Precision) -> bool {
+        let fits = |number: f64| match precision {
+            Precision::Double => number.is_finite(),
+            Precision::Single => number == 0.0 || (number as f32).is_normal(),
+        };
+        let operations = self.used.iter().map(|symbol| self.operation(*symbol));
+        let mut numbers = operations.filter_map(|operation| match operation {
+            Operation::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        });
+        numbers.all(fits)
     }
 
     /// How many operations are done.

@@ -1,11 +1,17 @@
-//! Problems of least squares for the crate `argmin`.
+//! Problems for the crate `argmin`.
 
-use super::least_squares::{Found, LeastSquares};
+use super::least_squares::{LeastSquares, Residuals};
+use super::objective::{Cost, Objective};
 use super::older::{OlderMatrix, OlderVector, newer_vector, older_matrix, older_vector};
 use argmin::core::{CostFunction, Error, Gradient, Hessian, Jacobian, Operator};
 use nalgebra::{DMatrix, DVector};
 
-impl<F: Fn(&DVector<f64>) -> Found> LeastSquares<F> {
+/// An error where there is no value.
+fn valued<R>(found: Option<R>) -> Result<R, Error> {
+    found.ok_or_else(|| Error::msg("the function has no value at these parameters"))
+}
+
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquares<F> {
     /// The parameters as argmin takes them: `executor.configure(|state| state.param(start))`.
     pub fn start(&self) -> OlderVector<f64> {
         older_vector(&self.parameters())
@@ -17,13 +23,12 @@ impl<F: Fn(&DVector<f64>) -> Found> LeastSquares<F> {
         take: impl FnOnce(&DVector<f64>, &DMatrix<f64>) -> R,
     ) -> Result<R, Error> {
         self.go_to(newer_vector(parameters));
-        let none = || Error::msg("the residuals have no value at these parameters");
-        self.of_found(take).ok_or_else(none)
+        valued(self.found(take))
     }
 }
 
 /// ½ |r|², infinite where there is no value: no step goes there.
-impl<F: Fn(&DVector<f64>) -> Found> CostFunction for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> CostFunction for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Output = f64;
 
@@ -34,7 +39,7 @@ impl<F: Fn(&DVector<f64>) -> Found> CostFunction for LeastSquares<F> {
 }
 
 /// Jᵀ r.
-impl<F: Fn(&DVector<f64>) -> Found> Gradient for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> Gradient for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Gradient = OlderVector<f64>;
 
@@ -44,7 +49,7 @@ impl<F: Fn(&DVector<f64>) -> Found> Gradient for LeastSquares<F> {
 }
 
 /// JᵀJ: what is left of the Hessian where the residuals are small.
-impl<F: Fn(&DVector<f64>) -> Found> Hessian for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> Hessian for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Hessian = OlderMatrix<f64>;
 
@@ -56,7 +61,7 @@ impl<F: Fn(&DVector<f64>) -> Found> Hessian for LeastSquares<F> {
 }
 
 /// r.
-impl<F: Fn(&DVector<f64>) -> Found> Operator for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> Operator for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Output = OlderVector<f64>;
 
@@ -66,11 +71,40 @@ impl<F: Fn(&DVector<f64>) -> Found> Operator for LeastSquares<F> {
 }
 
 /// J.
-impl<F: Fn(&DVector<f64>) -> Found> Jacobian for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> Jacobian for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Jacobian = OlderMatrix<f64>;
 
     fn jacobian(&self, parameters: &Self::Param) -> Result<Self::Jacobian, Error> {
         self.at(parameters, |_, jacobian| older_matrix(jacobian))
+    }
+}
+
+impl<F> Objective<F> {
+    /// The parameters as argmin takes them: `executor.configure(|state| state.param(start))`.
+    pub fn start(&self) -> OlderVector<f64> {
+        older_vector(&self.parameters())
+    }
+}
+
+/// The cost, infinite where there is no value.
+impl<F: Fn(&DVector<f64>) -> Option<Cost>> CostFunction for Objective<F> {
+    type Param = OlderVector<f64>;
+    type Output = f64;
+
+    fn cost(&self, parameters: &Self::Param) -> Result<f64, Error> {
+        self.go_to(newer_vector(parameters));
+        Ok(self.value().unwrap_or(f64::INFINITY))
+    }
+}
+
+/// The gradient.
+impl<F: Fn(&DVector<f64>) -> Option<Cost>> Gradient for Objective<F> {
+    type Param = OlderVector<f64>;
+    type Gradient = OlderVector<f64>;
+
+    fn gradient(&self, parameters: &Self::Param) -> Result<Self::Gradient, Error> {
+        self.go_to(newer_vector(parameters));
+        valued(Self::gradient(self).as_ref().map(older_vector))
     }
 }

@@ -1,7 +1,10 @@
 //! Residuals and their Jacobian, as one problem for any solver.
 
+use super::evaluated::Evaluated;
 use nalgebra::{DMatrix, DVector};
-use std::cell::{Ref, RefCell};
+
+/// Residuals and their Jacobian.
+pub(super) type Residuals = (DVector<f64>, DMatrix<f64>);
 
 /// A problem of least squares: the parameters that make ½ |r|² least.
 ///
@@ -22,68 +25,43 @@ use std::cell::{Ref, RefCell};
 /// # Ok::<(), &str>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct LeastSquares<F> {
-    residuals: F,
-    /// Solvers ask for residuals and Jacobian one after the other, and some hold the problem by a shared reference.
-    latest: RefCell<Evaluation>,
-}
+pub struct LeastSquares<F>(Evaluated<F, Residuals>);
 
-/// Residuals and Jacobian where there are such.
-pub(super) type Found = Option<(DVector<f64>, DMatrix<f64>)>;
-
-#[derive(Clone, Debug)]
-struct Evaluation {
-    parameters: DVector<f64>,
-    found: Found,
-}
-
-impl<F: Fn(&DVector<f64>) -> Found> LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquares<F> {
     /// The problem of a function that returns residuals and Jacobian, at a start.
     pub fn new(start: DVector<f64>, residuals: F) -> Self {
-        let latest = RefCell::new(Evaluation {
-            found: residuals(&start),
-            parameters: start,
-        });
-        Self { residuals, latest }
+        Self(Evaluated::new(start, residuals))
     }
 
     /// Goes to other parameters.
     pub fn go_to(&self, parameters: DVector<f64>) {
-        if self.latest.borrow().parameters != parameters {
-            let found = (self.residuals)(&parameters);
-            self.latest.replace(Evaluation { parameters, found });
-        }
+        self.0.go_to(parameters);
     }
 }
 
 impl<F> LeastSquares<F> {
-    /// The point at which it was evaluated last: a start, and the solution when `levenberg-marquardt` is done.
+    /// Where it is: at the start, at the parameters that were asked for last, or at the solution when `levenberg-marquardt`
+    /// is done.
     pub fn parameters(&self) -> DVector<f64> {
-        self.latest.borrow().parameters.clone()
+        self.0.parameters()
     }
 
-    /// Residuals and Jacobian at that point.
-    pub(super) fn found(&self) -> Ref<'_, Found> {
-        Ref::map(self.latest.borrow(), |latest| &latest.found)
-    }
-
-    /// What `take` makes of residuals and Jacobian at that point.
-    pub(super) fn of_found<R>(
+    /// What `take` makes of residuals and Jacobian there.
+    pub(super) fn found<R>(
         &self,
         take: impl FnOnce(&DVector<f64>, &DMatrix<f64>) -> R,
     ) -> Option<R> {
-        let found = self.found();
-        found.as_ref().map(|(r, jacobian)| take(r, jacobian))
+        self.0.found(|(r, jacobian)| take(r, jacobian))
     }
 
-    /// ½ |r|² at that point.
+    /// ½ |r|² there.
     pub fn value(&self) -> Option<f64> {
-        self.of_found(|r, _| r.norm_squared() / 2.0)
+        self.found(|r, _| r.norm_squared() / 2.0)
     }
 
     /// What to add to the parameters by Gauss and Newton: −J⁺ r. `None` where the columns of J depend on one another.
     pub fn gauss_newton_step(&self) -> Option<DVector<f64>> {
-        self.of_found(|r, jacobian| {
+        self.found(|r, jacobian| {
             let normal = jacobian.tr_mul(jacobian).cholesky()?;
             Some(-normal.solve(&jacobian.tr_mul(r)))
         })?
@@ -92,7 +70,7 @@ impl<F> LeastSquares<F> {
     /// The covariance of the parameters at a minimum: s² (JᵀJ)⁻¹ with s² = |r|²/(m − n), m residuals and n parameters, if all
     /// residuals have one variance. `None` where they don't determine the parameters.
     pub fn covariance(&self) -> Option<DMatrix<f64>> {
-        self.of_found(|r, jacobian| {
+        self.found(|r, jacobian| {
             let freedom = r.len().checked_sub(jacobian.ncols()).filter(|n| *n > 0)?;
             let normal = jacobian.tr_mul(jacobian).cholesky()?;
             Some(normal.inverse() * (r.norm_squared() / freedom as f64))

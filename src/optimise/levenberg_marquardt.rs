@@ -1,12 +1,14 @@
 //! Problems of least squares for the crate `levenberg-marquardt`.
 
-use super::least_squares::{Found, LeastSquares};
+use super::least_squares::{LeastSquares, Residuals};
 use super::older::{OlderMatrix, OlderVector, newer_vector, older_matrix, older_vector};
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::DVector;
 use nalgebra_older::{Dyn, U1, VecStorage};
 
-impl<F: Fn(&DVector<f64>) -> Found> LeastSquaresProblem<f64, Dyn, Dyn> for LeastSquares<F> {
+impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquaresProblem<f64, Dyn, Dyn>
+    for LeastSquares<F>
+{
     type ResidualStorage = VecStorage<f64, Dyn, U1>;
     type JacobianStorage = VecStorage<f64, Dyn, Dyn>;
     type ParameterStorage = VecStorage<f64, Dyn, U1>;
@@ -20,10 +22,10 @@ impl<F: Fn(&DVector<f64>) -> Found> LeastSquaresProblem<f64, Dyn, Dyn> for Least
     }
 
     fn residuals(&self) -> Option<OlderVector<f64>> {
-        self.of_found(|r, _| older_vector(r))
+        self.found(|r, _| older_vector(r))
     }
 
     fn jacobian(&self) -> Option<OlderMatrix<f64>> {
-        self.of_found(|_, jacobian| older_matrix(jacobian))
+        self.found(|_, jacobian| older_matrix(jacobian))
     }
 }

@@ -7,8 +7,9 @@ use argmin::solver::newton::Newton;
 use argmin::solver::quasinewton::LBFGS;
 use argmin::solver::trustregion::{Dogleg, TrustRegion};
 use levenberg_marquardt::LevenbergMarquardt;
-use nalgebra::{DMatrix, DVector, dmatrix, dvector};
-use polhode::optimise::{LeastSquares, OlderVector};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3, Vector6, dmatrix, dvector};
+use polhode::motion::{Rk4, Rollout, State as Motion, System, Torque};
+use polhode::optimise::{LeastSquares, Objective, OlderVector};
 
 /// Rosenbrock's valley: r = (10 (y − x²), 1 − x), least at (1, 1).
 fn valley(x: &DVector<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
@@ -84,4 +85,61 @@ fn what_argmin_is_told_is_the_derivative() {
     let beyond = OlderVector::from_vec(vec![2e3, 0.0]);
     assert!(problem.cost(&beyond).expect("a cost").is_infinite());
     assert!(problem.gradient(&beyond).is_err());
+}
+
+/// Single shooting: what stops a body in 100 steps with the least torque, by the gradient of the whole rollout.
+#[test]
+fn a_body_is_stopped_by_single_shooting() {
+    let inertia = Matrix3::new(0.6, 0.02, -0.03, 0.02, 0.8, 0.05, -0.03, 0.05, 1.0);
+    let system = System::new(inertia, Torque::None).expect("a body");
+    let spinning = Motion::at_rest().turning(Vector3::new(1.0, 0.5, -0.9));
+    let problem = Objective::new(DVector::zeros(300), |x| {
+        let torques: Vec<_> = x
+            .as_slice()
+            .chunks(3)
+            .map(Vector3::from_column_slice)
+            .collect();
+        let rollout = Rollout::new(Rk4, system, spinning, 0.02, &torques).ok()?;
+        let omega = rollout.states()[100].angular_velocity;
+        let mut costs = vec![Vector6::zeros(); 101];
+        costs[100].fixed_rows_mut::<3>(3).copy_from(&omega);
+        let by_torques = rollout.gradient(&costs).torques;
+        let gradient = DVector::from_iterator(300, by_torques.iter().flatten().copied()) + x * 1e-7;
+        Some((
+            omega.norm_squared() * 5e3 + x.norm_squared() * 0.01,
+            gradient,
+        ))
+    });
+    let start = problem.start();
+    let solver = LBFGS::new(MoreThuenteLineSearch::new(), 10)
+        .with_tolerance_grad(1e-10)
+        .expect("a tolerance");
+    let run = Executor::new(problem, solver)
+        .configure(|state| state.param(start).max_iters(200))
+        .run()
+        .expect("a run");
+    let torques: Vec<_> = {
+        let found = run.state().get_best_param().expect("a point");
+        found
+            .as_slice()
+            .chunks(3)
+            .map(Vector3::from_column_slice)
+            .collect()
+    };
+    let end = Rollout::new(Rk4, system, spinning, 0.02, &torques)
+        .expect("a motion")
+        .states()[100];
+    assert!(
+        end.angular_velocity.norm() < 1e-4,
+        "{}",
+        end.angular_velocity
+    );
+    // A torque that is constant in space stops the angular momentum along a straight line: nothing does it for less.
+    let momentum = inertia * spinning.angular_velocity;
+    let least = momentum.norm_squared() / (100.0 * 0.02 * 0.02);
+    let squares: f64 = torques.iter().map(Vector3::norm_squared).sum();
+    assert!(
+        (squares / least - 1.0).abs() < 1e-3,
+        "{squares} for {least}"
+    );
 }
