@@ -13,6 +13,9 @@ mod identify_inertia;
 
 use identify_inertia::{DT, ball, gyroscope, normal, residuals, torques};
 
+/// Residuals and their Jacobian, where there are such.
+type Residuals = Option<(DVector<f64>, DMatrix<f64>)>;
+
 /// The residuals alone, as one without derivatives would have them.
 fn missed(
     guess: &DVector<f64>,
@@ -34,7 +37,7 @@ fn missed(
 fn differenced(
     value: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
     sides: [f64; 2],
-) -> impl Fn(&DVector<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
+) -> impl Fn(&DVector<f64>) -> Residuals {
     move |at| {
         let middle = value(at)?;
         let mut jacobian = DMatrix::zeros(middle.len(), at.len());
@@ -61,19 +64,18 @@ fn fit(criterion: &mut Criterion) {
     let measured = gyroscope(&truth, &torques, normal(1, 0.01)).expect("a body");
     let value = |guess: &DVector<f64>| missed(guess, &torques, &measured);
     let mut group = criterion.benchmark_group("identify");
-    let mut solve =
-        |name: &str, residuals: &dyn Fn(&DVector<f64>) -> Option<(DVector<f64>, DMatrix<f64>)>| {
-            let run = || LevenbergMarquardt::new().minimize(LeastSquares::new(ball(), residuals));
-            let (problem, report) = run();
-            let gradient = problem
-                .gauss_newton_step()
-                .map_or(f64::NAN, |step| step.norm());
-            println!(
-                "{name}: {} evaluations, and Newton's next step is {gradient:.0e}",
-                report.number_of_evaluations
-            );
-            group.bench_function(name, |b| b.iter(run));
-        };
+    let mut solve = |name: &str, residuals: &dyn Fn(&DVector<f64>) -> Residuals| {
+        let run = || LevenbergMarquardt::new().minimize(LeastSquares::new(ball(), residuals));
+        let (problem, report) = run();
+        let gradient = problem
+            .gauss_newton_step()
+            .map_or(f64::NAN, |step| step.norm());
+        println!(
+            "{name}: {} evaluations, and Newton's next step is {gradient:.0e}",
+            report.number_of_evaluations
+        );
+        group.bench_function(name, |b| b.iter(run));
+    };
     solve("exact", &residuals(&torques, &measured));
     solve("forward differences", &differenced(value, [1e-8, 0.0]));
     solve("central differences", &differenced(value, [1e-5, -1e-5]));
