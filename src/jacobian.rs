@@ -1,4 +1,4 @@
-//! Jacobians for optimisation: is the one that I wrote by hand right, and if not, what is wrong with it?
+//! Is the Jacobian that I wrote by hand right, and if not, what is wrong with it?
 //!
 //! [`check()`] holds a Jacobian against dual numbers: there is no step size, and the answer is right to rounding. It takes
 //! any function that is generic over its number. [`check_black_box`] takes a function of which only values can be had, and
@@ -57,55 +57,8 @@
 //!     .of(jet, by_hand, &SVector::from([0.0, 0.0, 0.0, 1.0, 2.0, 3.0]));
 //! assert_eq!(report.causes()[0].kind, Kind::Written(Other::Side));
 //! ```
-//!
-//! # Which tangent space
-//!
-//! An attitude is no vector, and its derivative is taken in a perturbation θ. polhode perturbs on the body side,
-//! q ⊞ θ = q exp(θ/2), before and after a step. A perturbation φ on the space side is exp(φ/2) q, φ = R θ with R the
-//! rotation matrix of q: columns in θ are those in φ times R. [`crate::motion::jacobian`] has the derivatives of the steps
-//! in this convention, exact and fast.
-//!
-//! # From gyroscope data to an inertia tensor
-//!
-//! A [`Rollout`](crate::motion::Rollout) gives the Jacobian of each step, [`then`](crate::motion::StepJacobian::then) chains
-//! them, and [`possible_inertia`](crate::mechanics::possible_inertia) keeps every guess a body that can exist. Gauss and Newton
-//! do the rest.
-//!
-//! ```
-//! use nalgebra::{Matrix6, SVector, Vector3, Vector6};
-//! use polhode::mechanics::possible_inertia;
-//! use polhode::motion::{MotionError, Rk4, Rollout, State, System, Torque};
-//!
-//! let start = State::at_rest().turning(Vector3::new(1.0, 0.5, -0.9));
-//! // A known torque; without one only ratios of the moments could be told.
-//! let torques: Vec<_> = (0..40).map(|k| Vector3::new(0.3, (0.2 * k as f64).sin(), -0.2)).collect();
-//! let run = |guess: &SVector<f64, 6>| {
-//!     let system = System::new(possible_inertia(guess).0, Torque::None)?;
-//!     Rollout::new(Rk4, system, start, 0.02, &torques)
-//! };
-//! let truth = SVector::from([-0.6, -0.2, 0.3, 0.05, -0.04, 0.1]);
-//! let measured = run(&truth)?;
-//!
-//! let mut guess = SVector::from([-0.5, -0.1, 0.2, 0.0, 0.0, 0.0]);
-//! for _ in 0..10 {
-//!     let (_, by_guess) = possible_inertia(&guess);
-//!     let (mut normal, mut gradient) = (Matrix6::zeros(), Vector6::zeros());
-//!     let rollout = run(&guess)?;
-//!     let chained = rollout.jacobians::<15>().scan(None, |so_far, step| {
-//!         *so_far = Some(so_far.map_or(step, |before: polhode::motion::StepJacobian<15>| before.then(&step)));
-//!         *so_far
-//!     });
-//!     for (step, seen) in chained.zip(&measured.states()[1..]) {
-//!         let by_guess = step.by_inertia().fixed_rows::<3>(3) * by_guess;
-//!         let missed = seen.angular_velocity - step.state.angular_velocity;
-//!         normal += by_guess.tr_mul(&by_guess);
-//!         gradient += by_guess.tr_mul(&missed);
-//!     }
-//!     guess += normal.cholesky().map_or(Vector6::zeros(), |normal| normal.solve(&gradient));
-//! }
-//! assert!((guess - truth).norm() < 1e-9);
-//! # Ok::<(), MotionError>(())
-//! ```
+//! The guide to derivatives in optimisation, from the convention of the tangent space on, is
+//! [`optimise`](../optimise/index.html).
 
 mod by_differences;
 mod by_dual_numbers;

@@ -30,7 +30,7 @@
 //! scalar ─────────────────────────┘           ├─ verify ─ grade ─ report ─ cli
 //! scalar ─ mechanics ─────────────────────────┘
 //!             └─ motion (state, step, Jacobian, batch) ┬ scene ─ bench
-//!                                                      └ jacobian, audit (checks of code)
+//!                                                      └ jacobian, audit (checks of code), emit (code), optimise
 //! ```
 
 /// Linear algebra in the version that this crate speaks.
@@ -42,6 +42,7 @@ pub mod audit;
 pub mod jacobian;
 pub mod mechanics;
 pub mod motion;
+pub mod optimise;
 pub mod scalar;
 
 #[cfg(feature = "verify")]
@@ -52,6 +53,8 @@ pub mod bench;
 pub mod cli;
 #[cfg(any(feature = "verify", feature = "scene"))]
 pub mod diagnostic;
+#[cfg(feature = "emit")]
+pub mod emit;
 #[cfg(feature = "verify")]
 pub mod grade;
 #[cfg(feature = "verify")]

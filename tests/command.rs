@@ -8,6 +8,7 @@ mod command {
     mod cli;
     mod declared;
     mod derive;
+    mod derive_code;
     mod derive_numbers;
     mod derive_systems;
     mod multiply_out;

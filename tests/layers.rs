@@ -22,6 +22,11 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("motion", &["scalar", "mechanics"]),
     ("jacobian", &["scalar", "mechanics", "motion"]),
     ("audit", &["scalar", "mechanics", "motion"]),
+    ("emit", &["scalar", "mechanics", "motion"]),
+    (
+        "optimise",
+        &["scalar", "mechanics", "motion", "jacobian", "audit"],
+    ),
     (
         "verify",
         &[

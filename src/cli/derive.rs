@@ -1,5 +1,7 @@
 //! `polhode derive`.
 
+mod code;
+
 use crate::cli::{declare, output};
 use crate::diagnostic::Diagnostic;
 use crate::notation::{self, document::Format};
@@ -24,6 +26,10 @@ Example:
 Of any system that a file declares, one sentence a line (polhode help language):
   polhode derive --declare examples/heavy-top.declare
   polhode derive --declare examples/heavy-top.declare --find \"the moment on the top about O\"
+
+As code for a program:
+  polhode derive --as c --of jacobian --body principal --out acceleration.c
+  polhode derive --as rust --of step-jacobian --inertia 0.6,0.8,1.0 --wrt attitude,angular_velocity --precision f32
 
 Exit code: 0 the derivation is printed, 2 a file can't be read or a sentence is not understood.")]
 pub(super) struct Options {
@@ -51,6 +57,8 @@ pub(super) struct Options {
     /// Write to a file instead of the terminal
     #[arg(long, value_name = "PATH")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    code: code::CodeOptions,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -117,6 +125,10 @@ impl Options {
 
 /// Prints the derivation and returns the exit code.
 pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
+    let (body, out) = (options.derive_options().body, options.out.as_deref());
+    if let Some(exit) = options.code.run(body, out, color) {
+        return exit;
+    }
     let derivation = match options.declare.is_empty() {
         true => derive(&options.derive_options()),
         false => match system(options, color) {
@@ -133,7 +145,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
             Err(error) => return output::failed(&error.to_string()),
         },
     };
-    output::deliver(&text, options.out.as_deref(), color)
+    output::deliver(&text, out, color)
 }
 
 /// The derivation of the declared system; says what is wrong where there is none.

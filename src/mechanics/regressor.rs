@@ -20,7 +20,7 @@ pub enum InertiaParameters {
 
 impl InertiaParameters {
     /// Where each parameter stands in the order xx, yy, zz, xy, xz, yz.
-    fn places(self) -> [usize; 6] {
+    pub(crate) fn places(self) -> [usize; 6] {
         match self {
             Self::Lecture | Self::MuJoCo => [0, 1, 2, 3, 4, 5],
             Self::Urdf => [0, 3, 4, 1, 5, 2],

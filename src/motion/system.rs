@@ -73,6 +73,17 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
         Self { principal, ..self }
     }
 
+    /// The same system, its axes known to be principal: an inverse of three quotients.
+    #[cfg(feature = "emit")]
+    pub(crate) fn along_principal_axes(self) -> Self {
+        let moments = self.inertia.diagonal();
+        Self {
+            inverse: Matrix3::from_diagonal(&moments.map(|moment| T::one() / moment)),
+            principal: true,
+            ..self
+        }
+    }
+
     /// The inertia tensor.
     #[inline(always)]
     pub fn inertia(&self) -> &Matrix3<T> {
