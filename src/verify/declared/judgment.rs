@@ -14,6 +14,7 @@ use crate::verify::reading::builder::place_in;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::parts::parts;
 use crate::verify::standing::shown::Shown;
+use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Meaning, Reach};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::Value;
@@ -155,7 +156,7 @@ impl OwnLetters {
     /// Those of a document, by what is declared of it.
     pub(super) fn of(document: &Document, reading: &mut Reading) -> Self {
         let mut own = Self::default();
-        let (letters, shapes) = (reading.letters.clone(), HashMap::new());
+        let (letters, mut known) = (reading.letters.clone(), Known::default());
         for letter in &letters.letters {
             if !matches!(letter.meaning, Meaning::Quantity(_)) {
                 continue;
@@ -166,7 +167,7 @@ impl OwnLetters {
             };
             let at = place_in(&letter.reach);
             let system = &mut reading.system;
-            let mut lowering = Lowering::new(system, &letters, &document.source, &at, &shapes);
+            let mut lowering = Lowering::new(system, &letters, &document.source, &at, &mut known);
             let value = lowering.value(node);
             if let Ok(value) = &value
                 && letters.customs.integrals

@@ -91,7 +91,7 @@ impl<'a> Apart<'a> {
             match (worked_out, &mut sides) {
                 (Some(Ok(one)), Some(all)) => {
                     if let Some((letter, left, _)) = &one.settles {
-                        self.judge.shapes.insert(letter.clone(), left.shape());
+                        self.judge.known.shapes.insert(letter.clone(), left.shape());
                         defines = true;
                     }
                     all.extend(one.sides);

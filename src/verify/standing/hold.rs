@@ -221,7 +221,7 @@ impl Judge<'_> {
                 &self.reading.letters,
                 self.written.trial.as_ref().unwrap_or(&self.document.source),
                 &self.at,
-                &self.shapes,
+                &mut self.known,
             );
             lowering.axes = axes;
             lowering.besides.clone_from(besides);
@@ -319,7 +319,7 @@ impl Judge<'_> {
     fn has_new_letter_alone(&self, link: &Link, unknown: &[String]) -> bool {
         let letters = [&link.left, &link.right].into_iter().flat_map(factors);
         let mut new = letters.filter(|letter| {
-            self.reading.shapes.contains_key(letter) || !self.shapes.contains_key(letter)
+            self.reading.shapes.contains_key(letter) || !self.known.shapes.contains_key(letter)
         });
         new.any(|letter| unknown.contains(&letter))
     }

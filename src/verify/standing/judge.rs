@@ -19,9 +19,9 @@ use crate::verify::standing::written::{
     bounds_of_sums, ends_with_full_stop, has_open_brackets, names_an_instant, without_number,
     written_symbols,
 };
+use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, letter_names};
-use crate::verify::term::value::Shape;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -75,8 +75,8 @@ pub(crate) struct Judge<'a> {
     pub(crate) document: &'a Document,
     pub(crate) reading: Reading,
     pub(crate) facts: Facts,
-    /// Shapes of letters that lines have settled.
-    pub(super) shapes: HashMap<String, Shape>,
+    /// What was found out of letters.
+    pub(super) known: Known,
     pub(super) written: Written,
     pub(super) chain: Chain,
     pub(super) at: At,
@@ -103,12 +103,12 @@ impl<'a> Judge<'a> {
     pub(crate) fn new(document: &'a Document, part: Part, first: usize) -> Self {
         let mut reading = build(&part.declarations, written_symbols(document), first);
         reading.system.set_dimensions(3);
-        let shapes = reading.shapes.clone();
+        let known = Known::of(reading.shapes.clone());
         Self {
             document,
             reading,
             facts: Facts::default(),
-            shapes,
+            known,
             written: Written {
                 bounds: bounds_of_sums(document),
                 trial: None,
@@ -271,9 +271,9 @@ impl<'a> Judge<'a> {
         if dimensions == self.reading.system.dimensions() {
             return;
         }
-        self.shapes = match dimensions {
-            3 => self.reading.shapes.clone(),
-            _ => HashMap::new(),
+        self.known = match dimensions {
+            3 => Known::of(self.reading.shapes.clone()),
+            _ => Known::default(),
         };
         for (source, links) in self.again.defining.clone() {
             for link in &links {

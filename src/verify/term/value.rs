@@ -284,10 +284,10 @@ impl System {
         Ok(value.turned(&turns, [Basis::Written; 2]))
     }
 
-    /// The entries of the matrix between two frames, which only a space of three dimensions has.
+    /// The entries of the matrix between two frames, if they are two; only a space of three dimensions has them.
     fn entries_turned(&mut self, to: FrameId, from: FrameId) -> Result<Option<Matrix>, Trouble> {
         match self.dimensions() {
-            3 => Ok(Some(self.rotation(to, from))),
+            3 => Ok((to != from).then(|| self.rotation(to, from))),
             _ => Err(beyond_space()),
         }
     }

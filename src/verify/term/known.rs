@@ -1,0 +1,36 @@
+//! What was found out of the letters of a document so far, so that it is worked out once.
+
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Shape, Valued};
+use std::collections::HashMap;
+
+/// What letters are, as far as it was asked for. It holds for one system and one number of dimensions.
+#[derive(Debug, Default)]
+pub(crate) struct Known {
+    /// Shapes of letters that lines have settled.
+    pub(crate) shapes: HashMap<String, Shape>,
+    /// Values of letters that sentences tell of, by how they are printed: one may stand for several quantities.
+    values: HashMap<String, Vec<(Quantity, Valued)>>,
+}
+
+impl Known {
+    /// Letters of these shapes, and nothing worked out.
+    pub(crate) fn of(shapes: HashMap<String, Shape>) -> Self {
+        Self {
+            shapes,
+            values: HashMap::new(),
+        }
+    }
+
+    /// The value of a letter that stands for a quantity, if it was worked out.
+    pub(super) fn value(&self, letter: &str, quantity: &Quantity) -> Option<&Valued> {
+        let values = self.values.get(letter)?.iter();
+        let mut own = values.filter(|(known, _)| known == quantity);
+        own.next().map(|(_, value)| value)
+    }
+
+    pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {
+        let values = self.values.entry(letter.to_owned()).or_default();
+        values.push((quantity.clone(), value.clone()));
+    }
+}
