@@ -1,9 +1,9 @@
 //! Which line says what another line says, without any law.
 
 use crate::algebra::{Fraction, Monomial, Variable};
+use crate::grade::meaning::{KeyLines, Meaning};
 use crate::notation::document::Document;
 use crate::source::Span;
-use crate::verify::language::statement::Declaration;
 use crate::verify::{Apart, Said};
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
@@ -79,18 +79,17 @@ impl Sheet<'_, '_> {
 }
 
 impl<'a> Board<'a> {
-    pub(super) fn new(
-        declarations: &[Declaration],
-        key: Sheet<'a, '_>,
-        own: &[Sheet<'a, '_>],
-    ) -> Self {
-        let mut apart = Apart::new(key.document, declarations);
-        let of_key = apart.lines(key.document, key.entries);
+    pub(super) fn new(meaning: &Meaning, key: Sheet<'a, '_>, own: &[Sheet<'a, '_>]) -> Self {
+        let KeyLines {
+            prepared,
+            said: of_key,
+        } = meaning.key_lines(&key);
+        let mut apart = Apart::over(key.document, prepared.clone());
         let of_own: Vec<Vec<Said>> = own
             .iter()
             .map(|sheet| apart.lines(sheet.document, sheet.entries))
             .collect();
-        let mut given = key.given_of(&of_key);
+        let mut given = key.given_of(of_key);
         apart.settle(&given);
         let defined = own
             .iter()
@@ -99,9 +98,11 @@ impl<'a> Board<'a> {
             .filter(|said| said.defines);
         let defined: Vec<&Said> = defined.collect();
         let conflict = defined.iter().any(|said| contradicts(&mut apart, said));
-        given.extend(defined);
-        apart.settle(&given);
-        let key = key.entries(&mut apart, &of_key);
+        if !defined.is_empty() {
+            given.extend(defined);
+            apart.settle(&given);
+        }
+        let key = key.entries(&mut apart, of_key);
         let own = own.iter().zip(&of_own);
         let own = own
             .map(|(sheet, said)| sheet.entries(&mut apart, said))

@@ -9,6 +9,7 @@ pub(crate) mod judge;
 pub(crate) mod kept;
 pub(crate) mod parts;
 pub(crate) mod premises;
+pub(crate) mod prepared;
 pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;

@@ -17,3 +17,4 @@ pub(crate) mod rates;
 pub(crate) mod symbols;
 pub(crate) mod unknown;
 pub(crate) mod value;
+pub(crate) mod written;

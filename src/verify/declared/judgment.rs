@@ -9,8 +9,8 @@ use crate::source::Span;
 use crate::verify::correction::search::corrections;
 use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Atoms, dotted};
-use crate::verify::reading::Reading;
 use crate::verify::reading::builder::place_in;
+use crate::verify::reading::{LineRole, Reading};
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::parts::parts;
 use crate::verify::standing::shown::Shown;
@@ -21,6 +21,7 @@ use crate::verify::term::value::Value;
 use crate::verify::verdict::{Counterexample, Diagnosis};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A residual of more terms than this is not shown.
 const LONGEST_RESIDUAL: usize = 40;
@@ -28,7 +29,7 @@ const LONGEST_RESIDUAL: usize = 40;
 /// The lines of a part of the document, judged.
 pub(super) struct Judgment<'a> {
     pub(super) judge: Judge<'a>,
-    own: OwnLetters,
+    own: Arc<OwnLetters>,
     /// What would put refuted lines right.
     pub(super) corrections: HashMap<Span, Diagnosis>,
     /// The numbers of its variables.
@@ -39,21 +40,30 @@ pub(super) struct Judgment<'a> {
 pub(super) fn judgments<'a>(
     document: &'a Document,
     declarations: &[Declaration],
+    roles: impl Iterator<Item = LineRole> + Clone,
 ) -> Vec<Judgment<'a>> {
     let mut first = 0;
     let judged = parts(document, declarations).into_iter().map(|part| {
         let mut judge = Judge::new(document, part, first);
+        judge.reading.roles.extend(roles.clone());
         judge.run();
-        let own = OwnLetters::of(document, &mut judge.reading);
+        let own = OwnLetters::of(document, &mut judge.reading, &mut judge.known);
         let before = std::mem::replace(&mut first, judge.reading.system.atoms.len());
-        Judgment {
-            judge,
-            own,
-            corrections: HashMap::new(),
-            numbers: before..first,
-        }
+        Judgment::of(judge, Arc::new(own), before)
     });
     judged.collect()
+}
+
+impl<'a> Judgment<'a> {
+    /// Of lines that are judged, whose letters are these, and whose variables are numbered from a number on.
+    pub(super) fn of(judge: Judge<'a>, own: Arc<OwnLetters>, first: usize) -> Self {
+        Self {
+            own,
+            corrections: HashMap::new(),
+            numbers: first..judge.reading.system.atoms.len(),
+            judge,
+        }
+    }
 }
 
 impl Judgment<'_> {
@@ -146,7 +156,7 @@ fn is_positive(of: &Polynomial) -> bool {
 
 /// The letters that stand for a variable each, and where.
 #[derive(Debug, Default)]
-struct OwnLetters {
+pub(super) struct OwnLetters {
     of: BTreeMap<Variable, Vec<(String, Reach)>>,
     /// Entries of tensors that are written as products of inertia, with the other sign.
     opposite: BTreeSet<Variable>,
@@ -154,9 +164,11 @@ struct OwnLetters {
 
 impl OwnLetters {
     /// Those of a document, by what is declared of it.
-    pub(super) fn of(document: &Document, reading: &mut Reading) -> Self {
+    pub(super) fn of(document: &Document, reading: &mut Reading, known: &mut Known) -> Self {
         let mut own = Self::default();
-        let (letters, mut known) = (reading.letters.clone(), Known::default());
+        let letters = reading.letters.clone();
+        // What lines settle changes no letter that sentences tell of.
+        let shapes = std::mem::take(&mut known.shapes);
         for letter in &letters.letters {
             if !matches!(letter.meaning, Meaning::Quantity(_)) {
                 continue;
@@ -167,7 +179,7 @@ impl OwnLetters {
             };
             let at = place_in(&letter.reach);
             let system = &mut reading.system;
-            let mut lowering = Lowering::new(system, &letters, &document.source, &at, &mut known);
+            let mut lowering = Lowering::new(system, &letters, &document.source, &at, known);
             let value = lowering.value(node);
             if let Ok(value) = &value
                 && letters.customs.integrals
@@ -176,10 +188,11 @@ impl OwnLetters {
             }
             let entry = value.ok().filter(|value| value.entries.len() == 1);
             if let Some(variable) = entry.and_then(|value| value.entries[0].as_variable()) {
-                let known = own.of.entry(variable).or_default();
-                known.push((letter.latex.clone(), letter.reach.clone()));
+                let named = own.of.entry(variable).or_default();
+                named.push((letter.latex.clone(), letter.reach.clone()));
             }
         }
+        known.shapes = shapes;
         own
     }
 

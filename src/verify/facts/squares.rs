@@ -6,15 +6,17 @@ use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
 use crate::verify::model::atoms::{Atoms, Nature, with_one_square};
 use num_traits::{One, Zero};
 
+/// No rule tells a higher rate.
+const MOST_RATES: usize = 6;
+
 impl Facts {
     /// Takes out the rules for the rates of a variable that is solved for now: they are to be put in anew.
-    pub(super) fn rates_of(&mut self, atoms: &mut Atoms, variable: Variable) -> Vec<Rule> {
-        let mut rules = vec![];
-        let mut rate = atoms.rate(variable).as_variable();
-        while let Some(next) = rate.filter(|&rate| atoms.atom(rate).key.order <= 5) {
-            rules.extend(self.rules.remove(&next));
-            rate = atoms.rate(next).as_variable();
-        }
+    pub(super) fn rates_of(&mut self, atoms: &Atoms, variable: Variable) -> Vec<Rule> {
+        let rates = std::iter::successors(atoms.known_rate(variable), |&v| atoms.known_rate(v));
+        let rules = rates
+            .take(MOST_RATES)
+            .filter_map(|rate| self.rules.remove(&rate));
+        let rules: Vec<Rule> = rules.collect();
         if !rules.is_empty() {
             self.images.clear();
         }

@@ -238,6 +238,15 @@ impl Atoms {
         fraction(rate)
     }
 
+    /// The variable that is the rate of another, if there is one yet.
+    pub(crate) fn known_rate(&self, variable: Variable) -> Option<Variable> {
+        match &self.atom(variable).motion {
+            Motion::Constant => None,
+            Motion::Rate(rate) => rate.as_variable(),
+            Motion::Free => self.rates.get(&variable)?.as_variable(),
+        }
+    }
+
     /// The rate of a fraction; `None` where it has too many terms.
     pub(crate) fn short_derivative(&mut self, of: &Fraction) -> Option<Fraction> {
         let size = |f: &Fraction| f.numerator().len() * f.denominator().len();

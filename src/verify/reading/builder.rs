@@ -17,6 +17,7 @@ use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled}
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::Value;
+use crate::verify::term::written::WrittenSymbols;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
@@ -67,7 +68,7 @@ pub(crate) fn build(
     };
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
-    builder.reading.letters.written = written;
+    builder.reading.letters.written = WrittenSymbols::new(written);
     conditional.iter().for_each(|d| builder.say_unused(d));
     builder.name_frames();
     builder.name_bodies();

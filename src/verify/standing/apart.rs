@@ -4,7 +4,7 @@
 //! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
 //! it says the same, in components, in vectors, or with a definition put in.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::source::Span;
@@ -15,6 +15,7 @@ use crate::verify::model::atoms::fraction;
 use crate::verify::standing::chains::Chain;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::parts::Part;
+use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
 use num_traits::Zero;
@@ -40,12 +41,28 @@ pub(crate) struct Apart<'a> {
 impl<'a> Apart<'a> {
     /// A reading by these declarations.
     pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
-        let mut judge = Judge::new(document, Part::whole(declarations), 0);
-        judge.reading.system.apart = true;
+        let mut prepared = Prepared::new(declarations, written_symbols(document), 0);
+        prepared.reading.system.apart = true;
+        Self::over(document, prepared)
+    }
+
+    /// Of a document to which others are held, read so.
+    pub(crate) fn over(document: &'a Document, prepared: Prepared) -> Self {
         Self {
-            judge,
+            judge: Judge::over(document, Part::default(), prepared),
             facts: Facts::default(),
         }
+    }
+
+    /// The reading with all that was worked out, to go on from again and again.
+    pub(crate) fn prepared(&self) -> Prepared {
+        let mut prepared = Prepared {
+            reading: self.judge.reading.clone(),
+            known: self.judge.known.clone(),
+            facts: Facts::default(),
+        };
+        prepared.work_out_letters();
+        prepared
     }
 
     /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
@@ -124,22 +141,18 @@ impl<'a> Apart<'a> {
     /// Variables to which one law gives one value are one quantity: the `L_x` of `L` and a letter of its own.
     fn same_quantities(&self) -> Vec<(Fraction, Source)> {
         let atoms = &self.judge.reading.system.atoms;
-        let mut first: HashMap<_, Variable> = HashMap::new();
+        let mut first: HashMap<(&str, &Polynomial, &Polynomial), Variable> = HashMap::new();
         let mut same = vec![];
         for variable in 0..atoms.len() as Variable {
             let atom = atoms.atom(variable);
             let Some(law) = atom.law.as_ref().filter(|_| atom.rate_of.is_none()) else {
                 continue;
             };
-            let value = format!("{} {:?}", law.name, law.value);
-            match first.get(&value) {
-                None => {
-                    first.insert(value, variable);
-                }
-                Some(&other) => {
-                    let source = Source::Declared(atoms.latex(variable));
-                    same.push((fraction(variable) - fraction(other), source));
-                }
+            let (above, below) = (law.value.numerator(), law.value.denominator());
+            let other = *first.entry((law.name, above, below)).or_insert(variable);
+            if other != variable {
+                let source = Source::Declared(atoms.latex(variable));
+                same.push((fraction(variable) - fraction(other), source));
             }
         }
         same

@@ -8,10 +8,10 @@ use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::reading::Reading;
-use crate::verify::reading::builder::build;
 use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
+use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
@@ -76,7 +76,7 @@ pub(crate) struct Judge<'a> {
     pub(crate) reading: Reading,
     pub(crate) facts: Facts,
     /// What was found out of letters.
-    pub(super) known: Known,
+    pub(crate) known: Known,
     pub(super) written: Written,
     pub(super) chain: Chain,
     pub(super) at: At,
@@ -101,14 +101,17 @@ struct Again {
 impl<'a> Judge<'a> {
     /// For a part of a document; the variables of the model are numbered from one on.
     pub(crate) fn new(document: &'a Document, part: Part, first: usize) -> Self {
-        let mut reading = build(&part.declarations, written_symbols(document), first);
-        reading.system.set_dimensions(3);
-        let known = Known::of(reading.shapes.clone());
+        let prepared = Prepared::new(&part.declarations, written_symbols(document), first);
+        Self::over(document, part, prepared)
+    }
+
+    /// For a part of a document that is read so.
+    pub(crate) fn over(document: &'a Document, part: Part, prepared: Prepared) -> Self {
         Self {
             document,
-            reading,
-            facts: Facts::default(),
-            known,
+            reading: prepared.reading,
+            facts: prepared.facts,
+            known: prepared.known,
             written: Written {
                 bounds: bounds_of_sums(document),
                 trial: None,

@@ -65,7 +65,7 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
 }
 
 /// The symbols that a document writes, spelled.
-pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
+pub(crate) fn written_symbols(document: &Document) -> BTreeSet<String> {
     fn collect(node: &Node, found: &mut BTreeSet<String>) {
         match &node.kind {
             Kind::Symbol(symbol) => {

@@ -1,16 +1,20 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
+use crate::verify::model::system::System;
+use crate::verify::term::letters::{Letters, Meaning};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Shape, Valued};
 use std::collections::HashMap;
 
-/// What letters are, as far as it was asked for. It holds for one system and one number of dimensions.
-#[derive(Debug, Default)]
+/// What letters are, as far as it was asked for. It holds for one system.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Known {
     /// Shapes of letters that lines have settled.
     pub(crate) shapes: HashMap<String, Shape>,
     /// Values of letters that sentences tell of, by how they are printed: one may stand for several quantities.
     values: HashMap<String, Vec<(Quantity, Valued)>>,
+    /// How many dimensions space has where they were worked out.
+    dimensions: usize,
 }
 
 impl Known {
@@ -18,7 +22,15 @@ impl Known {
     pub(crate) fn of(shapes: HashMap<String, Shape>) -> Self {
         Self {
             shapes,
-            values: HashMap::new(),
+            ..Self::default()
+        }
+    }
+
+    /// In a space of another number of dimensions letters have other values.
+    pub(super) fn enter(&mut self, dimensions: usize) {
+        if self.dimensions != dimensions {
+            self.values.clear();
+            self.dimensions = dimensions;
         }
     }
 
@@ -27,6 +39,19 @@ impl Known {
         let values = self.values.get(letter)?.iter();
         let mut own = values.filter(|(known, _)| known == quantity);
         own.next().map(|(_, value)| value)
+    }
+
+    /// Works out all letters that stand for quantities.
+    pub(crate) fn work_out(&mut self, letters: &Letters, system: &mut System) {
+        self.enter(system.dimensions());
+        for letter in &letters.letters {
+            if let Meaning::Quantity(quantity) = &letter.meaning
+                && self.value(&letter.latex, quantity).is_none()
+            {
+                let value = system.letter(&letter.latex, quantity);
+                self.keep(&letter.latex, quantity, &value);
+            }
+        }
     }
 
     pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {

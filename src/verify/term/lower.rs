@@ -46,6 +46,7 @@ impl<'a> Lowering<'a> {
         known: &'a mut Known,
     ) -> Self {
         system.set_dimensions(letters.dimensions_at(at));
+        known.enter(system.dimensions());
         Self {
             system,
             letters,
