@@ -22,7 +22,7 @@ mod substitute;
 pub use bound::{Bound, enclosure};
 pub use certificate::Certificate;
 pub use combination::Budget;
-pub use composition::{TooLarge, compose};
+pub use composition::{TooLarge, compose, compose_by};
 pub use fraction::Fraction;
 pub use interval::Interval;
 pub use linear::{LinearError, LinearSolution, solve_linear};

@@ -126,8 +126,13 @@ impl<'a> Board<'a> {
         }
         let near = parts.iter().filter(|part| part.shares_variable(goal));
         let from: Vec<Fraction> = near.map(|part| part.residual.clone()).collect();
+        let beside = match from.as_slice() {
+            [] => true,
+            [alone] => self.apart.is_beside(alone, &goal.residual),
+            _ => false,
+        };
         let goal = std::slice::from_ref(&goal.residual);
-        !from.is_empty() && self.apart.follow(goal, &from, false) == Some(true)
+        !beside && self.apart.follow(goal, &from, false) == Some(true)
     }
 
     /// Whether lines together, with their rates, say these; `None` where it is not worked out.

@@ -4,8 +4,8 @@
 //! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
+use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::HashMap;
 
 /// What a variable is: equal keys are the same variable.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -157,8 +157,10 @@ impl Builder<'_> {
             };
             self.denote_within(&inner, meaning.clone(), reach.clone(), declaration);
         }
+        let spelled = spelled(node);
         self.reading.letters.letters.push(Letter {
-            spelled: spelled(node),
+            whole: spelled.contains(['\\', '{', ' ', '[']),
+            spelled,
             loose: loosely(node),
             latex: formula.source.clone(),
             meaning,

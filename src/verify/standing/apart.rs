@@ -11,7 +11,7 @@ use crate::source::Span;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts};
 use crate::verify::language::statement::Declaration;
-use crate::verify::model::atoms::fraction;
+use crate::verify::model::atoms::{Nature, fraction};
 use crate::verify::standing::chains::Chain;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::parts::Part;
@@ -20,6 +20,9 @@ use crate::verify::standing::written::{names_an_instant, without_number, written
 use crate::verify::term::letters::At;
 use num_traits::Zero;
 use std::collections::{BTreeSet, HashMap};
+
+/// No rate of a letter is higher.
+const MOST_RATES: usize = 8;
 
 /// What one line says.
 #[derive(Clone, Debug)]
@@ -75,6 +78,7 @@ impl<'a> Apart<'a> {
         self.judge.at = At::default();
         let written = written_symbols(document);
         self.judge.reading.letters.written.extend(written);
+        self.judge.known.forget_symbols();
         let mut said = vec![];
         for item in &document.items {
             match item {
@@ -167,6 +171,32 @@ impl<'a> Apart<'a> {
     /// Whether nothing is told of a variable.
     pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
         self.judge.reading.system.atoms.is_unknown(variable)
+    }
+
+    /// Whether it can be seen without working it out that an equation alone, without its rates, says nothing of a goal.
+    ///
+    /// Solved for a variable and put in, it makes the goal vanish only if it divides the goal; then no variable has a higher
+    /// power in it than in the goal. This holds of free variables, none of which is told by another.
+    pub(crate) fn is_beside(&self, equation: &Fraction, goal: &Fraction) -> bool {
+        let atoms = &self.judge.reading.system.atoms;
+        let (own, goal) = (equation.numerator(), goal.numerator());
+        let variables = own.variables();
+        let is_free = |v: &Variable| {
+            let atom = atoms.atom(*v);
+            let plain = matches!(atom.nature, Nature::Quantity | Nature::Unknown);
+            plain && atom.square.is_none() && self.facts.square(*v).is_none()
+        };
+        let rates =
+            |v: &Variable| std::iter::successors(Some(*v), |&v| atoms.known_rate(v)).skip(1);
+        let is_tied = |rate: Variable| {
+            self.facts.rule(rate).is_some() || goal.degree_in(rate) > 0 || variables.contains(&rate)
+        };
+        let mut tied = variables.iter().flat_map(|v| rates(v).take(MOST_RATES));
+        variables
+            .iter()
+            .any(|&v| own.degree_in(v) > goal.degree_in(v))
+            && !tied.any(is_tied)
+            && variables.iter().chain(&goal.variables()).all(is_free)
     }
 
     /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where

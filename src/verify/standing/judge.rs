@@ -215,7 +215,7 @@ impl<'a> Judge<'a> {
     }
 
     fn line(&mut self, line: &Line, display: bool) {
-        let line = &without_number(line);
+        let line = &*without_number(line);
         let place = self.document.place(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
         let links = self.chain.links(line);
@@ -402,12 +402,18 @@ impl<'a> Judge<'a> {
 
     /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
     pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        self.reading.unused_of(&letters_in(nodes), &self.at)
+        match self.reading.unused.is_empty() {
+            true => None,
+            false => self.reading.unused_of(&letters_in(nodes), &self.at),
+        }
     }
 
     /// A sentence that was not understood, without which nothing can be said of formulas.
     pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        self.reading.unread_of(&letters_in(nodes), &self.at)
+        match self.reading.unused.is_empty() {
+            true => None,
+            false => self.reading.unread_of(&letters_in(nodes), &self.at),
+        }
     }
 }
 

@@ -5,28 +5,33 @@ use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
-pub(super) fn without_number(line: &Line) -> Line {
-    let mut line = line.clone();
-    let Some(first) = line.sides.first_mut() else {
-        return line;
-    };
-    let Kind::Product(factors) = &mut first.kind else {
-        return line;
-    };
-    let numbered = match factors.first().map(|f| &f.node.kind) {
-        Some(Kind::Group(Bracket::Round, inner)) => is_number_of_line(inner),
+pub(super) fn without_number(line: &Line) -> Cow<'_, Line> {
+    let numbered = |side: &Node| match &side.kind {
+        Kind::Product(factors) => match factors.as_slice() {
+            [first, second, ..] if second.operator == Operator::Juxtaposed => {
+                matches!(&first.node.kind, Kind::Group(Bracket::Round, inner) if is_number_of_line(inner))
+            }
+            _ => false,
+        },
         _ => false,
     };
-    if numbered && factors.len() > 1 && factors[1].operator == Operator::Juxtaposed {
+    if !line.sides.first().is_some_and(numbered) {
+        return Cow::Borrowed(line);
+    }
+    let mut line = line.clone();
+    if let Some(first) = line.sides.first_mut()
+        && let Kind::Product(factors) = &mut first.kind
+    {
         factors.remove(0);
         if factors.len() == 1 {
             *first = factors.remove(0).node;
         }
     }
-    line
+    Cow::Owned(line)
 }
 
 /// `2.4`, `2.4a`, `12`.

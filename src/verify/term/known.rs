@@ -1,25 +1,31 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
-use crate::verify::model::system::System;
+use crate::notation::ast::Symbol;
+use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::letters::{Letters, Meaning};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Shape, Valued};
-use std::collections::HashMap;
+use crate::verify::term::value::{Shape, Value, Valued};
+use foldhash::HashMap;
+use std::collections::BTreeSet;
+use std::collections::HashMap as Map;
 
 /// What letters are, as far as it was asked for. It holds for one system.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Known {
     /// Shapes of letters that lines have settled.
-    pub(crate) shapes: HashMap<String, Shape>,
+    pub(crate) shapes: Map<String, Shape>,
     /// Values of letters that sentences tell of, by how they are printed: one may stand for several quantities.
     values: HashMap<String, Vec<(Quantity, Valued)>>,
+    /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
+    /// axes they are.
+    symbols: HashMap<Symbol, (Value, BTreeSet<FrameId>)>,
     /// How many dimensions space has where they were worked out.
     dimensions: usize,
 }
 
 impl Known {
     /// Letters of these shapes, and nothing worked out.
-    pub(crate) fn of(shapes: HashMap<String, Shape>) -> Self {
+    pub(crate) fn of(shapes: Map<String, Shape>) -> Self {
         Self {
             shapes,
             ..Self::default()
@@ -30,6 +36,7 @@ impl Known {
     pub(super) fn enter(&mut self, dimensions: usize) {
         if self.dimensions != dimensions {
             self.values.clear();
+            self.symbols.clear();
             self.dimensions = dimensions;
         }
     }
@@ -39,6 +46,26 @@ impl Known {
         let values = self.values.get(letter)?.iter();
         let mut own = values.filter(|(known, _)| known == quantity);
         own.next().map(|(_, value)| value)
+    }
+
+    /// The value of a symbol and its frames, if it was worked out.
+    pub(super) fn symbol(&self, symbol: &Symbol) -> Option<&(Value, BTreeSet<FrameId>)> {
+        self.symbols.get(symbol)
+    }
+
+    pub(super) fn keep_symbol(
+        &mut self,
+        symbol: &Symbol,
+        value: &Value,
+        frames: &BTreeSet<FrameId>,
+    ) {
+        let known = (value.clone(), frames.clone());
+        self.symbols.insert(symbol.clone(), known);
+    }
+
+    /// Forgets the values of symbols, as by what a document writes they may mean something else.
+    pub(crate) fn forget_symbols(&mut self) {
+        self.symbols.clear();
     }
 
     /// Works out all letters that stand for quantities.
