@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::verify::facts::Source;
+use crate::verify::facts::images::Image;
 use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
 use crate::verify::model::atoms::{Atoms, Nature, with_one_square};
 use num_traits::{One, Zero};
@@ -34,9 +35,10 @@ impl Facts {
                 None => return false,
             }
         };
-        self.images.retain(|&of, image| {
-            let mut held = image.iter().flat_map(Fraction::variables);
-            !is_new(of) && !held.any(is_new)
+        self.images.retain(|&of, image| match image {
+            Image::Free => !is_new(of),
+            Image::Known(value) => !is_new(of) && !value.variables().into_iter().any(is_new),
+            Image::TooLarge => false,
         });
     }
 

@@ -3,7 +3,8 @@
 use crate::algebra::{Fraction, Proof, Variable};
 use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
 use crate::verify::facts::Source;
-use crate::verify::facts::premises::{Facts, OutOfBudget};
+use crate::verify::facts::parts::Part;
+use crate::verify::facts::premises::OutOfBudget;
 use crate::verify::facts::proof::prove;
 use crate::verify::facts::world::World;
 use crate::verify::language::messages;
@@ -324,9 +325,35 @@ impl Judge<'_> {
         new.any(|letter| unknown.contains(&letter))
     }
 
-    /// What follows of a part of the premises follows of all of them: of the short ones, or of those of one sentence or
-    /// line.
+    /// What follows of a part of the premises follows of all of them.
     fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        if self.facts.parts_mut().is_empty() {
+            *self.facts.parts_mut() = self.parts_of_premises();
+        }
+        let mut parts = std::mem::take(self.facts.parts_mut());
+        let all = std::mem::take(&mut self.facts);
+        let proof = parts.iter_mut().find_map(|part| {
+            self.facts = part.take(&mut self.reading.system.atoms);
+            let proof = self.proof(sides);
+            part.keep(std::mem::take(&mut self.facts));
+            proof
+        });
+        self.facts = all;
+        *self.facts.parts_mut() = parts;
+        proof
+    }
+
+    /// A proof by the facts that each pair is equal.
+    fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        let residuals = self.residuals(sides).ok()?;
+        let small = self.reading.small_at(&self.at);
+        let atoms = &mut self.reading.system.atoms;
+        let follows = residuals.iter().all(Zero::is_zero);
+        follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
+    }
+
+    /// The short premises, and those of one sentence or line.
+    fn parts_of_premises(&self) -> Vec<Part> {
         let all = self.premises();
         let short =
             |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
@@ -338,18 +365,7 @@ impl Judge<'_> {
                 parts.push(own);
             }
         }
-        let before = self.facts.clone();
-        let proof = parts.into_iter().find_map(|part| {
-            self.facts = Facts::default();
-            self.facts.extend_all(&mut self.reading.system.atoms, part);
-            let residuals = self.residuals(sides).ok()?;
-            let small = self.reading.small_at(&self.at);
-            let atoms = &mut self.reading.system.atoms;
-            let follows = residuals.iter().all(Zero::is_zero);
-            follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
-        });
-        self.facts = before;
-        proof
+        parts.into_iter().map(Part::of).collect()
     }
 
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
