@@ -3,7 +3,7 @@
 //! Adding term by term would multiply denominators again and again; here each denominator stands below once, in the
 //! highest power that any term needs.
 
-use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use foldhash::fast::FixedState;
 use num_traits::One;
 use std::hash::BuildHasher;
@@ -50,15 +50,15 @@ pub fn compose_by<'i>(
     let mut sum = Summands::default();
     for (monomial, coefficient) in polynomial.terms() {
         // What stays is multiplied in one piece.
-        let stay = monomial.factors().filter(|&(v, _)| image(v).is_none());
-        let stay = Monomial::from_powers(stay);
-        let all_stay = stay.degree() == monomial.degree();
+        let mut stay = monomial.clone();
+        let told = monomial
+            .factors()
+            .filter_map(|(v, e)| Some((v, e, image(v)?)));
+        told.clone()
+            .for_each(|(variable, ..)| stay = stay.without(variable));
         let mut product = Polynomial::term(stay, coefficient.clone());
         let mut used = vec![0; below.distinct.len()];
-        for (variable, exponent) in monomial.factors().filter(|_| !all_stay) {
-            let Some(image) = image(variable) else {
-                continue;
-            };
+        for (variable, exponent, image) in told {
             let known = powers
                 .entry(variable)
                 .or_insert_with(|| vec![Polynomial::one(), image.numerator().clone()]);

@@ -21,6 +21,7 @@ pub(super) struct Part {
     /// The quantity that the line says something of: a side that is one variable.
     pub(super) head: Option<Variable>,
     terms: BTreeSet<Monomial>,
+    variables: Vec<Variable>,
 }
 
 /// What a line says, component by component; `None` where that is not worked out.
@@ -125,14 +126,13 @@ impl<'a> Board<'a> {
             return true;
         }
         let near = parts.iter().filter(|part| part.shares_variable(goal));
-        let from: Vec<Fraction> = near.map(|part| part.residual.clone()).collect();
-        let beside = match from.as_slice() {
-            [] => true,
-            [alone] => self.apart.is_beside(alone, &goal.residual),
-            _ => false,
-        };
+        let near: Vec<&Fraction> = near.map(|part| &part.residual).collect();
+        if near.is_empty() || self.apart.are_beside(&near, &goal.residual) {
+            return false;
+        }
+        let from: Vec<Fraction> = near.into_iter().cloned().collect();
         let goal = std::slice::from_ref(&goal.residual);
-        !beside && self.apart.follow(goal, &from, false) == Some(true)
+        self.apart.follow(goal, &from, false) == Some(true)
     }
 
     /// Whether lines together, with their rates, say these; `None` where it is not worked out.
@@ -153,8 +153,8 @@ impl<'a> Board<'a> {
     /// Whether letters of which nothing is told stand in a line.
     pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
         let parts = entry.parts.iter().flatten();
-        let mut variables = parts.flat_map(|part| part.residual.variables());
-        variables.any(|variable| self.apart.is_unknown(variable))
+        let mut variables = parts.flat_map(|part| &part.variables);
+        variables.any(|&variable| self.apart.is_unknown(variable))
     }
 }
 
@@ -163,6 +163,7 @@ impl Part {
         let terms = residual.numerator().terms().iter();
         let terms = terms.map(|(monomial, _)| monomial.clone()).collect();
         Self {
+            variables: residual.variables(),
             residual,
             head,
             terms,
@@ -188,8 +189,7 @@ impl Part {
     }
 
     pub(super) fn shares_variable(&self, other: &Self) -> bool {
-        let theirs = other.residual.variables();
-        self.residual.variables().iter().any(|v| theirs.contains(v))
+        self.variables.iter().any(|v| other.variables.contains(v))
     }
 
     /// How much two have in common, from 0 to 1, if one may be an attempt at the other.

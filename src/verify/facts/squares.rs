@@ -87,23 +87,27 @@ impl Facts {
         removed.map(|(_, rule)| rule).collect()
     }
 
-    /// The polynomial with known squares put in.
-    pub(super) fn without_squares(&self, atoms: &Atoms, of: &Polynomial) -> Option<Polynomial> {
-        let mut value = of.clone();
+    /// The polynomial with known squares put in, where it has any.
+    pub(super) fn without_squares(
+        &self,
+        atoms: &Atoms,
+        of: &Polynomial,
+    ) -> Result<Option<Polynomial>, OutOfBudget> {
+        let square_of = |v: Variable| {
+            let told = self.squares.get(&v).map(|(square, _)| square);
+            told.or(atoms.atom(v).square.as_ref())
+        };
+        let mut value = None;
         for _ in 0..32 {
-            let square_of = |v: Variable| {
-                let told = self.squares.get(&v).map(|(square, _)| square);
-                told.or(atoms.atom(v).square.as_ref())
+            let Some(next) = with_one_square(value.as_ref().unwrap_or(of), square_of) else {
+                return Ok(value);
             };
-            let Some(next) = with_one_square(&value, square_of) else {
-                return Some(value);
-            };
-            value = next;
-            if value.len() > MOST_TERMS {
-                return None;
+            if next.len() > MOST_TERMS {
+                break;
             }
+            value = Some(next);
         }
-        None
+        Err(OutOfBudget)
     }
 
     /// The fraction with known squares put in; `None` where it has none.
@@ -112,11 +116,16 @@ impl Facts {
         atoms: &Atoms,
         value: &Fraction,
     ) -> Result<Option<Fraction>, OutOfBudget> {
-        let lowered = |p: &Polynomial| self.without_squares(atoms, p).ok_or(OutOfBudget);
-        let (top, bottom) = (lowered(value.numerator())?, lowered(value.denominator())?);
-        if &top == value.numerator() && &bottom == value.denominator() {
+        let top = self.without_squares(atoms, value.numerator())?;
+        let bottom = match value.is_polynomial() {
+            true => None,
+            false => self.without_squares(atoms, value.denominator())?,
+        };
+        if top.is_none() && bottom.is_none() {
             return Ok(None);
         }
+        let top = top.unwrap_or_else(|| value.numerator().clone());
+        let bottom = bottom.unwrap_or_else(|| value.denominator().clone());
         Fraction::new(top, bottom).ok_or(OutOfBudget).map(Some)
     }
 }

@@ -334,9 +334,9 @@ pub(crate) fn with_one_square<'s>(
     of: &Polynomial,
     square_of: impl Fn(Variable) -> Option<&'s Polynomial>,
 ) -> Option<Polynomial> {
-    let squared = of.variables().into_iter().rev();
-    let mut squared = squared.filter(|&v| of.degree_in(v) > 1);
-    let (variable, square) = squared.find_map(|v| Some((v, square_of(v)?)))?;
+    let told = of.variables().into_iter().rev();
+    let mut told = told.filter_map(|v| Some((v, square_of(v)?)));
+    let (variable, square) = told.find(|(v, _)| of.degree_in(*v) > 1)?;
     Some(lowered(of, variable, square))
 }
 

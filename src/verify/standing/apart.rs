@@ -4,7 +4,7 @@
 //! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
 //! it says the same, in components, in vectors, or with a definition put in.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::source::Span;
@@ -173,29 +173,44 @@ impl<'a> Apart<'a> {
         self.judge.reading.system.atoms.is_unknown(variable)
     }
 
-    /// Whether it can be seen without working it out that an equation alone, without its rates, says nothing of a goal.
+    /// Whether it can be seen without working it out that these equations, without their rates, say nothing of a goal.
     ///
-    /// Solved for a variable and put in, it makes the goal vanish only if it divides the goal; then no variable has a higher
-    /// power in it than in the goal. This holds of free variables, none of which is told by another.
-    pub(crate) fn is_beside(&self, equation: &Fraction, goal: &Fraction) -> bool {
+    /// An equation is solved for a variable that stands alone in a term, and the goal changes only if that is in it. One
+    /// equation makes the goal vanish only if it divides the goal; then no variable has a higher power in it than there.
+    /// This holds of free variables, none of which is told by another, and of equations without a number as a term: with
+    /// that, one may come to stand alone where another is put in.
+    pub(crate) fn are_beside(&self, from: &[&Fraction], goal: &Fraction) -> bool {
         let atoms = &self.judge.reading.system.atoms;
-        let (own, goal) = (equation.numerator(), goal.numerator());
-        let variables = own.variables();
+        let goal = goal.numerator();
         let is_free = |v: &Variable| {
             let atom = atoms.atom(*v);
             let plain = matches!(atom.nature, Nature::Quantity | Nature::Unknown);
             plain && atom.square.is_none() && self.facts.square(*v).is_none()
         };
-        let rates =
-            |v: &Variable| std::iter::successors(Some(*v), |&v| atoms.known_rate(v)).skip(1);
-        let is_tied = |rate: Variable| {
-            self.facts.rule(rate).is_some() || goal.degree_in(rate) > 0 || variables.contains(&rate)
+        let rates = |v: &Variable| std::iter::successors(Some(*v), |&v| atoms.known_rate(v));
+        let is_tied = |v: &Variable| {
+            let mut rates = rates(v).skip(1).take(MOST_RATES);
+            rates.any(|rate| self.facts.rule(rate).is_some() || goal.degree_in(rate) > 0)
         };
-        let mut tied = variables.iter().flat_map(|v| rates(v).take(MOST_RATES));
-        variables
-            .iter()
-            .any(|&v| own.degree_in(v) > goal.degree_in(v))
-            && !tied.any(is_tied)
+        let equations = || from.iter().map(|equation| equation.numerator());
+        let variables: Vec<Variable> = equations().flat_map(Polynomial::variables).collect();
+        let stands_alone = |v: &Variable| {
+            let lone = |m: &Monomial| m.degree() == 1 && m.exponent(*v) == 1;
+            equations().any(|own| own.terms().iter().any(|(m, _)| lone(m)))
+        };
+        let has_number = || equations().any(|own| own.terms().iter().any(|(m, _)| m.degree() == 0));
+        let untouched = || {
+            let mut in_goal = variables.iter().filter(|v| goal.degree_in(**v) > 0);
+            !in_goal.any(stands_alone) && !has_number()
+        };
+        let divides = || match from {
+            [one] => variables
+                .iter()
+                .all(|&v| one.numerator().degree_in(v) <= goal.degree_in(v)),
+            _ => true,
+        };
+        (untouched() || !divides())
+            && !variables.iter().any(is_tied)
             && variables.iter().chain(&goal.variables()).all(is_free)
     }
 

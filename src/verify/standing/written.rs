@@ -1,10 +1,11 @@
 //! What a line shows of itself before it is worked out.
 
-use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
+use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
+use foldhash::HashSet;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -71,27 +72,38 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
 
 /// The symbols that a document writes, spelled.
 pub(crate) fn written_symbols(document: &Document) -> BTreeSet<String> {
-    fn collect(node: &Node, found: &mut BTreeSet<String>) {
+    fn collect<'n>(
+        node: &'n Node,
+        seen: &mut HashSet<(&'n Symbol, bool)>,
+        found: &mut BTreeSet<String>,
+    ) {
         match &node.kind {
-            Kind::Symbol(symbol) => {
+            Kind::Symbol(symbol) if seen.insert((symbol, false)) => {
                 found.insert(spell(symbol, true));
             }
-            Kind::TimeDerivative { operand, .. } => {
-                found.insert(rate_of(&spelled(operand)));
-            }
+            Kind::TimeDerivative { operand, .. } => match &operand.kind {
+                Kind::Symbol(symbol) if !seen.insert((symbol, true)) => {}
+                _ => {
+                    found.insert(rate_of(&spelled(operand)));
+                }
+            },
             _ => {}
         }
-        node.children().for_each(|child| collect(child, found));
+        node.children()
+            .for_each(|child| collect(child, seen, found));
     }
-    let mut found = BTreeSet::new();
+    let (mut seen, mut found) = (HashSet::default(), BTreeSet::new());
     for item in &document.items {
         let Item::Formula(formula) = item else {
             continue;
         };
         for row in &formula.rows {
             match row {
-                Row::Line(line) => line.sides.iter().for_each(|side| collect(side, &mut found)),
-                Row::Expression(node) => collect(node, &mut found),
+                Row::Line(line) => {
+                    let sides = line.sides.iter();
+                    sides.for_each(|side| collect(side, &mut seen, &mut found));
+                }
+                Row::Expression(node) => collect(node, &mut seen, &mut found),
                 Row::Unreadable { .. } => {}
             }
         }

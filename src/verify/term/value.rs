@@ -200,23 +200,24 @@ impl Value {
     }
 
     pub(crate) fn scaled(&self, factor: &Fraction) -> Self {
-        let entries = self
-            .entries
-            .iter()
-            .map(|e| e.clone() * factor.clone())
-            .collect();
+        let entries = self.entries.iter().map(|e| e.clone() * factor.clone());
+        self.with_entries(entries.collect())
+    }
+
+    /// Other entries in its shape and on its axes.
+    pub(super) fn with_entries(&self, entries: Vec<Fraction>) -> Self {
+        let (rows, columns, basis) = (self.rows, self.columns, self.basis);
         Self {
+            rows,
+            columns,
             entries,
-            ..self.clone()
+            basis,
         }
     }
 
     pub(crate) fn negated(&self) -> Self {
-        let entries = self.entries.iter().map(|e| -e.clone()).collect();
-        Self {
-            entries,
-            ..self.clone()
-        }
+        let entries = self.entries.iter().map(|e| -e.clone());
+        self.with_entries(entries.collect())
     }
 
     /// The basis of a vector, whether it stands as a column or as a row.
