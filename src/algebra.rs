@@ -18,6 +18,7 @@ mod proof;
 mod rational;
 mod reduce;
 mod substitute;
+mod work;
 
 pub use bound::{Bound, enclosure};
 pub use certificate::Certificate;
@@ -35,3 +36,4 @@ pub use proof::{
 pub use rational::Rational;
 pub use reduce::{Reduction, reduce, reduce_where};
 pub use substitute::PseudoDivision;
+pub use work::products_of_terms;

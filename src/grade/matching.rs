@@ -56,7 +56,7 @@ pub(super) struct Sheet<'a, 's> {
 
 impl Sheet<'_, '_> {
     /// Which of the lines are given.
-    fn given_of<'l>(&self, said: &'l [Said]) -> Vec<&'l Said> {
+    pub(super) fn given_of<'l>(&self, said: &'l [Said]) -> Vec<&'l Said> {
         said.iter()
             .filter(|said| self.given.contains(&said.span))
             .collect()
@@ -82,10 +82,10 @@ impl Sheet<'_, '_> {
 impl<'a> Board<'a> {
     pub(super) fn new(meaning: &Meaning, key: Sheet<'a, '_>, own: &[Sheet<'a, '_>]) -> Self {
         let KeyLines {
-            prepared,
+            worked_out,
             said: of_key,
         } = meaning.key_lines(&key);
-        let mut apart = Apart::over(key.document, prepared.clone());
+        let mut apart = Apart::after(key.document, worked_out);
         let of_own: Vec<Vec<Said>> = own
             .iter()
             .map(|sheet| apart.lines(sheet.document, sheet.entries))

@@ -2,7 +2,7 @@
 
 use crate::grade::matching::Sheet;
 use crate::notation::document::Document;
-use crate::verify::{self, Apart, Declared, Finding, Prepared, Report, Said, Shared};
+use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, WorkedOut};
 use std::cell::OnceCell;
 
 /// What submissions mean.
@@ -12,10 +12,10 @@ pub(super) struct Meaning {
     key: OnceCell<KeyLines>,
 }
 
-/// What the lines of the key say, and the reading in which they say it.
+/// What the lines of the key say, and what was worked out to find it.
 #[derive(Clone, Debug)]
 pub(super) struct KeyLines {
-    pub(super) prepared: Prepared,
+    pub(super) worked_out: WorkedOut,
     pub(super) said: Vec<Said>,
 }
 
@@ -59,7 +59,7 @@ impl Meaning {
             let mut apart = Apart::new(key.document, &self.declared().declarations);
             let said = apart.lines(key.document, key.entries);
             KeyLines {
-                prepared: apart.prepared(),
+                worked_out: apart.worked_out(&key.given_of(&said)),
                 said,
             }
         })

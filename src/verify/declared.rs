@@ -17,9 +17,8 @@ use crate::verify::verdict::{
 use std::collections::{BTreeMap, HashMap};
 
 mod judgment;
-mod shared;
 
-pub(crate) use shared::Shared;
+pub(crate) use judgment::Shared;
 
 /// Of more sentences that the model is too large for nothing is said.
 const MOST_BEYOND: usize = 4;

@@ -14,5 +14,6 @@ pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;
 pub(crate) mod trial;
+pub(crate) mod unused;
 pub(crate) mod verdicts;
 pub(crate) mod written;

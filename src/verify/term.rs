@@ -17,4 +17,5 @@ pub(crate) mod rates;
 pub(crate) mod symbols;
 pub(crate) mod unknown;
 pub(crate) mod value;
+pub(crate) mod wholes;
 pub(crate) mod written;

@@ -192,8 +192,11 @@ impl Students {
         let mut all: BTreeMap<String, Place> = BTreeMap::new();
         for part in parts {
             let mut own = part.lines();
-            for (id, (_, place)) in &part.known {
-                let line = own.read(*place).map_err(in_words)?;
+            let known = part.known.iter().map(|(id, (_, place))| (id, *place));
+            let mut known: Vec<(&String, Place)> = known.collect();
+            known.sort_by_key(|(_, place)| place.start);
+            for (id, place) in known {
+                let line = own.read(place).map_err(in_words)?;
                 let place = lines.add(&line).map_err(in_words)?;
                 if all.insert(id.clone(), place).is_some() {
                     return Err(format!("{id} stands in two parts; mark the parts anew"));

@@ -258,14 +258,23 @@ impl Atoms {
 
     /// The rate of a fraction.
     pub(crate) fn derivative(&mut self, of: &Fraction) -> Fraction {
-        let mut sum = Fraction::zero();
-        for variable in of.variables() {
-            let rate = self.rate(variable);
-            if !rate.is_zero() {
-                sum += of.partial(variable) * rate;
-            }
+        let rates = of.variables().into_iter().map(|v| (v, self.rate(v)));
+        let rates: Vec<(Variable, Fraction)> = rates.filter(|(_, rate)| !rate.is_zero()).collect();
+        let whole = |p: &Polynomial| {
+            let parts = rates.iter().filter(|(v, _)| p.degree_in(*v) > 0);
+            let parts = parts.map(|(v, rate)| Fraction::from(p.partial(*v)) * rate.clone());
+            parts.fold(Fraction::zero(), |sum, part| sum + part)
+        };
+        let above = whole(of.numerator());
+        if of.is_polynomial() {
+            return above;
         }
-        sum
+        // By the rule for quotients once for all variables: ẋ/y − x ẏ/y².
+        let below = Fraction::from(of.denominator().clone());
+        match whole(of.denominator()) {
+            fixed if fixed.is_zero() => above / below,
+            changes => (above - of.clone() * changes) / below,
+        }
     }
 
     /// Says that a value is positive by what it is, where it is a variable.

@@ -35,10 +35,20 @@ pub(crate) struct Said {
     pub(crate) defines: bool,
 }
 
+/// What was worked out with a document, for others to go on from.
+#[derive(Clone, Debug)]
+pub(crate) struct WorkedOut {
+    prepared: Prepared,
+    /// What was taken in.
+    settled: Vec<(Fraction, Source)>,
+}
+
 /// Documents under one reading, in which laws say nothing.
 pub(crate) struct Apart<'a> {
     judge: Judge<'a>,
     facts: Facts,
+    /// What was taken in.
+    settled: Vec<(Fraction, Source)>,
 }
 
 impl<'a> Apart<'a> {
@@ -46,26 +56,39 @@ impl<'a> Apart<'a> {
     pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
         let mut prepared = Prepared::new(declarations, written_symbols(document), 0);
         prepared.reading.system.apart = true;
-        Self::over(document, prepared)
-    }
-
-    /// Of a document to which others are held, read so.
-    pub(crate) fn over(document: &'a Document, prepared: Prepared) -> Self {
         Self {
             judge: Judge::over(document, Part::default(), prepared),
             facts: Facts::default(),
+            settled: vec![],
         }
     }
 
-    /// The reading with all that was worked out, to go on from again and again.
-    pub(crate) fn prepared(&self) -> Prepared {
-        let mut prepared = Prepared {
-            reading: self.judge.reading.clone(),
-            known: self.judge.known.clone(),
-            facts: Facts::default(),
+    /// To go on with from what was worked out with a document, and taken in.
+    pub(crate) fn after(document: &'a Document, worked_out: &WorkedOut) -> Self {
+        let mut prepared = worked_out.prepared.clone();
+        let facts = std::mem::take(&mut prepared.facts);
+        Self {
+            judge: Judge::over(document, Part::default(), prepared),
+            facts,
+            settled: worked_out.settled.clone(),
+        }
+    }
+
+    /// What was worked out so far, and all letters besides, with these definitions taken in.
+    pub(crate) fn worked_out(mut self, definitions: &[&Said]) -> WorkedOut {
+        let (reading, known) = (&mut self.judge.reading, &mut self.judge.known);
+        reading.system.set_dimensions(3);
+        known.work_out(&reading.letters, &mut reading.system);
+        self.settle(definitions);
+        let prepared = Prepared {
+            reading: self.judge.reading,
+            known: self.judge.known,
+            facts: self.facts,
         };
-        prepared.work_out_letters();
-        prepared
+        WorkedOut {
+            prepared,
+            settled: self.settled,
+        }
     }
 
     /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
@@ -137,9 +160,13 @@ impl<'a> Apart<'a> {
             (premise.equation.clone(), premise.source.clone())
         }));
         premises.extend(definitions.iter().flat_map(|said| equations(said)));
+        if premises == self.settled && !premises.is_empty() {
+            return;
+        }
         self.facts = Facts::lawless();
         let atoms = &mut self.judge.reading.system.atoms;
-        self.facts.extend_all(atoms, premises);
+        self.facts.extend_all(atoms, premises.clone());
+        self.settled = premises;
     }
 
     /// Variables to which one law gives one value are one quantity: the `L_x` of `L` and a letter of its own.

@@ -1,7 +1,7 @@
 //! Goes through a document from top to bottom and judges each line by the facts.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Line, Node, Relation};
+use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
 use crate::source::{self, Span};
 use crate::verify::Role;
@@ -20,8 +20,8 @@ use crate::verify::standing::written::{
     written_symbols,
 };
 use crate::verify::term::known::Known;
-use crate::verify::term::letters::{At, letter_names};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::verify::term::letters::At;
+use std::collections::BTreeMap;
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -387,41 +387,9 @@ impl<'a> Judge<'a> {
         let letter = held.settles.as_ref().map(|(letter, ..)| letter);
         letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
-
-    /// Whether a line says of letters what a sentence may tell of which nothing was made.
-    fn waits_for_sentence(&self, line: &Line, purpose: Purpose, held: &[Held]) -> bool {
-        if self.reading.unused.is_empty() {
-            return false;
-        }
-        let letters = letters_in(&line.sides);
-        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
-        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
-            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
-        told && purpose.role == Role::Define || self.reading.unread_of(&letters, &self.at).is_some()
-    }
-
-    /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
-    pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        match self.reading.unused.is_empty() {
-            true => None,
-            false => self.reading.unused_of(&letters_in(nodes), &self.at),
-        }
-    }
-
-    /// A sentence that was not understood, without which nothing can be said of formulas.
-    pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        match self.reading.unused.is_empty() {
-            true => None,
-            false => self.reading.unread_of(&letters_in(nodes), &self.at),
-        }
-    }
 }
 
 /// Where the first side of some links stands.
 fn head_of(links: &[Link]) -> Span {
     links.first().map_or(Span::default(), |link| link.left.span)
-}
-
-fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
-    nodes.into_iter().flat_map(letter_names).collect()
 }

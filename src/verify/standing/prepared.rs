@@ -36,18 +36,13 @@ impl Prepared {
 
     /// Works out all letters and puts in the premises of the whole document, as any document needs most of them.
     pub(crate) fn work_out(&mut self) {
-        self.work_out_letters();
+        let reading = &mut self.reading;
+        reading.system.set_dimensions(3);
+        self.known.work_out(&reading.letters, &mut reading.system);
         self.reading.taken = self.reading.active_premises(&At::default());
         let premises = self.reading.premises_in_force();
         let atoms = &mut self.reading.system.atoms;
         self.facts.extend_all(atoms, premises);
-    }
-
-    /// Works out all letters.
-    pub(crate) fn work_out_letters(&mut self) {
-        let reading = &mut self.reading;
-        reading.system.set_dimensions(3);
-        self.known.work_out(&reading.letters, &mut reading.system);
     }
 
     /// The same for another document, if it would be read alike.

@@ -3,6 +3,7 @@
 use crate::notation::ast::Symbol;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::letters::{Letters, Meaning};
+use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Shape, Value, Valued};
 use foldhash::HashMap;
@@ -84,5 +85,29 @@ impl Known {
     pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {
         let values = self.values.entry(letter.to_owned()).or_default();
         values.push((quantity.clone(), value.clone()));
+    }
+}
+
+impl Lowering<'_> {
+    /// The value of a symbol; where it is the same on every line and no letter is new, it is worked out once.
+    pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
+        if !self.axes.is_empty() || !self.letters.is_uniform() {
+            return self.new_symbol(symbol);
+        }
+        if let Some((value, frames)) = self.known.symbol(symbol) {
+            self.frames_seen.extend(frames);
+            return Ok(value.clone());
+        }
+        let unknown = std::mem::take(&mut self.unknown);
+        let frames = std::mem::take(&mut self.frames_seen);
+        let value = self.new_symbol(symbol);
+        if let Ok(value) = &value
+            && self.unknown.is_empty()
+        {
+            self.known.keep_symbol(symbol, value, &self.frames_seen);
+        }
+        self.unknown.extend(unknown);
+        self.frames_seen.extend(frames);
+        value
     }
 }

@@ -383,33 +383,6 @@ pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
     word
 }
 
-impl Letters {
-    /// Whether anything but lone symbols has a meaning.
-    pub(crate) fn has_wholes(&self) -> bool {
-        !self.means.is_empty() || self.letters.iter().any(|l| l.whole)
-    }
-
-    /// Whether several symbols side by side have a meaning.
-    pub(crate) fn has_phrases(&self) -> bool {
-        let phrase = |l: &Letter| l.whole && l.spelled.contains(' ');
-        !self.means.is_empty() || self.letters.iter().any(phrase)
-    }
-
-    /// Whether every writing means the same wherever it stands.
-    pub(crate) fn is_uniform(&self) -> bool {
-        let letters = self.letters.iter().map(|l| &l.reach);
-        let marks = self.marks.iter().map(|rule| &rule.reach);
-        let labels = self.labels.iter().map(|rule| &rule.reach);
-        let indices = self.indices.iter().map(|rule| &rule.reach);
-        let rules = marks.chain(labels).chain(indices);
-        let mut reaches = letters.chain(rules);
-        self.means.is_empty()
-            && self.customs.dimensions.is_empty()
-            && !self.letters.iter().any(|l| l.besides)
-            && reaches.all(|reach| *reach == Reach::All)
-    }
-}
-
 /// The letters of a formula without marks and labels.
 pub(crate) fn letter_names(node: &Node) -> BTreeSet<String> {
     let mut names = BTreeSet::new();

@@ -16,29 +16,8 @@ use num_traits::One;
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
 
 impl Lowering<'_> {
-    /// The value of a symbol; where it is the same on every line and no letter is new, it is worked out once.
-    pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
-        if !self.axes.is_empty() || !self.letters.is_uniform() {
-            return self.new_symbol(symbol);
-        }
-        if let Some((value, frames)) = self.known.symbol(symbol) {
-            self.frames_seen.extend(frames);
-            return Ok(value.clone());
-        }
-        let unknown = std::mem::take(&mut self.unknown);
-        let frames = std::mem::take(&mut self.frames_seen);
-        let value = self.new_symbol(symbol);
-        if let Ok(value) = &value
-            && self.unknown.is_empty()
-        {
-            self.known.keep_symbol(symbol, value, &self.frames_seen);
-        }
-        self.unknown.extend(unknown);
-        self.frames_seen.extend(frames);
-        value
-    }
-
-    fn new_symbol(&mut self, symbol: &Symbol) -> Valued {
+    /// The value of a symbol, worked out anew.
+    pub(super) fn new_symbol(&mut self, symbol: &Symbol) -> Valued {
         let letters = self.letters;
         let exact = spell(symbol, true);
         let number = self.count(&exact);
