@@ -18,11 +18,12 @@ mod proof;
 mod rational;
 mod reduce;
 mod substitute;
+mod work;
 
 pub use bound::{Bound, enclosure};
 pub use certificate::Certificate;
 pub use combination::Budget;
-pub use composition::{TooLarge, compose};
+pub use composition::{TooLarge, compose, compose_by};
 pub use fraction::Fraction;
 pub use interval::Interval;
 pub use linear::{LinearError, LinearSolution, solve_linear};
@@ -35,3 +36,4 @@ pub use proof::{
 pub use rational::Rational;
 pub use reduce::{Reduction, reduce, reduce_where};
 pub use substitute::PseudoDivision;
+pub use work::products_of_terms;

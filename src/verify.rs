@@ -41,9 +41,10 @@ mod verdict;
 mod words;
 
 pub use declarations::{Declared, Misunderstood, Sheet, declarations};
+pub(crate) use declared::Shared;
 pub use declared::{check_declared, judge_declared};
 pub use meanings::check;
-pub(crate) use standing::apart::{Apart, Said};
+pub(crate) use standing::apart::{Apart, Said, WorkedOut};
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,

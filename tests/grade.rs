@@ -5,6 +5,7 @@
 mod grade {
     mod class;
     mod command;
+    mod effort;
     mod feedback;
     mod hostile;
     mod key;

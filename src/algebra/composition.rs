@@ -4,9 +4,11 @@
 //! highest power that any term needs.
 
 use crate::algebra::{Fraction, Polynomial, Variable};
+use foldhash::fast::FixedState;
 use num_traits::One;
-use std::collections::HashMap;
 use std::hash::BuildHasher;
+
+type HashMap<K, V, S = FixedState> = std::collections::HashMap<K, V, S>;
 
 /// Why nothing was put in: a product would have had more terms than allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,19 +32,36 @@ pub fn compose<S: BuildHasher>(
     images: &HashMap<Variable, Fraction, S>,
     most: usize,
 ) -> Result<Fraction, TooLarge> {
-    let mut below = Denominators::of(polynomial, images);
-    let mut powers: HashMap<Variable, Vec<Polynomial>> = HashMap::new();
+    compose_by(polynomial, |variable| images.get(&variable), most)
+}
+
+/// The same with what tells the image of a variable.
+///
+/// # Errors
+///
+/// As [`compose`].
+pub fn compose_by<'i>(
+    polynomial: &Polynomial,
+    image: impl Fn(Variable) -> Option<&'i Fraction>,
+    most: usize,
+) -> Result<Fraction, TooLarge> {
+    let mut below = Denominators::of(polynomial, &image);
+    let mut powers: HashMap<Variable, Vec<Polynomial>> = HashMap::default();
     let mut sum = Summands::default();
     for (monomial, coefficient) in polynomial.terms() {
-        let mut product = Polynomial::constant(coefficient.clone());
+        // What stays is multiplied in one piece.
+        let mut stay = monomial.clone();
+        let told = monomial
+            .factors()
+            .filter_map(|(v, e)| Some((v, e, image(v)?)));
+        told.clone()
+            .for_each(|(variable, ..)| stay = stay.without(variable));
+        let mut product = Polynomial::term(stay, coefficient.clone());
         let mut used = vec![0; below.distinct.len()];
-        for (variable, exponent) in monomial.factors() {
-            let image = images.get(&variable);
-            let known = powers.entry(variable).or_insert_with(|| {
-                let base =
-                    image.map_or_else(|| Polynomial::variable(variable), |f| f.numerator().clone());
-                vec![Polynomial::one(), base]
-            });
+        for (variable, exponent, image) in told {
+            let known = powers
+                .entry(variable)
+                .or_insert_with(|| vec![Polynomial::one(), image.numerator().clone()]);
             raise(known, exponent as usize, most)?;
             product = product
                 .product_within(&known[exponent as usize], most)
@@ -103,17 +122,14 @@ struct Denominators {
 }
 
 impl Denominators {
-    fn of<S: BuildHasher>(
-        polynomial: &Polynomial,
-        images: &HashMap<Variable, Fraction, S>,
-    ) -> Self {
+    fn of<'i>(polynomial: &Polynomial, image: &impl Fn(Variable) -> Option<&'i Fraction>) -> Self {
         let mut all = Self {
             distinct: vec![],
             highest: vec![],
-            class: HashMap::new(),
+            class: HashMap::default(),
         };
         for variable in polynomial.variables() {
-            let Some(image) = images.get(&variable) else {
+            let Some(image) = image(variable) else {
                 continue;
             };
             let below = image.denominator();
@@ -130,6 +146,9 @@ impl Denominators {
                     all.distinct.len() - 1
                 });
             all.class.insert(variable, place);
+        }
+        if all.distinct.is_empty() {
+            return all;
         }
         for (monomial, _) in polynomial.terms() {
             let mut used = vec![0; all.distinct.len()];
@@ -170,7 +189,7 @@ mod tests {
         // x² + x y with x = a/c, y = b/c is (a² + a b)/c².
         let [x, y, a, b, c] = [0, 1, 2, 3, 4].map(variable);
         let quotient = |top: &Polynomial| Fraction::from(top.clone()) / Fraction::from(c.clone());
-        let images = HashMap::from([(0, quotient(&a)), (1, quotient(&b))]);
+        let images = std::collections::HashMap::from([(0, quotient(&a)), (1, quotient(&b))]);
         let value = compose(&(x.clone() * x.clone() + x * y), &images, 100);
         let expected = Fraction::new(a.clone() * a.clone() + a.clone() * b, c.clone() * c.clone());
         assert_eq!(value.ok(), expected);
@@ -182,7 +201,7 @@ mod tests {
         let wide = (1..40)
             .map(variable)
             .fold(Polynomial::default(), |sum, v| sum + v);
-        let images = HashMap::from([(0, Fraction::from(wide))]);
+        let images = std::collections::HashMap::from([(0, Fraction::from(wide))]);
         assert_eq!(
             compose(&(x.clone() * x.clone() * x), &images, 2_000),
             Err(TooLarge)

@@ -231,8 +231,11 @@ impl Mul for Fraction {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         if self.is_one_below() && other.is_one_below() {
-            let product = within(&self.numerator, &other.numerator);
-            return product.map_or_else(Self::none, Self::from);
+            let (own, theirs) = (self.numerator, other.numerator);
+            return match own.len().saturating_mul(theirs.len()) <= MOST_PRODUCTS {
+                true => Self::from(own * theirs),
+                false => Self::none(),
+            };
         }
         if !self.is_valid() || !other.is_valid() {
             return Self::none();

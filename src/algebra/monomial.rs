@@ -103,7 +103,7 @@ impl Monomial {
     }
 
     /// Variables and their exponents, variables ascending.
-    pub fn factors(&self) -> impl Iterator<Item = (Variable, u32)> {
+    pub fn factors(&self) -> impl Iterator<Item = (Variable, u32)> + Clone {
         match &self.0 {
             Form::Packed(word) => Factors::Packed(word.bits() << 8, 0),
             Form::Short(word) => Factors::Short(word.bits() << 8),
@@ -242,6 +242,7 @@ fn first(a: Option<&(Variable, u32)>, b: Option<&(Variable, u32)>) -> Option<Var
 }
 
 /// The factors of a monomial that are still to come.
+#[derive(Clone)]
 enum Factors<'a> {
     /// The bytes of the exponents, the next one on top, and the variable that it belongs to.
     Packed(u128, Variable),

@@ -19,6 +19,7 @@ mod folder;
 mod intake;
 mod journal;
 mod names;
+mod results;
 mod roster;
 mod telling;
 

@@ -3,7 +3,7 @@
 use crate::cli::input;
 use anstream::{AutoStream, ColorChoice};
 use clap::ValueEnum;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
@@ -96,16 +96,45 @@ pub(super) fn replace_unsynced(path: &Path, text: &str) -> io::Result<()> {
 /// As [`replace`], by what writes it piece by piece.
 pub(super) fn replace_by(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
+    write: impl FnOnce(&mut Replacement) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut file = begun(path)?;
-    let mut writer = BufWriter::new(file.as_file_mut());
-    write(&mut writer)?;
-    writer.flush()?;
-    drop(writer);
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
+    let mut file = Replacement::of(path)?;
+    write(&mut file)?;
+    file.finish()
+}
+
+/// A file under way that takes the place of another when it is finished, and is gone if it never is.
+pub(super) struct Replacement {
+    file: BufWriter<NamedTempFile>,
+    path: PathBuf,
+}
+
+impl Replacement {
+    /// Of the file at a path, which need not be there.
+    pub(super) fn of(path: &Path) -> io::Result<Self> {
+        Ok(Self {
+            file: BufWriter::new(begun(path)?),
+            path: path.to_owned(),
+        })
+    }
+
+    /// Puts it in its place when it is on the disk.
+    pub(super) fn finish(self) -> io::Result<()> {
+        let file = self.file.into_inner().map_err(io::Error::from)?;
+        file.as_file().sync_all()?;
+        file.persist(&self.path)?;
+        Ok(())
+    }
+}
+
+impl Write for Replacement {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }
 
 /// A new file beside one whose name it will take.

@@ -5,6 +5,7 @@ use crate::grade::key::groups::groups;
 use crate::grade::key::refusal::{at, refusal};
 use crate::grade::key::routes::route;
 use crate::grade::matching::{self, Board};
+use crate::grade::meaning::Meaning;
 use crate::grade::policy::{Marks, Policy};
 use crate::notation::document::{Document, Format, Sentence};
 use crate::notation::{self, document::FrontMatter};
@@ -36,7 +37,7 @@ pub(super) struct Milestone {
 #[derive(Clone, Debug)]
 pub(super) struct Stage {
     /// What is declared of every submission, with products of inertia as integrals and as entries.
-    pub(super) declared: [Declared; 2],
+    pub(super) meaning: [Meaning; 2],
     /// The lines of the key that are given from the beginning: definitions, and assumptions so far.
     pub(super) given: Vec<Span>,
     /// For each line of the key, the earlier lines of it from which it follows without a law.
@@ -92,7 +93,10 @@ impl Key {
                 said.text
             ))
         }));
-        let report = checked(&document, &declared);
+        let report = match declared.is_empty() {
+            true => verify::check(&document),
+            false => verify::check_declared(&document, &declared),
+        };
         wrong.extend(of_report(&document, &report));
         let mut front = std::mem::take(&mut document.front_matter);
         front.other.clear();
@@ -211,9 +215,9 @@ impl Key {
         self.sheets.push(sentences);
         let stage = self.stages.len();
         self.stages.push(Stage {
-            declared: [
-                self.declared(stage, false, &[]),
-                self.declared(stage, true, &[]),
+            meaning: [
+                self.meaning(stage, false, &[]),
+                self.meaning(stage, true, &[]),
             ],
             given,
             routes: vec![],
@@ -222,11 +226,11 @@ impl Key {
     }
 
     /// What is declared of a submission at a stage, with more sentences.
-    pub(super) fn declared(&self, stage: usize, entries: bool, more: &[String]) -> Declared {
-        if !self.is_declared {
-            return Declared::default();
-        }
+    pub(super) fn meaning(&self, stage: usize, entries: bool, more: &[String]) -> Meaning {
         let (mut bare, _) = notation::read("", "", Format::Markdown);
+        if !self.is_declared {
+            return Meaning::new(Declared::default(), bare);
+        }
         bare.macros = self.document.macros.clone();
         bare.front_matter = FrontMatter {
             products: entries.then(|| "entries".to_owned()),
@@ -238,7 +242,7 @@ impl Key {
         }];
         sheets.push(sheet(self.sheets[stage + 1].iter().map(|s| s.text.clone())));
         sheets.push(sheet(more.iter().cloned()));
-        verify::declarations(&bare, &sheets)
+        Meaning::new(verify::declarations(&bare, &sheets), bare)
     }
 
     /// The key as it is held against others, with the lines that are given.
@@ -255,15 +259,15 @@ impl Key {
     fn lay_routes(&mut self) -> Vec<Refusal> {
         let mut wrong = vec![];
         for stage in 0..self.stages.len() {
-            let declared = &self.stages[stage].declared[usize::from(self.entries)];
-            for unclear in &declared.misunderstood {
+            let meaning = &self.stages[stage].meaning[usize::from(self.entries)];
+            for unclear in &meaning.declared().misunderstood {
                 wrong.push(refusal(format!(
                     "an assumption can't be declared: {}",
                     unclear.misread.message
                 )));
             }
             let given = self.stages[stage].given.clone();
-            let mut board = Board::new(&declared.declarations, self.sheet(&given), &[]);
+            let mut board = Board::new(meaning, self.sheet(&given), &[]);
             let last = self
                 .milestones
                 .iter()
@@ -278,22 +282,6 @@ impl Key {
             self.stages[stage].routes = routes;
         }
         wrong
-    }
-}
-
-/// A check of a document: in the new house where its meaning is declared.
-pub(super) fn checked(document: &Document, declared: &Declared) -> Report {
-    match declared.is_empty() {
-        true => verify::check(document),
-        false => verify::check_declared(document, declared),
-    }
-}
-
-/// The same without looking for what would put false lines right, where that is not asked for.
-pub(super) fn judged(document: &Document, declared: &Declared) -> Report {
-    match declared.is_empty() {
-        true => verify::check(document),
-        false => verify::judge_declared(document, declared),
     }
 }
 

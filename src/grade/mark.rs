@@ -103,7 +103,7 @@ fn joined(reasons: &[String]) -> Option<String> {
 
 fn reached(
     key: &Key,
-    paper: &Paper,
+    paper: &Paper<'_>,
     milestone: &Milestone,
     decided: Decision,
     conflict: bool,
@@ -133,7 +133,7 @@ fn reached(
 }
 
 /// The wrong lines that only carry on an earlier one, or have its slip again. A line is wrong if it is so at every stage.
-fn carried(markers: &mut [Marker<'_>], paper: &Paper) -> BTreeMap<usize, bool> {
+fn carried(markers: &mut [Marker<'_>], paper: &Paper<'_>) -> BTreeMap<usize, bool> {
     let wrong = (0..paper.lines.len()).filter(|&line| is_wrong(&paper.lines[line]));
     let wrong: Vec<usize> = wrong.collect();
     let mut carried = BTreeMap::new();
@@ -159,7 +159,7 @@ fn is_wrong(line: &PaperLine) -> bool {
 
 fn first_slip(
     markers: &[Marker<'_>],
-    paper: &Paper,
+    paper: &Paper<'_>,
     carried: &BTreeMap<usize, bool>,
 ) -> Option<Slip> {
     let (&line, _) = carried.iter().find(|(_, carried)| !**carried)?;
@@ -184,7 +184,7 @@ fn first_slip(
     })
 }
 
-fn assumptions(paper: &Paper) -> Vec<Assumption> {
+fn assumptions(paper: &Paper<'_>) -> Vec<Assumption> {
     let assumed = |line: &&PaperLine| line.worth.contains(&Worth::Assumed);
     let lines = paper.lines.iter().filter(assumed);
     let assumptions = lines.map(|line| Assumption {
@@ -196,7 +196,7 @@ fn assumptions(paper: &Paper) -> Vec<Assumption> {
 }
 
 /// The lines with their verdicts, at the stage that is kindest to each.
-fn shown(paper: &Paper, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
+fn shown(paper: &Paper<'_>, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
     let lines = paper.lines.iter().enumerate().map(|(at, line)| {
         let mut shown = Line::of(line.kindest(), line.place.file.clone());
         shown.carried = carried.get(&at).copied().unwrap_or(false);

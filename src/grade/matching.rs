@@ -1,9 +1,9 @@
 //! Which line says what another line says, without any law.
 
 use crate::algebra::{Fraction, Monomial, Variable};
+use crate::grade::meaning::{KeyLines, Meaning};
 use crate::notation::document::Document;
 use crate::source::Span;
-use crate::verify::language::statement::Declaration;
 use crate::verify::{Apart, Said};
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
@@ -21,6 +21,7 @@ pub(super) struct Part {
     /// The quantity that the line says something of: a side that is one variable.
     pub(super) head: Option<Variable>,
     terms: BTreeSet<Monomial>,
+    variables: Vec<Variable>,
 }
 
 /// What a line says, component by component; `None` where that is not worked out.
@@ -55,7 +56,7 @@ pub(super) struct Sheet<'a, 's> {
 
 impl Sheet<'_, '_> {
     /// Which of the lines are given.
-    fn given_of<'l>(&self, said: &'l [Said]) -> Vec<&'l Said> {
+    pub(super) fn given_of<'l>(&self, said: &'l [Said]) -> Vec<&'l Said> {
         said.iter()
             .filter(|said| self.given.contains(&said.span))
             .collect()
@@ -79,18 +80,17 @@ impl Sheet<'_, '_> {
 }
 
 impl<'a> Board<'a> {
-    pub(super) fn new(
-        declarations: &[Declaration],
-        key: Sheet<'a, '_>,
-        own: &[Sheet<'a, '_>],
-    ) -> Self {
-        let mut apart = Apart::new(key.document, declarations);
-        let of_key = apart.lines(key.document, key.entries);
+    pub(super) fn new(meaning: &Meaning, key: Sheet<'a, '_>, own: &[Sheet<'a, '_>]) -> Self {
+        let KeyLines {
+            worked_out,
+            said: of_key,
+        } = meaning.key_lines(&key);
+        let mut apart = Apart::after(key.document, worked_out);
         let of_own: Vec<Vec<Said>> = own
             .iter()
             .map(|sheet| apart.lines(sheet.document, sheet.entries))
             .collect();
-        let mut given = key.given_of(&of_key);
+        let mut given = key.given_of(of_key);
         apart.settle(&given);
         let defined = own
             .iter()
@@ -99,9 +99,11 @@ impl<'a> Board<'a> {
             .filter(|said| said.defines);
         let defined: Vec<&Said> = defined.collect();
         let conflict = defined.iter().any(|said| contradicts(&mut apart, said));
-        given.extend(defined);
-        apart.settle(&given);
-        let key = key.entries(&mut apart, &of_key);
+        if !defined.is_empty() {
+            given.extend(defined);
+            apart.settle(&given);
+        }
+        let key = key.entries(&mut apart, of_key);
         let own = own.iter().zip(&of_own);
         let own = own
             .map(|(sheet, said)| sheet.entries(&mut apart, said))
@@ -124,9 +126,13 @@ impl<'a> Board<'a> {
             return true;
         }
         let near = parts.iter().filter(|part| part.shares_variable(goal));
-        let from: Vec<Fraction> = near.map(|part| part.residual.clone()).collect();
+        let near: Vec<&Fraction> = near.map(|part| &part.residual).collect();
+        if near.is_empty() || self.apart.are_beside(&near, &goal.residual) {
+            return false;
+        }
+        let from: Vec<Fraction> = near.into_iter().cloned().collect();
         let goal = std::slice::from_ref(&goal.residual);
-        !from.is_empty() && self.apart.follow(goal, &from, false) == Some(true)
+        self.apart.follow(goal, &from, false) == Some(true)
     }
 
     /// Whether lines together, with their rates, say these; `None` where it is not worked out.
@@ -147,8 +153,8 @@ impl<'a> Board<'a> {
     /// Whether letters of which nothing is told stand in a line.
     pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
         let parts = entry.parts.iter().flatten();
-        let mut variables = parts.flat_map(|part| part.residual.variables());
-        variables.any(|variable| self.apart.is_unknown(variable))
+        let mut variables = parts.flat_map(|part| &part.variables);
+        variables.any(|&variable| self.apart.is_unknown(variable))
     }
 }
 
@@ -157,6 +163,7 @@ impl Part {
         let terms = residual.numerator().terms().iter();
         let terms = terms.map(|(monomial, _)| monomial.clone()).collect();
         Self {
+            variables: residual.variables(),
             residual,
             head,
             terms,
@@ -182,8 +189,7 @@ impl Part {
     }
 
     pub(super) fn shares_variable(&self, other: &Self) -> bool {
-        let theirs = other.residual.variables();
-        self.residual.variables().iter().any(|v| theirs.contains(v))
+        self.variables.iter().any(|v| other.variables.contains(v))
     }
 
     /// How much two have in common, from 0 to 1, if one may be an attempt at the other.

@@ -1,14 +1,16 @@
 //! The work of one student: its texts, its lines, and what each line is worth at each stage of the key.
 
 use crate::diagnostic::Severity;
-use crate::grade::key::{Key, checked, judged};
+use crate::grade::key::Key;
+use crate::grade::meaning::Meaning;
 use crate::grade::result::Place;
 use crate::grade::size;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Format, FrontMatter, Item, Row};
 use crate::notation::{self};
 use crate::source::Span;
-use crate::verify::{Declared, Finding, Report, Role, Verdict};
+use crate::verify::{Finding, Report, Role, Verdict};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// A text of a student.
@@ -103,15 +105,15 @@ impl PaperLine {
 }
 
 /// The work of a student, read and checked.
-pub(super) struct Paper {
+pub(super) struct Paper<'k> {
     pub(super) documents: Vec<Document>,
     pub(super) lines: Vec<PaperLine>,
     /// For each document, the bytes of its lines.
     pub(super) spans: Vec<Vec<Span>>,
     /// Whether products of inertia are entries here.
     pub(super) entries: bool,
-    /// For each stage, what is declared of it.
-    pub(super) declared: Vec<Declared>,
+    /// For each stage, what it means.
+    pub(super) meaning: Vec<Cow<'k, Meaning>>,
     /// Why a person should look.
     pub(super) troubles: Vec<String>,
     pub(super) questions: Vec<(String, usize)>,
@@ -124,9 +126,9 @@ struct Checked {
     claimed: Option<Vec<Report>>,
 }
 
-impl Paper {
+impl<'k> Paper<'k> {
     /// Reads and checks the work of a student.
-    pub(super) fn read(key: &Key, work: &Work) -> Self {
+    pub(super) fn read(key: &'k Key, work: &Work) -> Self {
         let mut troubles = work.troubles.clone();
         let mut documents = vec![];
         for text in &work.texts {
@@ -147,14 +149,14 @@ impl Paper {
             documents.clear();
         }
         let entries = products(key, &documents);
-        let declared = declared(key, entries, &work.answers);
-        let unclear = declared.iter().flat_map(|declared| &declared.misunderstood);
+        let meaning = meaning(key, entries, &work.answers);
+        let unclear = meaning.iter().flat_map(|own| &own.declared().misunderstood);
         if let Some(unclear) = unclear.take(1).next() {
             let why = &unclear.misread.message;
             troubles.push(format!("an answer is not understood: {why}"));
         }
         let each: Vec<Checked> = (0..key.stages.len())
-            .map(|stage| at_stage(key, stage, entries, &declared[stage], work, &documents))
+            .map(|stage| at_stage(key, stage, entries, &meaning[stage], work, &documents))
             .collect();
         let spans = spans(&each, documents.len());
         let several = documents.len() > 1;
@@ -164,7 +166,7 @@ impl Paper {
             documents,
             spans,
             entries,
-            declared,
+            meaning,
             troubles,
         }
     }
@@ -207,10 +209,10 @@ fn products(key: &Key, documents: &[Document]) -> bool {
         return key.entries;
     }
     let good = |entries: bool| {
-        let declared = &key.stages[0].declared[usize::from(entries)];
+        let meaning = &key.stages[0].meaning[usize::from(entries)];
         let matrices = documents.iter().flat_map(|document| {
             let spans = matrix_lines(document);
-            let findings = judged(document, declared).findings;
+            let findings = meaning.judge(document).findings;
             findings
                 .into_iter()
                 .filter(move |f| spans.contains(&f.span))
@@ -249,14 +251,14 @@ fn matrix_lines(document: &Document) -> Vec<Span> {
     squares.map(|line| line.span).collect()
 }
 
-/// What is declared of a work at each stage: by the key, and by what was answered.
-fn declared(key: &Key, entries: bool, answers: &[String]) -> Vec<Declared> {
+/// What a work means at each stage: by the key, and by what was answered.
+fn meaning<'k>(key: &'k Key, entries: bool, answers: &[String]) -> Vec<Cow<'k, Meaning>> {
     let stages = key.stages.iter().enumerate();
-    let declared = stages.map(|(number, stage)| match answers.is_empty() {
-        true => stage.declared[usize::from(entries)].clone(),
-        false => key.declared(number, entries, answers),
+    let meaning = stages.map(|(number, stage)| match answers.is_empty() {
+        true => Cow::Borrowed(&stage.meaning[usize::from(entries)]),
+        false => Cow::Owned(key.meaning(number, entries, answers)),
     });
-    declared.collect()
+    meaning.collect()
 }
 
 /// Checks all documents at a stage, and again with what they assume taken as claimed.
@@ -264,15 +266,15 @@ fn at_stage(
     key: &Key,
     stage: usize,
     entries: bool,
-    declared: &Declared,
+    meaning: &Meaning,
     work: &Work,
     documents: &[Document],
 ) -> Checked {
     // With the most given, one change may put a line right.
     let is_last = stage + 1 == key.stages.len();
     let reports = documents.iter().map(|document| match is_last {
-        true => checked(document, declared),
-        false => judged(document, declared),
+        true => meaning.check(document),
+        false => meaning.judge(document),
     });
     let reports: Vec<Report> = reports.collect();
     let assumes = |report: &Report| report.findings.iter().any(is_assumption);
@@ -288,15 +290,18 @@ fn at_stage(
             .iter()
             .filter(|f| is_assumption(f))
             .collect();
-        if !key.is_declared {
-            return judged(&with_claims(document, &assumed), declared);
+        match (key.is_declared, work.answers.is_empty()) {
+            (false, _) => return meaning.judge(&with_claims(document, &assumed)),
+            (true, true) => return meaning.judge_as_claimed(document, &assumed),
+            // What was answered may say what a line is for, and then counts.
+            (true, false) => {}
         }
         let roles = assumed.iter().map(|f| match f.cell {
             Some(cell) => format!("Line {} of cell {cell} is a claim.", f.source_line),
             None => format!("Line {} is a claim.", f.source_line),
         });
         let roles: Vec<String> = roles.chain(work.answers.iter().cloned()).collect();
-        judged(document, &key.declared(stage, entries, &roles))
+        key.meaning(stage, entries, &roles).judge(document)
     });
     let claimed = Some(claimed.collect());
     Checked { reports, claimed }

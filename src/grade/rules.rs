@@ -41,7 +41,7 @@ pub(super) struct Decision {
 /// The work of one student beside the key, at one stage.
 pub(super) struct Marker<'a> {
     key: &'a Key,
-    paper: &'a Paper,
+    paper: &'a Paper<'a>,
     stage: usize,
     board: Board<'a>,
     /// For each line of the student that is wrong, what it is meant to be.
@@ -62,7 +62,7 @@ fn decision(outcome: Outcome, line: Option<usize>, reason: impl Into<String>) ->
 }
 
 impl<'a> Marker<'a> {
-    pub(super) fn new(key: &'a Key, paper: &'a Paper, stage: usize) -> Self {
+    pub(super) fn new(key: &'a Key, paper: &'a Paper<'a>, stage: usize) -> Self {
         let given: Vec<_> = (0..paper.documents.len())
             .map(|at| paper.given(at, stage))
             .collect();
@@ -75,9 +75,8 @@ impl<'a> Marker<'a> {
                 entries: paper.entries,
             })
             .collect();
-        let declared = &paper.declared[stage];
         let board = Board::new(
-            &declared.declarations,
+            &paper.meaning[stage],
             key.sheet(&key.stages[stage].given),
             &own,
         );

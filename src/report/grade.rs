@@ -10,6 +10,7 @@ pub mod worksheet;
 
 use crate::grade::{Assumption, Graded, Key, Line, Marks, Place, Reached, Slip};
 use serde::{Serialize, Serializer};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -21,7 +22,7 @@ use std::io::{self, Write};
 /// Those of the writer.
 pub fn results(
     key: &Key,
-    students: &[Graded],
+    students: impl IntoIterator<Item = Graded>,
     missing: Option<&[String]>,
     mut to: impl Write,
 ) -> io::Result<()> {
@@ -29,19 +30,27 @@ pub fn results(
         schema: "polhode-grade/1",
         key: &key.name,
         max: Shortest(key.max()),
-        students: Students(students),
+        students: Students(Cell::new(Some(students.into_iter()))),
         missing,
     };
     serde_json::to_writer_pretty(&mut to, &form)?;
     to.write_all(b"\n")
 }
 
-/// Students, each made into JSON when it is written.
-struct Students<'a>(&'a [Graded]);
+/// Students, each made into JSON when it is written. They are written once.
+struct Students<I>(Cell<Option<I>>);
 
-impl Serialize for Students<'_> {
+impl<I: Iterator<Item = Graded>> Serialize for Students<I> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().map(StudentForm::of))
+        serializer.collect_seq(self.0.take().into_iter().flatten().map(Student))
+    }
+}
+
+struct Student(Graded);
+
+impl Serialize for Student {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        StudentForm::of(&self.0).serialize(serializer)
     }
 }
 
@@ -133,11 +142,12 @@ impl Serialize for Shortest {
 }
 
 #[derive(Serialize)]
-struct Form<'a> {
+#[serde(bound = "I: Iterator<Item = Graded>")]
+struct Form<'a, I> {
     schema: &'static str,
     key: &'a str,
     max: Shortest,
-    students: Students<'a>,
+    students: Students<I>,
     #[serde(skip_serializing_if = "Option::is_none")]
     missing: Option<&'a [String]>,
 }

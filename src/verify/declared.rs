@@ -19,6 +19,8 @@ use std::collections::{BTreeMap, HashMap};
 mod extents;
 mod judgment;
 
+pub(crate) use judgment::Shared;
+
 /// Of more sentences that the model is too large for nothing is said.
 const MOST_BEYOND: usize = 4;
 
@@ -30,15 +32,24 @@ const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
-    let mut judgments = judgments(document, &declared.declarations);
+    let mut judgments = judgments(document, &declared.declarations, std::iter::empty());
     judgments.iter_mut().for_each(Judgment::correct);
-    report(document, declared, &judgments)
+    whole_report(document, declared, &judgments)
 }
 
 /// The same without looking for what would put false lines right.
 pub fn judge_declared(document: &Document, declared: &Declared) -> Report {
-    let judgments = judgments(document, &declared.declarations);
-    report(document, declared, &judgments)
+    let judgments = judgments(document, &declared.declarations, std::iter::empty());
+    whole_report(document, declared, &judgments)
+}
+
+/// With what the sentences say, and what variables stand for.
+fn whole_report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) -> Report {
+    Report {
+        variables: judgments.iter().flat_map(Judgment::variables).collect(),
+        meaning: declared.meaning(),
+        ..report(document, declared, judgments)
+    }
 }
 
 fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) -> Report {
@@ -51,6 +62,7 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
             .map(|(own, judged)| (judged.span, (own, judged)))
             .collect(),
         written: HashMap::new(),
+        unwritten: vec![],
         headings: Headings::default(),
         findings: vec![],
         passed: vec![],
@@ -66,8 +78,8 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
         from_prose: vec![],
         readings: vec![],
         passed,
-        variables: judgments.iter().flat_map(Judgment::variables).collect(),
-        meaning: declared.meaning(),
+        variables: vec![],
+        meaning: vec![],
         unused: unused(judgments),
     }
 }
@@ -124,13 +136,15 @@ struct Rows<'a> {
     judged: BTreeMap<Span, (&'a Judgment<'a>, &'a Judged)>,
     /// Letters as they are printed, and as the author writes them first.
     written: HashMap<String, String>,
+    /// Sides whose letters are not among them yet.
+    unwritten: Vec<&'a Node>,
     headings: Headings,
     findings: Vec<Finding>,
     passed: Vec<Passed>,
 }
 
-impl Rows<'_> {
-    fn item(&mut self, item: &Item) {
+impl<'a> Rows<'a> {
+    fn item(&mut self, item: &'a Item) {
         match item {
             Item::Heading { level, text, .. } => {
                 self.headings.enter(*level, text);
@@ -140,7 +154,7 @@ impl Rows<'_> {
         }
     }
 
-    fn row(&mut self, row: &Row) {
+    fn row(&mut self, row: &'a Row) {
         let span = match row {
             Row::Line(line) => line.span,
             Row::Expression(node) => return self.pass(node.span, "expression"),
@@ -165,11 +179,11 @@ impl Rows<'_> {
         self.findings.push(finding);
     }
 
-    fn line(&mut self, line: &Line) -> Finding {
-        line.sides.iter().for_each(|side| self.note(side));
+    fn line(&mut self, line: &'a Line) -> Finding {
+        self.unwritten.extend(&line.sides);
         let mut finding = Finding::undecided(self.document, Role::Claim, line.span);
         finding.label = line.labels.first().cloned();
-        match self.judged.get(&line.span) {
+        match self.judged.get(&line.span).copied() {
             Some((own, judged)) => self.tell(&mut finding, own, judged),
             None => finding.reason = Some("the line goes on from no other".to_owned()),
         }
@@ -214,7 +228,7 @@ fn error_in(node: &Node) -> Option<(String, Span)> {
 
 impl Rows<'_> {
     /// Says of a line what the judge said.
-    fn tell(&self, finding: &mut Finding, own: &Judgment<'_>, judged: &Judged) {
+    fn tell(&mut self, finding: &mut Finding, own: &Judgment<'_>, judged: &Judged) {
         finding.role = judged.role;
         finding.verdict = match (judged.answer, &judged.proof) {
             (Answer::Proved, Some(proof)) => {
@@ -244,7 +258,7 @@ impl Rows<'_> {
 
 impl Rows<'_> {
     /// Why a line stays open.
-    fn open_because(&self, judged: &Judged) -> String {
+    fn open_because(&mut self, judged: &Judged) -> String {
         let unknown = judged.unknown.iter();
         let letters: Vec<String> = unknown
             .map(|l| format!("`{}`", self.as_written(l)))
@@ -260,7 +274,10 @@ impl Rows<'_> {
     }
 
     /// A letter as the author writes it first.
-    fn as_written<'s>(&'s self, letter: &'s str) -> &'s str {
+    fn as_written<'s>(&'s mut self, letter: &'s str) -> &'s str {
+        for side in std::mem::take(&mut self.unwritten) {
+            self.note(side);
+        }
         self.written.get(letter).map_or(letter, String::as_str)
     }
 
@@ -279,11 +296,12 @@ impl Rows<'_> {
     }
 
     /// Each letter of which nothing is told and for which lines wait, that for which most wait first.
-    fn questions(&self) -> Vec<Question> {
+    fn questions(&mut self) -> Vec<Question> {
         let mut asked: Vec<Question> = vec![];
         let mut places: HashMap<&str, usize> = HashMap::new();
-        let open = self.judged.values().map(|(_, judged)| judged);
-        for judged in open.filter(|judged| judged.answer == Answer::Undecided) {
+        let open = self.judged.values().map(|(_, judged)| *judged);
+        let open: Vec<&Judged> = open.filter(|j| j.answer == Answer::Undecided).collect();
+        for judged in open {
             for letter in &judged.unknown {
                 let at = *places.entry(letter).or_insert(asked.len());
                 if at == asked.len() {

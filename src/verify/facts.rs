@@ -1,5 +1,7 @@
 //! What holds at a place of a document, and the proofs that follow from it.
 
+pub(crate) mod images;
+pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod proof;
 pub(crate) mod small;

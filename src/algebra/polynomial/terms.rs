@@ -3,6 +3,7 @@
 //! A single term lies in place: most polynomials of a derivation are a symbol or a number, and no memory is asked for
 //! them.
 
+use crate::algebra::work::count_products;
 use crate::algebra::{Monomial, Rational};
 use foldhash::fast::FixedState;
 use num_traits::Zero;
@@ -68,6 +69,7 @@ impl Terms {
     /// The product.
     #[inline]
     pub(super) fn times(mut self, mut other: Self) -> Self {
+        count_products(self.as_slice().len(), other.as_slice().len());
         if let Self::One((monomial, coefficient)) = &other {
             self.multiply(monomial, coefficient);
             return self;

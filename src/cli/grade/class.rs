@@ -1,14 +1,13 @@
 //! Marks all submissions of a folder and writes what comes of it.
 
 use crate::cli::grade::folder::{self, Pending};
-use crate::cli::grade::journal::{self, Entry, Journal, digest, parts};
+use crate::cli::grade::journal::{self, Journal, Place, Students, digest, parts};
 use crate::cli::grade::names::{Naming, file_stem};
 use crate::cli::grade::roster::Roster;
 use crate::cli::grade::telling::Telling;
 use crate::cli::{input, output};
 use crate::grade::{Graded, Key, Work, mark, not_marked};
-use crate::report::grade::told::{Detail, told};
-use crate::report::grade::{self, class, gradebook, worksheet};
+use crate::report::grade::told::Detail;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use rayon::prelude::*;
 use std::fmt::{self, Display};
@@ -63,7 +62,7 @@ pub(super) struct Class<'a> {
 }
 
 /// What went wrong with a file.
-fn failed(path: &Path, error: &dyn Display) -> String {
+pub(super) fn failed(path: &Path, error: &dyn Display) -> String {
     format!("{}: {error}", input::name(path))
 }
 
@@ -73,8 +72,8 @@ impl Class<'_> {
         let pending = self.pending(submissions)?;
         let path = self.out.join("journal.jsonl");
         let students = self.marked(&pending, &path, threads)?;
-        self.finish(&students)?;
-        Ok(self.count(&students))
+        let missing = self.missing(pending.iter().map(|one| one.id.as_str()));
+        self.finish(&students, missing.as_deref())
     }
 
     /// Marks every n-th submission, and leaves the results for [`Class::merge`].
@@ -92,19 +91,19 @@ impl Class<'_> {
             .out
             .join(format!("part-{}-of-{}.jsonl", part.number, part.of));
         let students = self.marked(&own, &path, threads)?;
-        let journal = Journal::open(&path, self.stamp()).map_err(|error| failed(&path, &error))?;
-        journal
-            .end(students.len())
-            .map_err(|error| failed(&path, &error))?;
-        Ok(Count {
-            missing: 0,
-            ..self.count(&students)
-        })
+        journal::end(&path, self.stamp(), students.len())
+            .and_then(|()| students.show(|all| Ok(all.filter(|s| s.queue.is_some()).count())))
+            .map_err(|error| failed(&path, &error))
+            .map(|waiting| Count {
+                marked: students.len(),
+                waiting,
+                missing: 0,
+            })
     }
 
     /// Puts together what was marked in parts.
     pub(super) fn merge(&self) -> Result<Count, String> {
-        let mut students: Vec<Graded> = vec![];
+        let mut journals = vec![];
         for path in parts(self.out)? {
             let journal =
                 Journal::open(&path, self.stamp()).map_err(|error| failed(&path, &error))?;
@@ -114,17 +113,11 @@ impl Class<'_> {
                     &"this part is not marked to its end with this key",
                 ));
             }
-            students.extend(journal.into_graded());
+            journals.push(journal);
         }
-        students.sort_by(|a, b| a.id.cmp(&b.id));
-        if let Some(twice) = students.windows(2).find(|pair| pair[0].id == pair[1].id) {
-            return Err(format!(
-                "{} stands in two parts; mark the parts anew",
-                twice[0].id
-            ));
-        }
-        self.finish(&students)?;
-        Ok(self.count(&students))
+        let (students, ids) = Students::of_parts(journals.into_iter(), self.out)?;
+        let missing = self.missing(ids.iter().map(String::as_str));
+        self.finish(&students, missing.as_deref())
     }
 
     fn pending(&self, submissions: &Path) -> Result<Vec<Pending>, String> {
@@ -157,7 +150,7 @@ impl Class<'_> {
         pending: &[Pending],
         path: &Path,
         threads: Option<u16>,
-    ) -> Result<Vec<Graded>, String> {
+    ) -> Result<Students, String> {
         let journal = Journal::open(path, self.stamp()).map_err(|error| failed(path, &error))?;
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.map_or(0, usize::from))
@@ -176,75 +169,24 @@ impl Class<'_> {
         };
         let hook = panic::take_hook();
         panic::set_hook(Box::new(|_| {}));
-        let entries = pool.install(|| {
+        let places = pool.install(|| {
             let each = pending.par_iter().map_with(own, |key, one| {
-                let entry = marking.mark(key, one)?;
+                let place = marking.mark(key, one)?;
                 bar.inc(1);
-                Ok(entry)
+                Ok(place)
             });
-            each.collect::<Result<Vec<Entry>, String>>()
+            each.collect::<Result<Vec<Place>, String>>()
         });
         panic::set_hook(hook);
         bar.finish_and_clear();
-        let entries = entries?;
-        journal::replace(path, &entries).map_err(|error| failed(path, &error))?;
-        Ok(entries.into_iter().map(|entry| entry.graded).collect())
-    }
-
-    /// Writes what is of the whole class.
-    fn finish(&self, students: &[Graded]) -> Result<(), String> {
-        let missing = self.missing(students);
-        let page = class::page(self.key, students, missing.as_deref().unwrap_or(&[]));
-        write(&self.out.join("class.html"), &page, output::replace)?;
-        for form in &self.telling.gradebooks {
-            let file = gradebook::of_class(*form, self.key, students, self.telling.detail);
-            if let Some(file) = file {
-                write(&self.out.join(&file.path), &file.text, output::replace)?;
-            }
-        }
-        if let Some(path) = &self.worksheet {
-            self.fill(path, students)?;
-        }
-        let path = self.out.join("results.json");
-        output::replace_by(&path, |file| {
-            grade::results(self.key, students, missing.as_deref(), file)
-        })
-        .map_err(|error| failed(&path, &error))
-    }
-
-    /// Fills in a worksheet that was downloaded, and says who is not in it.
-    fn fill(&self, path: &Path, students: &[Graded]) -> Result<(), String> {
-        let text = input::read_with_mark(path).map_err(|error| failed(path, &error))?;
-        let told: Vec<Graded> = students
-            .iter()
-            .map(|s| told(s, self.telling.detail))
-            .collect();
-        let filled = worksheet::fill(&text, self.key, &told).map_err(|why| failed(path, &why))?;
-        if !filled.unknown.is_empty() {
-            let unknown = filled.unknown.join(", ");
-            eprintln!(
-                "warning: {}: these students are not in it: {unknown}",
-                input::name(path)
-            );
-        }
-        write(
-            &self.out.join("worksheet.csv"),
-            &filled.text,
-            output::replace,
-        )
+        let students = marking.journal.students(places?);
+        journal::replace(path, &students).map_err(|error| failed(path, &error))?;
+        Ok(students)
     }
 
     /// Who is on the roster and handed in nothing; none where there is no roster.
-    fn missing(&self, students: &[Graded]) -> Option<Vec<String>> {
-        self.roster.as_ref().map(|roster| roster.missing(students))
-    }
-
-    fn count(&self, students: &[Graded]) -> Count {
-        Count {
-            marked: students.len(),
-            waiting: students.iter().filter(|s| s.queue.is_some()).count(),
-            missing: self.missing(students).map_or(0, |missing| missing.len()),
-        }
+    fn missing<'s>(&self, ids: impl Iterator<Item = &'s str>) -> Option<Vec<String>> {
+        self.roster.as_ref().map(|roster| roster.missing(ids))
     }
 }
 
@@ -258,7 +200,7 @@ struct Marking<'a> {
 
 impl Marking<'_> {
     /// Marks one submission, unless that was done before and all that was written for the student is there.
-    fn mark(&self, key: &Key, one: &Pending) -> Result<Entry, String> {
+    fn mark(&self, key: &Key, one: &Pending) -> Result<Place, String> {
         let mut work = panic::catch_unwind(AssertUnwindSafe(|| one.read()))
             .unwrap_or_else(|_| Err("reading it broke down; please report this".to_owned()));
         if let (Ok(work), Some(folder)) = (&mut work, self.answers) {
@@ -269,8 +211,9 @@ impl Marking<'_> {
             let files = self.telling.files(key, known);
             files.iter().all(|file| self.out.join(&file.path).is_file())
         };
-        if let Some(known) = self.journal.known(&one.id, own).filter(is_there) {
-            return Ok(self.journal.entry(own, known));
+        let known = self.journal.known(&one.id, own);
+        if let Some((place, _)) = known.filter(|(_, known)| is_there(known)) {
+            return Ok(place);
         }
         let graded = marked(key, &one.id, work);
         for file in self.telling.files(key, &graded) {
@@ -281,16 +224,14 @@ impl Marking<'_> {
             )?;
         }
         // Pages have the lines; a class of many would not fit with them.
-        let entry = self.journal.entry(
+        let done = self.journal.append(
             own,
-            Graded {
+            &Graded {
                 lines: vec![],
                 ..graded
             },
         );
-        let done = self.journal.append(&entry);
-        done.map_err(|error| failed(self.out, &format!("the journal can't be written: {error}")))?;
-        Ok(entry)
+        done.map_err(|error| failed(self.out, &format!("the journal can't be written: {error}")))
     }
 }
 

@@ -52,7 +52,12 @@ pub(super) fn pending(path: &Path, naming: &Naming) -> io::Result<Vec<Pending>> 
         true => found.in_folder(path)?,
         false => found.in_archive(path)?,
     }
-    Ok(found.students.into_values().collect())
+    let students = found.students.into_values().map(|mut student| {
+        student.names = vec![];
+        student.pieces.shrink_to_fit();
+        student
+    });
+    Ok(students.collect())
 }
 
 /// The students found so far.

@@ -2,7 +2,6 @@
 
 use crate::cli::grade::folder::Pending;
 use crate::cli::input;
-use crate::grade::Graded;
 use crate::report::grade::table;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -62,8 +61,8 @@ impl Roster {
     }
 
     /// The ids of whom nothing is there.
-    pub(super) fn missing(&self, students: &[Graded]) -> Vec<String> {
-        let known: BTreeSet<&str> = students.iter().map(|s| s.id.as_str()).collect();
+    pub(super) fn missing<'s>(&self, students: impl Iterator<Item = &'s str>) -> Vec<String> {
+        let known: BTreeSet<&str> = students.collect();
         let missing = self.ids.iter().filter(|id| !known.contains(id.as_str()));
         missing.cloned().collect()
     }

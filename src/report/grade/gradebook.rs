@@ -64,19 +64,38 @@ pub fn of_student(form: Form, key: &Key, graded: &Graded, stem: &str) -> Option<
     Some(File { path, text })
 }
 
-/// The file of a class; none for a form with a file for each student. A table that students see has what they are told.
-pub fn of_class(form: Form, key: &Key, students: &[Graded], detail: Detail) -> Option<File> {
+/// The file of a class with no student in it yet; none for a form with a file for each student.
+pub fn head_of_class(form: Form, key: &Key) -> Option<File> {
     let (path, text) = match form {
-        Form::Csv => ("marks.csv", marks(key, students)),
-        Form::Jsonl => ("marks.jsonl", lines(key, students)),
-        Form::Moodle => ("moodle.csv", moodle(students, detail)),
-        Form::Canvas => ("canvas.csv", canvas(key, students)),
+        Form::Csv => {
+            let labels = key.milestones().map(|(label, _)| label.to_owned());
+            let head = ["student", "marks", "max"].map(str::to_owned).into_iter();
+            let titles = head.chain(labels).chain(["queue".to_owned()]);
+            ("marks.csv", row(titles))
+        }
+        Form::Jsonl => ("marks.jsonl", String::new()),
+        Form::Moodle => {
+            let titles = ["Username", "Grade", "Feedback"].map(str::to_owned);
+            ("moodle.csv", row(titles))
+        }
+        Form::Canvas => ("canvas.csv", canvas_head(key)),
         _ => return None,
     };
     Some(File {
         path: path.to_owned(),
         text,
     })
+}
+
+/// The row of one student in the file of a class. A table that students see has what they are told.
+pub fn row_of_class(form: Form, key: &Key, student: &Graded, detail: Detail) -> String {
+    match form {
+        Form::Csv => marks(key, student),
+        Form::Jsonl => line(key, student),
+        Form::Moodle => moodle(student, detail),
+        Form::Canvas => canvas(student),
+        _ => String::new(),
+    }
 }
 
 /// A cell of a table: in quotes where it must be, and never a formula.
@@ -100,59 +119,45 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     cells.join(",") + "\n"
 }
 
-fn marks(key: &Key, students: &[Graded]) -> String {
-    let labels = key.milestones().map(|(label, _)| label.to_owned());
-    let head = ["student", "marks", "max"].map(str::to_owned).into_iter();
-    let mut text = row(head.chain(labels).chain(["queue".to_owned()]));
-    for student in students {
-        let own = [
-            student.id.clone(),
-            student.marks.to_string(),
-            key.max().to_string(),
-        ];
-        let each = student.milestones.iter().map(|m| m.marks.to_string());
-        let queue = student.queue.clone().unwrap_or_default();
-        text.push_str(&row(own.into_iter().chain(each).chain([queue])));
-    }
-    text
+fn marks(key: &Key, student: &Graded) -> String {
+    let own = [
+        student.id.clone(),
+        student.marks.to_string(),
+        key.max().to_string(),
+    ];
+    let each = student.milestones.iter().map(|m| m.marks.to_string());
+    let queue = student.queue.clone().unwrap_or_default();
+    row(own.into_iter().chain(each).chain([queue]))
 }
 
-fn lines(key: &Key, students: &[Graded]) -> String {
-    let line = |s: &Graded| {
-        let each: serde_json::Map<String, Value> = s
-            .milestones
-            .iter()
-            .map(|m| (m.label.clone(), json!(m.marks.to_f64())))
-            .collect();
-        let max = key.max().to_f64();
-        json!({"student": s.id, "marks": s.marks.to_f64(), "max": max, "milestones": each, "queue": s.queue}).to_string()
-    };
-    students
-        .iter()
-        .map(|student| line(student) + "\n")
-        .collect()
+fn line(key: &Key, student: &Graded) -> String {
+    let each = student.milestones.iter();
+    let each: serde_json::Map<String, Value> = each
+        .map(|m| (m.label.clone(), json!(m.marks.to_f64())))
+        .collect();
+    let line = json!({
+        "student": student.id, "marks": student.marks.to_f64(), "max": key.max().to_f64(),
+        "milestones": each, "queue": student.queue,
+    });
+    line.to_string() + "\n"
 }
 
 /// A student who waits for a person has no grade yet.
-fn moodle(students: &[Graded], detail: Detail) -> String {
-    let mut text = row(["Username", "Grade", "Feedback"].map(str::to_owned));
-    for student in students {
-        let grade = match student.queue {
-            Some(_) => "-".to_owned(),
-            None => student.marks.to_string(),
-        };
-        // A lone hyphen is no formula; Moodle takes it for no grade.
-        let cells = [
-            cell(&student.id),
-            grade,
-            cell(&feedback(&told(student, detail))),
-        ];
-        text.push_str(&(cells.join(",") + "\n"));
-    }
-    text
+fn moodle(student: &Graded, detail: Detail) -> String {
+    let grade = match student.queue {
+        Some(_) => "-".to_owned(),
+        None => student.marks.to_string(),
+    };
+    // A lone hyphen is no formula; Moodle takes it for no grade.
+    let cells = [
+        cell(&student.id),
+        grade,
+        cell(&feedback(&told(student, detail))),
+    ];
+    cells.join(",") + "\n"
 }
 
-fn canvas(key: &Key, students: &[Graded]) -> String {
+fn canvas_head(key: &Key) -> String {
     let title = key
         .name
         .rsplit_once('.')
@@ -166,20 +171,17 @@ fn canvas(key: &Key, students: &[Graded]) -> String {
         title,
     ]
     .map(str::to_owned);
-    let mut text = row(head);
-    text.push_str(&format!(
-        "    Points Possible,,,,,{:.2}\n",
-        key.max().to_f64()
-    ));
-    for student in students {
-        let grade = match student.queue {
-            Some(_) => String::new(),
-            None => format!("{:.2}", student.marks.to_f64()),
-        };
-        let id = student.id.as_str();
-        text.push_str(&row([id, "", "", id, "", &grade].map(str::to_owned)));
-    }
-    text
+    let most = key.max().to_f64();
+    row(head) + &format!("    Points Possible,,,,,{most:.2}\n")
+}
+
+fn canvas(student: &Graded) -> String {
+    let grade = match student.queue {
+        Some(_) => String::new(),
+        None => format!("{:.2}", student.marks.to_f64()),
+    };
+    let id = student.id.as_str();
+    row([id, "", "", id, "", &grade].map(str::to_owned))
 }
 
 /// What is told of the milestones, as the text of a page.

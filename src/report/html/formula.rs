@@ -2,6 +2,8 @@
 
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::{Parser, RenderConfig, Storage, config::DisplayMode, push_mathml};
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::panic::catch_unwind;
 
 /// Longer or deeper formulas are shown as they are written.
@@ -92,7 +94,31 @@ fn drawn_as(source: &str, mode: DisplayMode) -> Markup {
     }
 }
 
+thread_local! {
+    /// The formulas that were drawn last: a class writes the same ones again and again.
+    static DRAWN: RefCell<HashMap<(String, bool), Option<String>>> = RefCell::default();
+}
+
+/// No more drawn formulas are kept, and none whose source is longer.
+const MOST_KEPT: usize = 1_000;
+const LONGEST_KEPT: usize = 300;
+
 fn drawn(source: &str, mode: DisplayMode) -> Option<String> {
+    if source.len() > LONGEST_KEPT {
+        return draw(source, mode);
+    }
+    DRAWN.with_borrow_mut(|kept| {
+        if kept.len() == MOST_KEPT {
+            kept.clear();
+        }
+        let key = (source.to_owned(), mode == DisplayMode::Inline);
+        kept.entry(key)
+            .or_insert_with(|| draw(source, mode))
+            .clone()
+    })
+}
+
+fn draw(source: &str, mode: DisplayMode) -> Option<String> {
     if source.len() > LONGEST || depth(source) > DEEPEST {
         return None;
     }

@@ -8,19 +8,27 @@ use crate::notation::document::{Document, Row};
 use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::correction::search::corrections;
+use crate::verify::declarations::Declared;
+use crate::verify::declared::report;
 use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Atoms, dotted};
-use crate::verify::reading::Reading;
 use crate::verify::reading::builder::place_in;
+use crate::verify::reading::{LineRole, Reading};
 use crate::verify::standing::judge::{Judge, Judged};
-use crate::verify::standing::parts::parts;
+use crate::verify::standing::parts::{Part, is_of_one_system, parts};
+use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::shown::Shown;
+use crate::verify::standing::written::written_symbols;
+use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Meaning, Reach};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::Value;
 use crate::verify::verdict::{Counterexample, Diagnosis};
+use crate::verify::{Finding, Report, Role};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A residual of more terms than this is not shown.
 const LONGEST_RESIDUAL: usize = 40;
@@ -28,7 +36,7 @@ const LONGEST_RESIDUAL: usize = 40;
 /// The lines of a part of the document, judged.
 pub(super) struct Judgment<'a> {
     pub(super) judge: Judge<'a>,
-    own: OwnLetters,
+    own: Arc<OwnLetters>,
     /// What would put refuted lines right.
     pub(super) corrections: HashMap<Span, Diagnosis>,
     /// The numbers of its variables.
@@ -39,22 +47,31 @@ pub(super) struct Judgment<'a> {
 pub(super) fn judgments<'a>(
     document: &'a Document,
     declarations: &[Declaration],
+    roles: impl Iterator<Item = LineRole> + Clone,
 ) -> Vec<Judgment<'a>> {
     let mut first = 0;
     let declarations = located(document, declarations);
     let judged = parts(document, &declarations).into_iter().map(|part| {
         let mut judge = Judge::new(document, part, first);
+        judge.reading.roles.extend(roles.clone());
         judge.run();
-        let own = OwnLetters::of(document, &mut judge.reading);
+        let own = OwnLetters::of(document, &mut judge.reading, &mut judge.known);
         let before = std::mem::replace(&mut first, judge.reading.system.atoms.len());
-        Judgment {
-            judge,
-            own,
-            corrections: HashMap::new(),
-            numbers: before..first,
-        }
+        Judgment::of(judge, Arc::new(own), before)
     });
     judged.collect()
+}
+
+impl<'a> Judgment<'a> {
+    /// Of lines that are judged, whose letters are these, and whose variables are numbered from a number on.
+    pub(super) fn of(judge: Judge<'a>, own: Arc<OwnLetters>, first: usize) -> Self {
+        Self {
+            own,
+            corrections: HashMap::new(),
+            numbers: first..judge.reading.system.atoms.len(),
+            judge,
+        }
+    }
 }
 
 impl Judgment<'_> {
@@ -145,9 +162,94 @@ fn is_positive(of: &Polynomial) -> bool {
     of.terms().iter().all(square) && of.terms().iter().any(is_number)
 }
 
+/// No more readings are kept: documents differ in what they write in few ways that count.
+const MOST_READINGS: usize = 32;
+
+/// What is declared of many documents. For those that would be read alike it is read once.
+#[derive(Clone, Debug)]
+pub(crate) struct Shared {
+    pub(crate) declared: Declared,
+    /// A document without a line, in whose notation the sentences are written.
+    bare: Document,
+    readings: RefCell<Vec<Read>>,
+}
+
+/// What the sentences make of documents that are read alike.
+#[derive(Clone, Debug)]
+struct Read {
+    prepared: Prepared,
+    own: Arc<OwnLetters>,
+}
+
+impl Shared {
+    /// Of these sentences, written in the notation of a document without a line.
+    pub(crate) fn new(declared: Declared, bare: Document) -> Self {
+        Self {
+            declared,
+            bare,
+            readings: RefCell::default(),
+        }
+    }
+
+    /// Judges every line of a document, and looks for what would put false ones right. The report leaves out what the
+    /// sentences say, which is the same for all documents.
+    pub(crate) fn check(&self, document: &Document) -> Report {
+        let mut judgments = self.judgments(document, &[]);
+        judgments.iter_mut().for_each(Judgment::correct);
+        report(document, &self.declared, &judgments)
+    }
+
+    /// The same without looking for what would put false lines right, and with some lines taken as claimed.
+    pub(crate) fn judge(&self, document: &Document, claimed: &[&Finding]) -> Report {
+        report(document, &self.declared, &self.judgments(document, claimed))
+    }
+
+    fn judgments<'d>(&self, document: &'d Document, claimed: &[&Finding]) -> Vec<Judgment<'d>> {
+        let claims = claimed.iter().map(|finding| {
+            let reach = Reach::Lines {
+                cell: finding.cell,
+                first: finding.source_line,
+                last: finding.source_line,
+            };
+            LineRole::new(reach, Some(Role::Claim))
+        });
+        if !is_of_one_system(&self.declared.declarations) {
+            return judgments(document, &self.declared.declarations, claims);
+        }
+        let (mut prepared, own) = self.reading(document);
+        prepared.reading.roles.extend(claims);
+        let mut judge = Judge::over(document, Part::default(), prepared);
+        judge.run();
+        vec![Judgment::of(judge, own, 0)]
+    }
+
+    /// The reading of a document.
+    fn reading(&self, document: &Document) -> (Prepared, Arc<OwnLetters>) {
+        let mut readings = self.readings.borrow_mut();
+        let known = readings.iter().find_map(|read| {
+            let prepared = read.prepared.for_document(document)?;
+            Some((prepared, read.own.clone()))
+        });
+        known.unwrap_or_else(|| {
+            let written = written_symbols(document);
+            let mut prepared = Prepared::new(&self.declared.declarations, written, 0);
+            prepared.work_out();
+            let own = OwnLetters::of(&self.bare, &mut prepared.reading, &mut prepared.known);
+            let own = Arc::new(own);
+            if readings.len() < MOST_READINGS {
+                readings.push(Read {
+                    prepared: prepared.clone(),
+                    own: own.clone(),
+                });
+            }
+            (prepared, own)
+        })
+    }
+}
+
 /// The letters that stand for a variable each, and where.
 #[derive(Debug, Default)]
-struct OwnLetters {
+pub(super) struct OwnLetters {
     of: BTreeMap<Variable, Vec<(String, Reach)>>,
     /// Entries of tensors that are written as products of inertia, with the other sign.
     opposite: BTreeSet<Variable>,
@@ -155,9 +257,11 @@ struct OwnLetters {
 
 impl OwnLetters {
     /// Those of a document, by what is declared of it.
-    pub(super) fn of(document: &Document, reading: &mut Reading) -> Self {
+    pub(super) fn of(document: &Document, reading: &mut Reading, known: &mut Known) -> Self {
         let mut own = Self::default();
-        let (letters, shapes) = (reading.letters.clone(), HashMap::new());
+        let letters = reading.letters.clone();
+        // What lines settle changes no letter that sentences tell of.
+        let shapes = std::mem::take(&mut known.shapes);
         for letter in &letters.letters {
             if !matches!(letter.meaning, Meaning::Quantity(_)) {
                 continue;
@@ -168,7 +272,7 @@ impl OwnLetters {
             };
             let at = place_in(&letter.reach);
             let system = &mut reading.system;
-            let mut lowering = Lowering::new(system, &letters, &document.source, &at, &shapes);
+            let mut lowering = Lowering::new(system, &letters, &document.source, &at, known);
             let value = lowering.value(node);
             if let Ok(value) = &value
                 && letters.customs.integrals
@@ -177,10 +281,11 @@ impl OwnLetters {
             }
             let entry = value.ok().filter(|value| value.entries.len() == 1);
             if let Some(variable) = entry.and_then(|value| value.entries[0].as_variable()) {
-                let known = own.of.entry(variable).or_default();
-                known.push((letter.latex.clone(), letter.reach.clone()));
+                let named = own.of.entry(variable).or_default();
+                named.push((letter.latex.clone(), letter.reach.clone()));
             }
         }
+        known.shapes = shapes;
         own
     }
 

@@ -1,12 +1,14 @@
 //! What holds at a place of the document: laws, premises and accepted lines, each solved for one variable.
 
-use crate::algebra::{Fraction, Polynomial, Variable, compose};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::verify::facts::Source;
+use crate::verify::facts::images::Image;
+use crate::verify::facts::parts::Part;
 use crate::verify::facts::squares::is_kernel;
-use crate::verify::model::atoms::{Atoms, Law};
-use crate::verify::model::kernels::ADDITION_THEOREMS;
+use crate::verify::model::atoms::Atoms;
+use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Products of more terms than this are not worked out.
 pub(super) const MOST_TERMS: usize = 6_000;
@@ -74,19 +76,18 @@ pub(crate) struct Facts {
     pub(super) rules: BTreeMap<Variable, Rule>,
     /// Squares that premises tell: n_z² = 1 − n_x² − n_y².
     pub(super) squares: BTreeMap<Variable, (Polynomial, Rule)>,
-    pub(super) images: HashMap<Variable, Option<Fraction>>,
+    pub(super) images: HashMap<Variable, Image>,
+    /// Parts of the premises, where they were asked for since the last one was put in.
+    parts: Vec<Part>,
     /// How many rules were put in so far.
     time: usize,
     /// How much was worked out so far to put in premises.
-    work: usize,
+    pub(super) work: usize,
     /// A premise that could not be put in: while there is one, what fails by the others may hold.
     missing: Option<Source>,
     /// Whether laws of mechanics say nothing here, but definitions and mathematics alone.
-    lawless: bool,
+    pub(super) lawless: bool,
 }
-
-/// Laws that are mathematics, or say what a letter stands for.
-const NO_MECHANICS: [&str; 2] = ["definition", ADDITION_THEOREMS];
 
 impl Facts {
     /// Facts to which no law of mechanics adds anything.
@@ -105,91 +106,6 @@ impl Facts {
     /// The relation for the square of a variable that a premise tells.
     pub(crate) fn square(&self, variable: Variable) -> Option<&Rule> {
         self.squares.get(&variable).map(|(_, rule)| rule)
-    }
-
-    /// The value of a variable in free variables, by rules, laws and the rates of rules; `None` for a free one.
-    pub(crate) fn image(
-        &mut self,
-        atoms: &mut Atoms,
-        variable: Variable,
-        depth: usize,
-    ) -> Result<Option<Fraction>, OutOfBudget> {
-        if let Some(known) = self.images.get(&variable) {
-            return Ok(known.clone());
-        }
-        if depth > 60 {
-            return Err(OutOfBudget);
-        }
-        let value = match self.told(atoms, variable) {
-            Some(value) => Some(self.normal_at(atoms, &value, depth + 1)?),
-            None => None,
-        };
-        self.images.insert(variable, value.clone());
-        Ok(value)
-    }
-
-    /// What a rule, a law or the rate of a rule says of a variable, one step deep.
-    pub(crate) fn told(&self, atoms: &mut Atoms, variable: Variable) -> Option<Fraction> {
-        if let Some(rule) = self.rules.get(&variable) {
-            return Some(rule.value.clone());
-        }
-        if let Some(Law { name, value }) = &atoms.atom(variable).law
-            && (!self.lawless || NO_MECHANICS.contains(name))
-        {
-            return Some(value.clone());
-        }
-        let of = atoms.atom(variable).rate_of?;
-        let value = self.told(atoms, of)?;
-        Some(atoms.derivative(&value))
-    }
-
-    /// A fraction in free variables alone.
-    pub(crate) fn normal(
-        &mut self,
-        atoms: &mut Atoms,
-        of: &Fraction,
-    ) -> Result<Fraction, OutOfBudget> {
-        self.normal_at(atoms, of, 0)
-    }
-
-    /// What is known of a square may bring letters that are told again, so both are put in until nothing changes.
-    fn normal_at(
-        &mut self,
-        atoms: &mut Atoms,
-        of: &Fraction,
-        depth: usize,
-    ) -> Result<Fraction, OutOfBudget> {
-        let mut value = self.put_in_values(atoms, of, depth)?;
-        for _ in 0..8 {
-            match self.without_known_squares(atoms, &value)? {
-                Some(lowered) => value = self.put_in_values(atoms, &lowered, depth)?,
-                None => return Ok(value),
-            }
-        }
-        Err(OutOfBudget)
-    }
-
-    fn put_in_values(
-        &mut self,
-        atoms: &mut Atoms,
-        of: &Fraction,
-        depth: usize,
-    ) -> Result<Fraction, OutOfBudget> {
-        let mut images: HashMap<Variable, Fraction> = HashMap::new();
-        for variable in of.variables() {
-            if let Some(image) = self.image(atoms, variable, depth)? {
-                images.insert(variable, image);
-            }
-        }
-        let longest = images.values().map(size).max().unwrap_or_default();
-        self.work = self.work.saturating_add(longest.saturating_mul(size(of)));
-        let put = |p: &Polynomial| compose(p, &images, MOST_TERMS).map_err(|_| OutOfBudget);
-        let value = match (images.is_empty(), of.is_polynomial()) {
-            (true, _) => of.clone(),
-            (false, true) => put(of.numerator())?,
-            (false, false) => put(of.numerator())? / put(of.denominator())?,
-        };
-        value.is_valid().then_some(value).ok_or(OutOfBudget)
     }
 
     /// Puts in an equation: this fraction vanishes, always.
@@ -315,6 +231,7 @@ impl Facts {
         equation: &Fraction,
         source: &Source,
     ) -> Result<Extended, OutOfBudget> {
+        self.parts.clear();
         let normal = self.normal(atoms, equation)?;
         let value = normal.numerator().clone();
         if value.is_zero() {
@@ -359,6 +276,11 @@ impl Facts {
         Ok(Extended::Solved(variable))
     }
 
+    /// The parts of the premises that were asked for.
+    pub(crate) fn parts_mut(&mut self) -> &mut Vec<Part> {
+        &mut self.parts
+    }
+
     pub(super) fn tick(&mut self) -> usize {
         self.time += 1;
         self.time
@@ -377,7 +299,7 @@ impl Facts {
 }
 
 /// How many terms a fraction has.
-fn size(of: &Fraction) -> usize {
+pub(super) fn size(of: &Fraction) -> usize {
     of.numerator().len() + of.denominator().len()
 }
 

@@ -2,19 +2,22 @@
 
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::verify::facts::Source;
+use crate::verify::facts::images::Image;
 use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
 use crate::verify::model::atoms::{Atoms, Nature, with_one_square};
 use num_traits::{One, Zero};
 
+/// No rule tells a higher rate.
+const MOST_RATES: usize = 6;
+
 impl Facts {
     /// Takes out the rules for the rates of a variable that is solved for now: they are to be put in anew.
-    pub(super) fn rates_of(&mut self, atoms: &mut Atoms, variable: Variable) -> Vec<Rule> {
-        let mut rules = vec![];
-        let mut rate = atoms.rate(variable).as_variable();
-        while let Some(next) = rate.filter(|&rate| atoms.atom(rate).key.order <= 5) {
-            rules.extend(self.rules.remove(&next));
-            rate = atoms.rate(next).as_variable();
-        }
+    pub(super) fn rates_of(&mut self, atoms: &Atoms, variable: Variable) -> Vec<Rule> {
+        let rates = std::iter::successors(atoms.known_rate(variable), |&v| atoms.known_rate(v));
+        let rules = rates
+            .take(MOST_RATES)
+            .filter_map(|rate| self.rules.remove(&rate));
+        let rules: Vec<Rule> = rules.collect();
         if !rules.is_empty() {
             self.images.clear();
         }
@@ -32,9 +35,10 @@ impl Facts {
                 None => return false,
             }
         };
-        self.images.retain(|&of, image| {
-            let mut held = image.iter().flat_map(Fraction::variables);
-            !is_new(of) && !held.any(is_new)
+        self.images.retain(|&of, image| match image {
+            Image::Free => !is_new(of),
+            Image::Known(value) => !is_new(of) && !value.variables().into_iter().any(is_new),
+            Image::TooLarge => false,
         });
     }
 
@@ -83,23 +87,27 @@ impl Facts {
         removed.map(|(_, rule)| rule).collect()
     }
 
-    /// The polynomial with known squares put in.
-    pub(super) fn without_squares(&self, atoms: &Atoms, of: &Polynomial) -> Option<Polynomial> {
-        let mut value = of.clone();
+    /// The polynomial with known squares put in, where it has any.
+    pub(super) fn without_squares(
+        &self,
+        atoms: &Atoms,
+        of: &Polynomial,
+    ) -> Result<Option<Polynomial>, OutOfBudget> {
+        let square_of = |v: Variable| {
+            let told = self.squares.get(&v).map(|(square, _)| square);
+            told.or(atoms.atom(v).square.as_ref())
+        };
+        let mut value = None;
         for _ in 0..32 {
-            let square_of = |v: Variable| {
-                let told = self.squares.get(&v).map(|(square, _)| square);
-                told.or(atoms.atom(v).square.as_ref())
+            let Some(next) = with_one_square(value.as_ref().unwrap_or(of), square_of) else {
+                return Ok(value);
             };
-            let Some(next) = with_one_square(&value, square_of) else {
-                return Some(value);
-            };
-            value = next;
-            if value.len() > MOST_TERMS {
-                return None;
+            if next.len() > MOST_TERMS {
+                break;
             }
+            value = Some(next);
         }
-        None
+        Err(OutOfBudget)
     }
 
     /// The fraction with known squares put in; `None` where it has none.
@@ -108,11 +116,16 @@ impl Facts {
         atoms: &Atoms,
         value: &Fraction,
     ) -> Result<Option<Fraction>, OutOfBudget> {
-        let lowered = |p: &Polynomial| self.without_squares(atoms, p).ok_or(OutOfBudget);
-        let (top, bottom) = (lowered(value.numerator())?, lowered(value.denominator())?);
-        if &top == value.numerator() && &bottom == value.denominator() {
+        let top = self.without_squares(atoms, value.numerator())?;
+        let bottom = match value.is_polynomial() {
+            true => None,
+            false => self.without_squares(atoms, value.denominator())?,
+        };
+        if top.is_none() && bottom.is_none() {
             return Ok(None);
         }
+        let top = top.unwrap_or_else(|| value.numerator().clone());
+        let bottom = bottom.unwrap_or_else(|| value.denominator().clone());
         Fraction::new(top, bottom).ok_or(OutOfBudget).map(Some)
     }
 }

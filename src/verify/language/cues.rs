@@ -1,5 +1,8 @@
 //! Words that give a line its role: `suppose`, `hence`, `where`.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 /// What a word makes of the formulas behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cue {
@@ -16,16 +19,14 @@ pub(crate) enum Cue {
 /// The words, one kind a line.
 const WORDS: &str = include_str!("cues.txt");
 
-/// The cues of a sentence in their order.
-pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
-    let words: Vec<String> = sentence
-        .split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'')
-        .filter(|word| !word.is_empty())
-        .map(str::to_lowercase)
-        .collect();
-    let mut found: Vec<(usize, usize, Cue)> = vec![];
+/// The words of a phrase behind its first one, and what it makes of formulas.
+type Phrase = (Vec<&'static str>, Cue);
+
+/// The phrases by their first words.
+static PHRASES: LazyLock<HashMap<&str, Vec<Phrase>>> = LazyLock::new(|| {
+    let mut phrases: HashMap<&str, Vec<Phrase>> = HashMap::new();
     for line in WORDS.lines() {
-        let Some((kind, phrases)) = line.split_once(':') else {
+        let Some((kind, of_kind)) = line.split_once(':') else {
             continue;
         };
         let cue = match kind.trim() {
@@ -35,21 +36,41 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
             "give" => Cue::Give,
             _ => continue,
         };
-        for phrase in phrases.split('|') {
-            let phrase: Vec<&str> = phrase.split_whitespace().collect();
-            let places = words.windows(phrase.len().max(1)).enumerate();
-            let fits = places.filter(|(_, window)| window.iter().eq(phrase.iter()));
-            found.extend(fits.map(|(at, _)| (at, phrase.len(), cue)));
+        for phrase in of_kind.split('|') {
+            let mut words = phrase.split_whitespace();
+            if let Some(first) = words.next() {
+                phrases
+                    .entry(first)
+                    .or_default()
+                    .push((words.collect(), cue));
+            }
         }
     }
-    // A longer phrase hides the words in it.
-    found.sort_by_key(|&(at, length, _)| (at, std::cmp::Reverse(length)));
-    let mut cues = vec![];
-    let mut end = 0;
-    for (at, length, cue) in found {
-        if at >= end {
-            cues.push(cue);
-            end = at + length;
+    phrases
+});
+
+/// The cues of a sentence in their order.
+pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
+    let words: Vec<String> = sentence
+        .split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'')
+        .filter(|word| !word.is_empty())
+        .map(str::to_lowercase)
+        .collect();
+    let (mut cues, mut end) = (vec![], 0);
+    for (at, first) in words.iter().enumerate() {
+        let behind = &words[at + 1..];
+        let fits = |(rest, _): &&Phrase| {
+            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| a == b)
+        };
+        let phrases = PHRASES.get(first.as_str()).into_iter().flatten();
+        // A longer phrase hides the words in it; of two kinds with one phrase the first counts.
+        let longest = phrases
+            .filter(fits)
+            .rev()
+            .max_by_key(|(rest, _)| rest.len());
+        if let Some((rest, cue)) = longest.filter(|_| at >= end) {
+            cues.push(*cue);
+            end = at + 1 + rest.len();
         }
     }
     cues

@@ -4,8 +4,8 @@
 //! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
+use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::HashMap;
 
 /// What a variable is: equal keys are the same variable.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -238,6 +238,15 @@ impl Atoms {
         fraction(rate)
     }
 
+    /// The variable that is the rate of another, if there is one yet.
+    pub(crate) fn known_rate(&self, variable: Variable) -> Option<Variable> {
+        match &self.atom(variable).motion {
+            Motion::Constant => None,
+            Motion::Rate(rate) => rate.as_variable(),
+            Motion::Free => self.rates.get(&variable)?.as_variable(),
+        }
+    }
+
     /// The rate of a fraction; `None` where it has too many terms.
     pub(crate) fn short_derivative(&mut self, of: &Fraction) -> Option<Fraction> {
         let size = |f: &Fraction| f.numerator().len() * f.denominator().len();
@@ -249,14 +258,23 @@ impl Atoms {
 
     /// The rate of a fraction.
     pub(crate) fn derivative(&mut self, of: &Fraction) -> Fraction {
-        let mut sum = Fraction::zero();
-        for variable in of.variables() {
-            let rate = self.rate(variable);
-            if !rate.is_zero() {
-                sum += of.partial(variable) * rate;
-            }
+        let rates = of.variables().into_iter().map(|v| (v, self.rate(v)));
+        let rates: Vec<(Variable, Fraction)> = rates.filter(|(_, rate)| !rate.is_zero()).collect();
+        let whole = |p: &Polynomial| {
+            let parts = rates.iter().filter(|(v, _)| p.degree_in(*v) > 0);
+            let parts = parts.map(|(v, rate)| Fraction::from(p.partial(*v)) * rate.clone());
+            parts.fold(Fraction::zero(), |sum, part| sum + part)
+        };
+        let above = whole(of.numerator());
+        if of.is_polynomial() {
+            return above;
         }
-        sum
+        // By the rule for quotients once for all variables: ẋ/y − x ẏ/y².
+        let below = Fraction::from(of.denominator().clone());
+        match whole(of.denominator()) {
+            fixed if fixed.is_zero() => above / below,
+            changes => (above - of.clone() * changes) / below,
+        }
     }
 
     /// Says that a value is positive by what it is, where it is a variable.
@@ -325,9 +343,9 @@ pub(crate) fn with_one_square<'s>(
     of: &Polynomial,
     square_of: impl Fn(Variable) -> Option<&'s Polynomial>,
 ) -> Option<Polynomial> {
-    let squared = of.variables().into_iter().rev();
-    let mut squared = squared.filter(|&v| of.degree_in(v) > 1);
-    let (variable, square) = squared.find_map(|v| Some((v, square_of(v)?)))?;
+    let told = of.variables().into_iter().rev();
+    let mut told = told.filter_map(|v| Some((v, square_of(v)?)));
+    let (variable, square) = told.find(|(v, _)| of.degree_in(*v) > 1)?;
     Some(lowered(of, variable, square))
 }
 

@@ -12,11 +12,13 @@ use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
+use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::Value;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::verify::term::written::WrittenSymbols;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
 pub(crate) struct Builder<'a> {
@@ -66,7 +68,7 @@ pub(crate) fn build(
     };
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
-    builder.reading.letters.written = written;
+    builder.reading.letters.written = WrittenSymbols::new(written);
     conditional.iter().for_each(|d| builder.say_unused(d));
     builder.name_frames();
     builder.name_bodies();
@@ -155,8 +157,10 @@ impl Builder<'_> {
             };
             self.denote_within(&inner, meaning.clone(), reach.clone(), declaration);
         }
+        let spelled = spelled(node);
         self.reading.letters.letters.push(Letter {
-            spelled: spelled(node),
+            whole: spelled.contains(['\\', '{', ' ', '[']),
+            spelled,
             loose: loosely(node),
             latex: formula.source.clone(),
             meaning,
@@ -186,9 +190,10 @@ impl Builder<'_> {
         let node = node_of(formula)?.clone();
         let at = place_in(&reach_of(&declaration.extent));
         let text = Text::new("", formula.source.clone());
-        let shapes = HashMap::new();
+        let mut known = Known::default();
         let letters = self.reading.letters.clone();
-        let mut lowering = Lowering::new(&mut self.reading.system, &letters, &text, &at, &shapes);
+        let mut lowering =
+            Lowering::new(&mut self.reading.system, &letters, &text, &at, &mut known);
         let value = lowering.value(&node).ok()?;
         if value.entries.iter().all(Fraction::is_valid) {
             return Some(value);

@@ -189,7 +189,12 @@ impl Builder<'_> {
         let free = system.frames[frame].turn == Turn::Free;
         let angle = slot(said.slots, Slot::By).cloned();
         let rate = slot(said.slots, Slot::At).cloned();
-        let shared = self.shared_axis(&about, frame, relative);
+        // "the axis through G along z" is z
+        let along = match &about {
+            Term::Phrase(axis) => axis.slot(Slot::Along).unwrap_or(&about),
+            _ => &about,
+        };
+        let shared = self.shared_axis(along, frame, relative);
         let angle = angle.and_then(|term| self.scalar_term(&term, said.declaration));
         let rate = rate.and_then(|term| self.scalar_term(&term, said.declaration));
         if whole && of_parent && free {

@@ -273,7 +273,7 @@ impl Builder<'_> {
             _ => return false,
         };
         let letter = node_of(formula).map(spelled);
-        letter.is_some_and(|letter| self.reading.letters.written.contains(&rate_of(&letter)))
+        letter.is_some_and(|letter| self.reading.letters.written.has(&rate_of(&letter)))
     }
 
     /// A distance of which no rate is written is constant.

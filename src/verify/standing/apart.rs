@@ -4,21 +4,25 @@
 //! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
 //! it says the same, in components, in vectors, or with a definition put in.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::source::Span;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts};
 use crate::verify::language::statement::Declaration;
-use crate::verify::model::atoms::fraction;
+use crate::verify::model::atoms::{Nature, fraction};
 use crate::verify::standing::chains::Chain;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::parts::Part;
+use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
 use num_traits::Zero;
 use std::collections::{BTreeSet, HashMap};
+
+/// No rate of a letter is higher.
+const MOST_RATES: usize = 8;
 
 /// What one line says.
 #[derive(Clone, Debug)]
@@ -31,20 +35,59 @@ pub(crate) struct Said {
     pub(crate) defines: bool,
 }
 
+/// What was worked out with a document, for others to go on from.
+#[derive(Clone, Debug)]
+pub(crate) struct WorkedOut {
+    prepared: Prepared,
+    /// What was taken in.
+    settled: Vec<(Fraction, Source)>,
+}
+
 /// Documents under one reading, in which laws say nothing.
 pub(crate) struct Apart<'a> {
     judge: Judge<'a>,
     facts: Facts,
+    /// What was taken in.
+    settled: Vec<(Fraction, Source)>,
 }
 
 impl<'a> Apart<'a> {
     /// A reading by these declarations.
     pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
-        let mut judge = Judge::new(document, Part::whole(declarations), 0);
-        judge.reading.system.apart = true;
+        let mut prepared = Prepared::new(declarations, written_symbols(document), 0);
+        prepared.reading.system.apart = true;
         Self {
-            judge,
+            judge: Judge::over(document, Part::default(), prepared),
             facts: Facts::default(),
+            settled: vec![],
+        }
+    }
+
+    /// To go on with from what was worked out with a document, and taken in.
+    pub(crate) fn after(document: &'a Document, worked_out: &WorkedOut) -> Self {
+        let mut prepared = worked_out.prepared.clone();
+        let facts = std::mem::take(&mut prepared.facts);
+        Self {
+            judge: Judge::over(document, Part::default(), prepared),
+            facts,
+            settled: worked_out.settled.clone(),
+        }
+    }
+
+    /// What was worked out so far, and all letters besides, with these definitions taken in.
+    pub(crate) fn worked_out(mut self, definitions: &[&Said]) -> WorkedOut {
+        let (reading, known) = (&mut self.judge.reading, &mut self.judge.known);
+        reading.system.set_dimensions(3);
+        known.work_out(&reading.letters, &mut reading.system);
+        self.settle(definitions);
+        let prepared = Prepared {
+            reading: self.judge.reading,
+            known: self.judge.known,
+            facts: self.facts,
+        };
+        WorkedOut {
+            prepared,
+            settled: self.settled,
         }
     }
 
@@ -58,6 +101,7 @@ impl<'a> Apart<'a> {
         self.judge.at = At::default();
         let written = written_symbols(document);
         self.judge.reading.letters.written.extend(written);
+        self.judge.known.forget_symbols();
         let mut said = vec![];
         for item in &document.items {
             match item {
@@ -91,7 +135,7 @@ impl<'a> Apart<'a> {
             match (worked_out, &mut sides) {
                 (Some(Ok(one)), Some(all)) => {
                     if let Some((letter, left, _)) = &one.settles {
-                        self.judge.shapes.insert(letter.clone(), left.shape());
+                        self.judge.known.shapes.insert(letter.clone(), left.shape());
                         defines = true;
                     }
                     all.extend(one.sides);
@@ -116,30 +160,30 @@ impl<'a> Apart<'a> {
             (premise.equation.clone(), premise.source.clone())
         }));
         premises.extend(definitions.iter().flat_map(|said| equations(said)));
+        if premises == self.settled && !premises.is_empty() {
+            return;
+        }
         self.facts = Facts::lawless();
         let atoms = &mut self.judge.reading.system.atoms;
-        self.facts.extend_all(atoms, premises);
+        self.facts.extend_all(atoms, premises.clone());
+        self.settled = premises;
     }
 
     /// Variables to which one law gives one value are one quantity: the `L_x` of `L` and a letter of its own.
     fn same_quantities(&self) -> Vec<(Fraction, Source)> {
         let atoms = &self.judge.reading.system.atoms;
-        let mut first: HashMap<_, Variable> = HashMap::new();
+        let mut first: HashMap<(&str, &Polynomial, &Polynomial), Variable> = HashMap::new();
         let mut same = vec![];
         for variable in 0..atoms.len() as Variable {
             let atom = atoms.atom(variable);
             let Some(law) = atom.law.as_ref().filter(|_| atom.rate_of.is_none()) else {
                 continue;
             };
-            let value = format!("{} {:?}", law.name, law.value);
-            match first.get(&value) {
-                None => {
-                    first.insert(value, variable);
-                }
-                Some(&other) => {
-                    let source = Source::Declared(atoms.latex(variable));
-                    same.push((fraction(variable) - fraction(other), source));
-                }
+            let (above, below) = (law.value.numerator(), law.value.denominator());
+            let other = *first.entry((law.name, above, below)).or_insert(variable);
+            if other != variable {
+                let source = Source::Declared(atoms.latex(variable));
+                same.push((fraction(variable) - fraction(other), source));
             }
         }
         same
@@ -154,6 +198,47 @@ impl<'a> Apart<'a> {
     /// Whether nothing is told of a variable.
     pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
         self.judge.reading.system.atoms.is_unknown(variable)
+    }
+
+    /// Whether it can be seen without working it out that these equations, without their rates, say nothing of a goal.
+    ///
+    /// An equation is solved for a variable that stands alone in a term, and the goal changes only if that is in it. One
+    /// equation makes the goal vanish only if it divides the goal; then no variable has a higher power in it than there.
+    /// This holds of free variables, none of which is told by another, and of equations without a number as a term: with
+    /// that, one may come to stand alone where another is put in.
+    pub(crate) fn are_beside(&self, from: &[&Fraction], goal: &Fraction) -> bool {
+        let atoms = &self.judge.reading.system.atoms;
+        let goal = goal.numerator();
+        let is_free = |v: &Variable| {
+            let atom = atoms.atom(*v);
+            let plain = matches!(atom.nature, Nature::Quantity | Nature::Unknown);
+            plain && atom.square.is_none() && self.facts.square(*v).is_none()
+        };
+        let rates = |v: &Variable| std::iter::successors(Some(*v), |&v| atoms.known_rate(v));
+        let is_tied = |v: &Variable| {
+            let mut rates = rates(v).skip(1).take(MOST_RATES);
+            rates.any(|rate| self.facts.rule(rate).is_some() || goal.degree_in(rate) > 0)
+        };
+        let equations = || from.iter().map(|equation| equation.numerator());
+        let variables: Vec<Variable> = equations().flat_map(Polynomial::variables).collect();
+        let stands_alone = |v: &Variable| {
+            let lone = |m: &Monomial| m.degree() == 1 && m.exponent(*v) == 1;
+            equations().any(|own| own.terms().iter().any(|(m, _)| lone(m)))
+        };
+        let has_number = || equations().any(|own| own.terms().iter().any(|(m, _)| m.degree() == 0));
+        let untouched = || {
+            let mut in_goal = variables.iter().filter(|v| goal.degree_in(**v) > 0);
+            !in_goal.any(stands_alone) && !has_number()
+        };
+        let divides = || match from {
+            [one] => variables
+                .iter()
+                .all(|&v| one.numerator().degree_in(v) <= goal.degree_in(v)),
+            _ => true,
+        };
+        (untouched() || !divides())
+            && !variables.iter().any(is_tied)
+            && variables.iter().chain(&goal.variables()).all(is_free)
     }
 
     /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where

@@ -1,16 +1,16 @@
 //! What one link of a line is worth by the facts.
 
-use crate::algebra::{Fraction, Proof, Variable};
+use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
 use crate::verify::facts::Source;
-use crate::verify::facts::premises::{Facts, OutOfBudget};
+use crate::verify::facts::parts::Part;
+use crate::verify::facts::premises::OutOfBudget;
 use crate::verify::facts::proof::prove;
-use crate::verify::facts::world::World;
 use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::indices::{assignments, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
-use crate::verify::standing::shown::{Shown, shown};
+use crate::verify::standing::shown::Shown;
 use crate::verify::standing::sides::{Both, both, factors};
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::standing::written::{bounds_in, symbols_of};
@@ -221,7 +221,7 @@ impl Judge<'_> {
                 &self.reading.letters,
                 self.written.trial.as_ref().unwrap_or(&self.document.source),
                 &self.at,
-                &self.shapes,
+                &mut self.known,
             );
             lowering.axes = axes;
             lowering.besides.clone_from(besides);
@@ -319,14 +319,40 @@ impl Judge<'_> {
     fn has_new_letter_alone(&self, link: &Link, unknown: &[String]) -> bool {
         let letters = [&link.left, &link.right].into_iter().flat_map(factors);
         let mut new = letters.filter(|letter| {
-            self.reading.shapes.contains_key(letter) || !self.shapes.contains_key(letter)
+            self.reading.shapes.contains_key(letter) || !self.known.shapes.contains_key(letter)
         });
         new.any(|letter| unknown.contains(&letter))
     }
 
-    /// What follows of a part of the premises follows of all of them: of the short ones, of those of one sentence or line,
-    /// or of both.
+    /// What follows of a part of the premises follows of all of them.
     fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        if self.facts.parts_mut().is_empty() {
+            *self.facts.parts_mut() = self.parts_of_premises();
+        }
+        let mut parts = std::mem::take(self.facts.parts_mut());
+        let all = std::mem::take(&mut self.facts);
+        let proof = parts.iter_mut().find_map(|part| {
+            self.facts = part.take(&mut self.reading.system.atoms);
+            let proof = self.proof(sides);
+            part.keep(std::mem::take(&mut self.facts));
+            proof
+        });
+        self.facts = all;
+        *self.facts.parts_mut() = parts;
+        proof
+    }
+
+    /// A proof by the facts that each pair is equal.
+    fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        let residuals = self.residuals(sides).ok()?;
+        let small = self.reading.small_at(&self.at);
+        let atoms = &mut self.reading.system.atoms;
+        let follows = residuals.iter().all(Zero::is_zero);
+        follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
+    }
+
+    /// The short premises, those of one sentence or line, and both.
+    fn parts_of_premises(&self) -> Vec<Part> {
         let all = self.premises();
         let short =
             |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
@@ -341,66 +367,7 @@ impl Judge<'_> {
                 }
             }
         }
-        let before = self.facts.clone();
-        let proof = parts.into_iter().find_map(|part| {
-            self.facts = Facts::default();
-            self.facts.extend_all(&mut self.reading.system.atoms, part);
-            let residuals = self.residuals(sides).ok()?;
-            let small = self.reading.small_at(&self.at);
-            let atoms = &mut self.reading.system.atoms;
-            let follows = residuals.iter().all(Zero::is_zero);
-            follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
-        });
-        self.facts = before;
-        proof
-    }
-
-    /// What inequalities say at this place, in free variables.
-    fn orders(&mut self) -> Vec<Fraction> {
-        let own = self.reading.orders.iter();
-        let own: Vec<Fraction> = own
-            .filter(|(reach, _)| reach.covers(&self.at, 0))
-            .map(|(_, order)| order.clone())
-            .collect();
-        let atoms = &mut self.reading.system.atoms;
-        own.iter()
-            .filter_map(|order| self.facts.normal(atoms, order).ok())
-            .collect()
-    }
-
-    /// A link that fails is shown by a motion, unless what was not taken in could make it true.
-    fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
-        if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
-            held.doubt = Some(nothing_made_of(sentence));
-            return;
-        }
-        if let Some(premise) = self.facts.missing().map(Source::text) {
-            held.doubt = Some(format!(
-                "this premise is beyond what is worked out: {premise}"
-            ));
-            return;
-        }
-        if self.may_hold_from_start(&held.sides) {
-            held.doubt =
-                Some("it holds at the start, and the motion from there is not worked out".into());
-            return;
-        }
-        let told = |v: &Variable| self.facts.rule(*v).is_some();
-        let angles = residuals.iter().flat_map(Fraction::variables);
-        let angles = angles.filter_map(|v| self.reading.system.atoms.angle_of(v));
-        // The sine of an angle that a premise tells is not put in.
-        let hidden = angles
-            .into_iter()
-            .any(|angle| angle.variables().iter().any(told));
-        let orders = self.orders();
-        let atoms = &mut self.reading.system.atoms;
-        match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
-            Some(world) => {
-                held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
-            }
-            // Roots and lengths may still make it true.
-            None => held.doubt = Some("no numbers were found in which it fails".into()),
-        }
+        parts.into_iter().map(Part::of).collect()
     }
 }
 
@@ -409,6 +376,6 @@ fn is_constant_word(node: &Node) -> bool {
     matches!(&node.kind, Kind::Symbol(s) if matches!(s.name.trim_end_matches('.'), "const" | "constant"))
 }
 
-fn nothing_made_of(sentence: &str) -> String {
+pub(super) fn nothing_made_of(sentence: &str) -> String {
     format!("nothing was made of the sentence \"{sentence}\"")
 }

@@ -9,6 +9,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// term.
 pub(crate) fn free_letters(letters: &Letters, at: &At, sides: &[&Node]) -> Vec<String> {
     let mut free: Vec<String> = vec![];
+    if letters.indices.is_empty() {
+        return free;
+    }
     for side in sides {
         for term in terms(side) {
             for (letter, times) in axis_letters(letters, at, term) {

@@ -1,17 +1,17 @@
 //! Goes through a document from top to bottom and judges each line by the facts.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Line, Node, Relation};
+use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
 use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::reading::Reading;
-use crate::verify::reading::builder::build;
 use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
+use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
@@ -19,9 +19,9 @@ use crate::verify::standing::written::{
     bounds_of_sums, ends_with_full_stop, has_open_brackets, names_an_instant, without_number,
     written_symbols,
 };
-use crate::verify::term::letters::{At, letter_names};
-use crate::verify::term::value::Shape;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use crate::verify::term::known::Known;
+use crate::verify::term::letters::At;
+use std::collections::BTreeMap;
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -75,8 +75,8 @@ pub(crate) struct Judge<'a> {
     pub(crate) document: &'a Document,
     pub(crate) reading: Reading,
     pub(crate) facts: Facts,
-    /// Shapes of letters that lines have settled.
-    pub(super) shapes: HashMap<String, Shape>,
+    /// What was found out of letters.
+    pub(crate) known: Known,
     pub(super) written: Written,
     pub(super) chain: Chain,
     pub(super) at: At,
@@ -101,14 +101,17 @@ struct Again {
 impl<'a> Judge<'a> {
     /// For a part of a document; the variables of the model are numbered from one on.
     pub(crate) fn new(document: &'a Document, part: Part, first: usize) -> Self {
-        let mut reading = build(&part.declarations, written_symbols(document), first);
-        reading.system.set_dimensions(3);
-        let shapes = reading.shapes.clone();
+        let prepared = Prepared::new(&part.declarations, written_symbols(document), first);
+        Self::over(document, part, prepared)
+    }
+
+    /// For a part of a document that is read so.
+    pub(crate) fn over(document: &'a Document, part: Part, prepared: Prepared) -> Self {
         Self {
             document,
-            reading,
-            facts: Facts::default(),
-            shapes,
+            reading: prepared.reading,
+            facts: prepared.facts,
+            known: prepared.known,
             written: Written {
                 bounds: bounds_of_sums(document),
                 trial: None,
@@ -212,7 +215,7 @@ impl<'a> Judge<'a> {
     }
 
     fn line(&mut self, line: &Line, display: bool) {
-        let line = &without_number(line);
+        let line = &*without_number(line);
         let place = self.document.place(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
         let links = self.chain.links(line);
@@ -271,9 +274,9 @@ impl<'a> Judge<'a> {
         if dimensions == self.reading.system.dimensions() {
             return;
         }
-        self.shapes = match dimensions {
-            3 => self.reading.shapes.clone(),
-            _ => HashMap::new(),
+        self.known = match dimensions {
+            3 => Known::of(self.reading.shapes.clone()),
+            _ => Known::default(),
         };
         for (source, links) in self.again.defining.clone() {
             for link in &links {
@@ -384,35 +387,9 @@ impl<'a> Judge<'a> {
         let letter = held.settles.as_ref().map(|(letter, ..)| letter);
         letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
-
-    /// Whether a line says of letters what a sentence may tell of which nothing was made.
-    fn waits_for_sentence(&self, line: &Line, purpose: Purpose, held: &[Held]) -> bool {
-        if self.reading.unused.is_empty() {
-            return false;
-        }
-        let letters = letters_in(&line.sides);
-        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
-        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
-            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
-        told && purpose.role == Role::Define || self.reading.unread_of(&letters, &self.at).is_some()
-    }
-
-    /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
-    pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        self.reading.unused_of(&letters_in(nodes), &self.at)
-    }
-
-    /// A sentence that was not understood, without which nothing can be said of formulas.
-    pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
-        self.reading.unread_of(&letters_in(nodes), &self.at)
-    }
 }
 
 /// Where the first side of some links stands.
 fn head_of(links: &[Link]) -> Span {
     links.first().map_or(Span::default(), |link| link.left.span)
-}
-
-fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
-    nodes.into_iter().flat_map(letter_names).collect()
 }

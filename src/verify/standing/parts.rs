@@ -38,6 +38,11 @@ impl Part {
     }
 }
 
+/// Whether sentences speak of one system in all of a document.
+pub(crate) fn is_of_one_system(declarations: &[Declaration]) -> bool {
+    !declarations.iter().any(is_limited)
+}
+
 /// The parts of a document, in the order in which they begin.
 pub(crate) fn parts(document: &Document, declarations: &[Declaration]) -> Vec<Part> {
     let limited: Vec<Reach> = declarations

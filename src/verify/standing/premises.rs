@@ -54,7 +54,7 @@ impl Judge<'_> {
             let values = values.map(|(left, right)| left.clone() - right.clone());
             self.reading.start.values.extend(values);
         } else if let Some((letter, left, _)) = &held.settles {
-            self.shapes.insert(letter.clone(), left.shape());
+            self.known.shapes.insert(letter.clone(), left.shape());
         }
         let elsewhere = !self.is_own() && held.standing != Standing::Settles;
         if instant

@@ -36,7 +36,7 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Tro
     let unknown_left = lowering.unknown.clone();
     let right = lowering.value(&link.right)?;
     let custom = lowering.custom();
-    let new = |l: &String| !lowering.shapes.contains_key(l);
+    let new = |l: &String| !lowering.known.shapes.contains_key(l);
     let letter = lone(&link.left).filter(|l| unknown_left.contains(l) && new(l));
     let other =
         lone(&link.right).filter(|l| lowering.unknown.contains(l) && letter.is_none() && new(l));

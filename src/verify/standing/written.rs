@@ -1,32 +1,38 @@
 //! What a line shows of itself before it is worked out.
 
-use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator};
+use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
+use foldhash::HashSet;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
-pub(super) fn without_number(line: &Line) -> Line {
-    let mut line = line.clone();
-    let Some(first) = line.sides.first_mut() else {
-        return line;
-    };
-    let Kind::Product(factors) = &mut first.kind else {
-        return line;
-    };
-    let numbered = match factors.first().map(|f| &f.node.kind) {
-        Some(Kind::Group(Bracket::Round, inner)) => is_number_of_line(inner),
+pub(super) fn without_number(line: &Line) -> Cow<'_, Line> {
+    let numbered = |side: &Node| match &side.kind {
+        Kind::Product(factors) => match factors.as_slice() {
+            [first, second, ..] if second.operator == Operator::Juxtaposed => {
+                matches!(&first.node.kind, Kind::Group(Bracket::Round, inner) if is_number_of_line(inner))
+            }
+            _ => false,
+        },
         _ => false,
     };
-    if numbered && factors.len() > 1 && factors[1].operator == Operator::Juxtaposed {
+    if !line.sides.first().is_some_and(numbered) {
+        return Cow::Borrowed(line);
+    }
+    let mut line = line.clone();
+    if let Some(first) = line.sides.first_mut()
+        && let Kind::Product(factors) = &mut first.kind
+    {
         factors.remove(0);
         if factors.len() == 1 {
             *first = factors.remove(0).node;
         }
     }
-    line
+    Cow::Owned(line)
 }
 
 /// `2.4`, `2.4a`, `12`.
@@ -65,28 +71,39 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
 }
 
 /// The symbols that a document writes, spelled.
-pub(super) fn written_symbols(document: &Document) -> BTreeSet<String> {
-    fn collect(node: &Node, found: &mut BTreeSet<String>) {
+pub(crate) fn written_symbols(document: &Document) -> BTreeSet<String> {
+    fn collect<'n>(
+        node: &'n Node,
+        seen: &mut HashSet<(&'n Symbol, bool)>,
+        found: &mut BTreeSet<String>,
+    ) {
         match &node.kind {
-            Kind::Symbol(symbol) => {
+            Kind::Symbol(symbol) if seen.insert((symbol, false)) => {
                 found.insert(spell(symbol, true));
             }
-            Kind::TimeDerivative { operand, .. } => {
-                found.insert(rate_of(&spelled(operand)));
-            }
+            Kind::TimeDerivative { operand, .. } => match &operand.kind {
+                Kind::Symbol(symbol) if !seen.insert((symbol, true)) => {}
+                _ => {
+                    found.insert(rate_of(&spelled(operand)));
+                }
+            },
             _ => {}
         }
-        node.children().for_each(|child| collect(child, found));
+        node.children()
+            .for_each(|child| collect(child, seen, found));
     }
-    let mut found = BTreeSet::new();
+    let (mut seen, mut found) = (HashSet::default(), BTreeSet::new());
     for item in &document.items {
         let Item::Formula(formula) = item else {
             continue;
         };
         for row in &formula.rows {
             match row {
-                Row::Line(line) => line.sides.iter().for_each(|side| collect(side, &mut found)),
-                Row::Expression(node) => collect(node, &mut found),
+                Row::Line(line) => {
+                    let sides = line.sides.iter();
+                    sides.for_each(|side| collect(side, &mut seen, &mut found));
+                }
+                Row::Expression(node) => collect(node, &mut seen, &mut found),
                 Row::Unreadable { .. } => {}
             }
         }

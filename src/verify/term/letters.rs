@@ -5,6 +5,7 @@ use crate::notation::print;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::written::WrittenSymbols;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A place in a document.
@@ -122,6 +123,8 @@ pub(crate) struct Letter {
     pub(crate) sentence: String,
     /// Whether it means something else besides: types decide where.
     pub(crate) besides: bool,
+    /// Whether it is more than a lone symbol.
+    pub(crate) whole: bool,
 }
 
 /// What a mark or a label does to the letter that carries it.
@@ -198,8 +201,8 @@ pub(crate) struct Letters {
     pub(crate) crossing: Vec<String>,
     /// ω_{X/Y} for any frames.
     pub(crate) angular_velocities: Vec<String>,
-    /// The symbols that the document writes, spelled, and those of which it writes a rate.
-    pub(crate) written: BTreeSet<String>,
+    /// What the document writes.
+    pub(crate) written: WrittenSymbols,
     /// The lists of letters that partial derivatives take functions of.
     pub(crate) arguments: Vec<Vec<Node>>,
     /// Writings that stand for other formulas.
@@ -255,7 +258,7 @@ impl Letters {
         number: usize,
     ) -> Option<&Letter> {
         let found = self.find(spelled, loose, at, number)?;
-        let apart = found.spelled != spelled && self.written.contains(&found.spelled);
+        let apart = found.spelled != spelled && self.written.has(&found.spelled);
         (!apart).then_some(found)
     }
 
@@ -277,7 +280,7 @@ impl Letters {
         let mut found = BTreeMap::new();
         sides.iter().for_each(|side| collect(side, &mut found));
         let several = found.into_values().filter(|ways| ways.len() > 1);
-        self.written.extend(several.flatten());
+        self.written.keep_apart(several.flatten());
     }
 
     /// What the author says that a formula means.
@@ -385,17 +388,6 @@ pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
         word.push('\'');
     }
     word
-}
-
-impl Letters {
-    /// Whether anything but lone symbols has a meaning.
-    pub(crate) fn has_wholes(&self) -> bool {
-        !self.means.is_empty()
-            || self
-                .letters
-                .iter()
-                .any(|l| l.spelled.contains(['\\', '{', ' ', '[']))
-    }
 }
 
 /// The letters of a formula without marks and labels.

@@ -5,9 +5,10 @@ use crate::mechanics;
 use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
 use crate::source::Source;
 use crate::verify::model::system::System;
+use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -22,8 +23,8 @@ pub(crate) struct Lowering<'a> {
     pub(crate) at: &'a At,
     /// The axes that index letters number in this reading of the line.
     pub(crate) axes: BTreeMap<String, usize>,
-    /// Shapes of letters that definitions have settled.
-    pub(crate) shapes: &'a HashMap<String, Shape>,
+    /// What was found out of letters so far.
+    pub(crate) known: &'a mut Known,
     /// Letters of which nothing is told.
     pub(crate) unknown: BTreeSet<String>,
     /// The frames of components that were met since it was last emptied.
@@ -42,16 +43,17 @@ impl<'a> Lowering<'a> {
         letters: &'a Letters,
         source: &'a Source,
         at: &'a At,
-        shapes: &'a HashMap<String, Shape>,
+        known: &'a mut Known,
     ) -> Self {
         system.set_dimensions(letters.dimensions_at(at));
+        known.enter(system.dimensions());
         Self {
             system,
             letters,
             source,
             at,
             axes: BTreeMap::new(),
-            shapes,
+            known,
             unknown: BTreeSet::new(),
             frames_seen: BTreeSet::new(),
             besides: BTreeSet::new(),
@@ -196,15 +198,26 @@ impl<'a> Lowering<'a> {
         loose: Option<&str>,
         number: usize,
     ) -> Option<Valued> {
-        if let Some(meaning) = self.letters.told_meaning(exact, self.at).cloned() {
-            return Some(self.deeper(|lowering| lowering.value(&meaning)));
+        if let Some(meaning) = self.letters.told_meaning(exact, self.at) {
+            return Some(self.deeper(|lowering| lowering.value(meaning)));
         }
-        let letter = self.letters.find(exact, loose?, self.at, number)?.clone();
-        match letter.meaning {
-            Meaning::Quantity(quantity) => Some(self.system.letter(&letter.latex, &quantity)),
-            Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(&same))),
+        let letters = self.letters;
+        let letter = letters.find(exact, loose?, self.at, number)?;
+        match &letter.meaning {
+            Meaning::Quantity(quantity) => Some(self.letter(&letter.latex, quantity)),
+            Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(same))),
             _ => None,
         }
+    }
+
+    /// The value of a letter that stands for a quantity; it is worked out once.
+    pub(super) fn letter(&mut self, text: &str, quantity: &Quantity) -> Valued {
+        if let Some(value) = self.known.value(text, quantity) {
+            return value.clone();
+        }
+        let value = self.system.letter(text, quantity);
+        self.known.keep(text, quantity, &value);
+        value
     }
 
     fn bold(&mut self, number: &Number) -> Valued {

@@ -20,15 +20,9 @@ impl System {
             return ill_typed(format!("{} and {} are added", a.shape(), b.shape()));
         }
         let (a, b) = self.brought_together(a, b, custom)?;
-        let entries = a
-            .entries
-            .iter()
-            .zip(&b.entries)
-            .map(|(a, b)| a.clone() + b.clone());
-        Ok(Value {
-            entries: entries.collect(),
-            ..a.clone()
-        })
+        let (shape, entries) = (a.with_entries(vec![]), a.entries);
+        let entries = entries.into_iter().zip(b.entries).map(|(a, b)| a + b);
+        Ok(shape.with_entries(entries.collect()))
     }
 
     /// a b, as a matrix product or a product with a number.
@@ -153,10 +147,10 @@ impl System {
         let Some(entries) = rates.collect::<Option<Vec<Fraction>>>() else {
             return beyond(GROWN);
         };
-        let mut rate = Value {
-            entries,
-            ..value.clone()
-        };
+        let mut rate = value.with_entries(entries);
+        if value.is_scalar() {
+            return Ok(rate);
+        }
         let on_work = rate.entries.clone();
         let frame = |basis: Basis| match basis {
             Basis::Itself => Some(seen),

@@ -8,6 +8,7 @@ use crate::verify::term::indices::axis_letters;
 use crate::verify::term::letters::{loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Value, Valued, beyond};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Why a product without factors has no value.
@@ -25,7 +26,7 @@ impl Lowering<'_> {
         }
         let crossed = self.with_crossing_letters(factors);
         let mut runs: Vec<(Sign, Vec<&Node>)> = vec![];
-        for factor in &crossed {
+        for factor in crossed.iter() {
             match (factor.operator, runs.last_mut()) {
                 (Sign::Juxtaposed, Some((_, run))) => run.push(&factor.node),
                 (sign, _) => runs.push((sign, vec![&factor.node])),
@@ -73,11 +74,11 @@ impl Lowering<'_> {
     }
 
     /// A letter of which `ω×` is said to be a matrix stands as that matrix.
-    fn with_crossing_letters(&self, factors: &[Factor]) -> Vec<Factor> {
-        let mut all = factors.to_vec();
+    fn with_crossing_letters<'f>(&self, factors: &'f [Factor]) -> Cow<'f, [Factor]> {
         if self.letters.crossing.is_empty() {
-            return all;
+            return Cow::Borrowed(factors);
         }
+        let mut all = factors.to_vec();
         for at in 1..all.len() {
             if all[at].operator == Sign::Cross
                 && self.letters.crossing.contains(&spelled(&all[at - 1].node))
@@ -90,7 +91,7 @@ impl Lowering<'_> {
                 all[at].operator = Sign::Juxtaposed;
             }
         }
-        all
+        Cow::Owned(all)
     }
 
     /// Factors side by side. Matrices act on what stands right of them, so the product is taken from the right.
@@ -213,6 +214,9 @@ impl Lowering<'_> {
 
     /// Letters side by side that have a meaning as a whole, from the beginning of a run.
     fn phrase(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
+        if run.len() < 2 || !self.letters.has_phrases() {
+            return None;
+        }
         let most = run.len().min(4);
         (2..=most).rev().find_map(|length| {
             let whole = run[..length]

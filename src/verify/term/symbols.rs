@@ -16,21 +16,18 @@ use num_traits::One;
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
 
 impl Lowering<'_> {
-    /// The value of a symbol.
-    pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
+    /// The value of a symbol, worked out anew.
+    pub(super) fn new_symbol(&mut self, symbol: &Symbol) -> Valued {
+        let letters = self.letters;
         let exact = spell(symbol, true);
         let number = self.count(&exact);
         if self.besides.contains(&(exact.clone(), number))
-            && let Some(letter) = self.letters.besides(&exact, self.at).cloned()
+            && let Some(letter) = letters.besides(&exact, self.at)
         {
-            return self.meant(&letter, symbol, None);
+            return self.meant(letter, symbol, None);
         }
-        if let Some(letter) = self
-            .letters
-            .find_lone(&exact, &spell(symbol, false), self.at, number)
-        {
-            let letter = letter.clone();
-            return self.meant(&letter, symbol, None);
+        if let Some(letter) = letters.find_lone(&exact, &spell(symbol, false), self.at, number) {
+            return self.meant(letter, symbol, None);
         }
         if let Some(value) = self.reindexed(symbol)? {
             return Ok(value);
@@ -61,23 +58,19 @@ impl Lowering<'_> {
     fn meant(&mut self, letter: &Letter, symbol: &Symbol, index: Option<(&str, &str)>) -> Valued {
         match &letter.meaning {
             Meaning::Quantity(quantity) => {
-                let (quantity, text) = match index {
-                    Some((from, to)) => (
-                        quantity.with_index(from, to),
-                        letter.latex.replace(&format!("_{from}"), &format!("_{to}")),
-                    ),
-                    None => (quantity.clone(), letter.latex.clone()),
-                };
                 if let Some(frame) = quantity.frame() {
                     self.frames_seen.insert(frame);
                 }
-                let value = self.system.letter(&text, &quantity)?;
-                Ok(self.without_label(value, symbol))
+                let value = match index {
+                    Some((from, to)) => {
+                        let text = letter.latex.replace(&format!("_{from}"), &format!("_{to}"));
+                        self.letter(&text, &quantity.with_index(from, to))
+                    }
+                    None => self.letter(&letter.latex, quantity),
+                };
+                Ok(self.without_label(value?, symbol))
             }
-            Meaning::Same(node) => {
-                let node = node.clone();
-                self.deeper(|lowering| lowering.value(&node))
-            }
+            Meaning::Same(node) => self.deeper(|lowering| lowering.value(node)),
             Meaning::Time => Ok(Value::scalar(self.time())),
             Meaning::Operator(_) => Err(Trouble::Beyond(format!(
                 "`{}` stands without what it acts on",
@@ -110,6 +103,7 @@ impl Lowering<'_> {
 
     /// A symbol of a member, by the letter of another member: what is told of m_i holds for m_j.
     fn reindexed(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        let letters = self.letters;
         for (at, label) in symbol.subscripts.iter().enumerate() {
             let Some((family, to)) = self.system.index_in(label) else {
                 continue;
@@ -121,11 +115,10 @@ impl Lowering<'_> {
                 let mut other = symbol.clone();
                 let stem = &label[..label.len() - to.len()];
                 other.subscripts[at] = format!("{stem}{from}");
-                let found =
-                    self.letters
-                        .find(&spell(&other, true), &spell(&other, false), self.at, 0);
-                if let Some(letter) = found.cloned() {
-                    return self.meant(&letter, symbol, Some((&from, &to))).map(Some);
+                let (exact, loose) = (spell(&other, true), spell(&other, false));
+                let found = letters.find(&exact, &loose, self.at, 0);
+                if let Some(letter) = found {
+                    return self.meant(letter, symbol, Some((&from, &to))).map(Some);
                 }
             }
         }
@@ -147,7 +140,7 @@ impl Lowering<'_> {
         );
         let quantity = Quantity::AngularVelocity { of, relative };
         let text = print::latex(&symbol_node(symbol));
-        Some(self.system.letter(&text, &quantity))
+        Some(self.letter(&text, &quantity))
     }
 
     /// A letter with one label more than a sentence tells of: a component, an entry, components on a frame.
@@ -322,10 +315,9 @@ impl Lowering<'_> {
     ) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
         let exact = spell(symbol, true);
         let number = self.counts.get(&exact).copied().unwrap_or(0).max(1);
-        let found = self
-            .letters
-            .find(&exact, &spell(symbol, false), self.at, number);
-        let Some(letter) = found.cloned() else {
+        let letters = self.letters;
+        let found = letters.find(&exact, &spell(symbol, false), self.at, number);
+        let Some(letter) = found else {
             let before = std::mem::replace(&mut self.only_known, true);
             let value = self.reindexed(symbol).and_then(|value| match value {
                 Some(value) => Ok(Some(value)),
@@ -334,7 +326,7 @@ impl Lowering<'_> {
             self.only_known = before;
             let text = print::latex(&symbol_node(symbol));
             if matches!(value, Ok(None) | Err(Trouble::Unknown(_)))
-                && self.shapes.contains_key(&text)
+                && self.known.shapes.contains_key(&text)
             {
                 let value = self.unknown(symbol)?;
                 return Ok(Some((value, None)));
@@ -348,7 +340,7 @@ impl Lowering<'_> {
                 Err(trouble) => Err(trouble),
             };
         };
-        let value = self.meant(&letter, symbol, None)?;
+        let value = self.meant(letter, symbol, None)?;
         let frame = value.frame();
         Ok(Some((value, frame)))
     }

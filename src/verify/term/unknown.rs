@@ -51,7 +51,7 @@ impl Lowering<'_> {
         if self.only_known {
             return Err(Trouble::Unknown(text));
         }
-        let shape = self.shapes.get(&text).copied();
+        let shape = self.known.shapes.get(&text).copied();
         let (rows, columns) = if symbol.style.tensor {
             (3, 3)
         } else if symbol.style.vector || symbol.resultant && symbol.style.hat {

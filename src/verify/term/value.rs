@@ -200,23 +200,24 @@ impl Value {
     }
 
     pub(crate) fn scaled(&self, factor: &Fraction) -> Self {
-        let entries = self
-            .entries
-            .iter()
-            .map(|e| e.clone() * factor.clone())
-            .collect();
+        let entries = self.entries.iter().map(|e| e.clone() * factor.clone());
+        self.with_entries(entries.collect())
+    }
+
+    /// Other entries in its shape and on its axes.
+    pub(super) fn with_entries(&self, entries: Vec<Fraction>) -> Self {
+        let (rows, columns, basis) = (self.rows, self.columns, self.basis);
         Self {
+            rows,
+            columns,
             entries,
-            ..self.clone()
+            basis,
         }
     }
 
     pub(crate) fn negated(&self) -> Self {
-        let entries = self.entries.iter().map(|e| -e.clone()).collect();
-        Self {
-            entries,
-            ..self.clone()
-        }
+        let entries = self.entries.iter().map(|e| -e.clone());
+        self.with_entries(entries.collect())
     }
 
     /// The basis of a vector, whether it stands as a column or as a row.
@@ -284,10 +285,10 @@ impl System {
         Ok(value.turned(&turns, [Basis::Written; 2]))
     }
 
-    /// The entries of the matrix between two frames, which only a space of three dimensions has.
+    /// The entries of the matrix between two frames, if they are two; only a space of three dimensions has them.
     fn entries_turned(&mut self, to: FrameId, from: FrameId) -> Result<Option<Matrix>, Trouble> {
         match self.dimensions() {
-            3 => Ok(Some(self.rotation(to, from))),
+            3 => Ok((to != from).then(|| self.rotation(to, from))),
             _ => Err(beyond_space()),
         }
     }

@@ -1,0 +1,67 @@
+//! What a key declares of submissions, and what its own lines say by that: worked out once for a class.
+
+use crate::grade::matching::Sheet;
+use crate::notation::document::Document;
+use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, WorkedOut};
+use std::cell::OnceCell;
+
+/// What submissions mean.
+#[derive(Clone, Debug)]
+pub(super) struct Meaning {
+    shared: Shared,
+    key: OnceCell<KeyLines>,
+}
+
+/// What the lines of the key say, and what was worked out to find it.
+#[derive(Clone, Debug)]
+pub(super) struct KeyLines {
+    pub(super) worked_out: WorkedOut,
+    pub(super) said: Vec<Said>,
+}
+
+impl Meaning {
+    /// By these sentences, written in the notation of a document without a line.
+    pub(super) fn new(declared: Declared, bare: Document) -> Self {
+        Self {
+            shared: Shared::new(declared, bare),
+            key: OnceCell::new(),
+        }
+    }
+
+    pub(super) fn declared(&self) -> &Declared {
+        &self.shared.declared
+    }
+
+    /// A check of a document: in the new house where its meaning is declared.
+    pub(super) fn check(&self, document: &Document) -> Report {
+        match self.declared().is_empty() {
+            true => verify::check(document),
+            false => self.shared.check(document),
+        }
+    }
+
+    /// The same without looking for what would put false lines right, where that is not asked for.
+    pub(super) fn judge(&self, document: &Document) -> Report {
+        match self.declared().is_empty() {
+            true => verify::check(document),
+            false => self.shared.judge(document, &[]),
+        }
+    }
+
+    /// The same with some lines taken as claimed, where a meaning is declared.
+    pub(super) fn judge_as_claimed(&self, document: &Document, claimed: &[&Finding]) -> Report {
+        self.shared.judge(document, claimed)
+    }
+
+    /// What the lines of the key say.
+    pub(super) fn key_lines(&self, key: &Sheet<'_, '_>) -> &KeyLines {
+        self.key.get_or_init(|| {
+            let mut apart = Apart::new(key.document, &self.declared().declarations);
+            let said = apart.lines(key.document, key.entries);
+            KeyLines {
+                worked_out: apart.worked_out(&key.given_of(&said)),
+                said,
+            }
+        })
+    }
+}

@@ -1,0 +1,59 @@
+//! Links that fail: numbers that show it, or why none are given.
+
+use crate::algebra::{Fraction, Variable};
+use crate::verify::facts::Source;
+use crate::verify::facts::world::World;
+use crate::verify::standing::chains::Link;
+use crate::verify::standing::hold::{Held, nothing_made_of};
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::shown::shown;
+
+impl Judge<'_> {
+    /// What inequalities say at this place, in free variables.
+    fn orders(&mut self) -> Vec<Fraction> {
+        let own = self.reading.orders.iter();
+        let own: Vec<Fraction> = own
+            .filter(|(reach, _)| reach.covers(&self.at, 0))
+            .map(|(_, order)| order.clone())
+            .collect();
+        let atoms = &mut self.reading.system.atoms;
+        own.iter()
+            .filter_map(|order| self.facts.normal(atoms, order).ok())
+            .collect()
+    }
+
+    /// A link that fails is shown by a motion, unless what was not taken in could make it true.
+    pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
+        if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
+            held.doubt = Some(nothing_made_of(sentence));
+            return;
+        }
+        if let Some(premise) = self.facts.missing().map(Source::text) {
+            held.doubt = Some(format!(
+                "this premise is beyond what is worked out: {premise}"
+            ));
+            return;
+        }
+        if self.may_hold_from_start(&held.sides) {
+            held.doubt =
+                Some("it holds at the start, and the motion from there is not worked out".into());
+            return;
+        }
+        let told = |v: &Variable| self.facts.rule(*v).is_some();
+        let angles = residuals.iter().flat_map(Fraction::variables);
+        let angles = angles.filter_map(|v| self.reading.system.atoms.angle_of(v));
+        // The sine of an angle that a premise tells is not put in.
+        let hidden = angles
+            .into_iter()
+            .any(|angle| angle.variables().iter().any(told));
+        let orders = self.orders();
+        let atoms = &mut self.reading.system.atoms;
+        match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
+            Some(world) => {
+                held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+            }
+            // Roots and lengths may still make it true.
+            None => held.doubt = Some("no numbers were found in which it fails".into()),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! What sentences make of a document before any line of it is looked at.
+
+use crate::notation::document::Document;
+use crate::verify::facts::premises::Facts;
+use crate::verify::language::statement::Declaration;
+use crate::verify::reading::Reading;
+use crate::verify::reading::builder::build;
+use crate::verify::standing::written::written_symbols;
+use crate::verify::term::known::Known;
+use crate::verify::term::letters::At;
+use std::collections::BTreeSet;
+
+/// A reading, what was found out of letters by it, and the premises that are put in. Many documents may begin with it.
+#[derive(Clone, Debug)]
+pub(crate) struct Prepared {
+    pub(crate) reading: Reading,
+    pub(crate) known: Known,
+    pub(crate) facts: Facts,
+}
+
+impl Prepared {
+    /// By these sentences, for a document that writes these symbols; the variables of the model are numbered from one on.
+    pub(crate) fn new(
+        declarations: &[Declaration],
+        written: BTreeSet<String>,
+        first: usize,
+    ) -> Self {
+        let mut reading = build(declarations, written, first);
+        reading.system.set_dimensions(3);
+        Self {
+            known: Known::of(reading.shapes.clone()),
+            reading,
+            facts: Facts::default(),
+        }
+    }
+
+    /// Works out all letters and puts in the premises of the whole document, as any document needs most of them.
+    pub(crate) fn work_out(&mut self) {
+        let reading = &mut self.reading;
+        reading.system.set_dimensions(3);
+        self.known.work_out(&reading.letters, &mut reading.system);
+        self.reading.taken = self.reading.active_premises(&At::default());
+        let premises = self.reading.premises_in_force();
+        let atoms = &mut self.reading.system.atoms;
+        self.facts.extend_all(atoms, premises);
+    }
+
+    /// The same for another document, if it would be read alike.
+    pub(crate) fn for_document(&self, document: &Document) -> Option<Self> {
+        let written = written_symbols(document);
+        let letters = &self.reading.letters;
+        letters.written.answers_as(&written).then(|| {
+            let mut own = self.clone();
+            own.reading.letters.written.replace(written);
+            own
+        })
+    }
+}

@@ -1,0 +1,44 @@
+//! Lines that wait for a sentence of which nothing was made.
+
+use crate::notation::ast::{Line, Node};
+use crate::verify::Role;
+use crate::verify::standing::hold::Held;
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::roles::Purpose;
+use crate::verify::standing::verdicts::Standing;
+use crate::verify::term::letters::letter_names;
+use std::collections::BTreeSet;
+
+impl Judge<'_> {
+    /// Whether a line says of letters what a sentence may tell of which nothing was made.
+    pub(super) fn waits_for_sentence(&self, line: &Line, purpose: Purpose, held: &[Held]) -> bool {
+        if self.reading.unused.is_empty() {
+            return false;
+        }
+        let letters = letters_in(&line.sides);
+        let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
+        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
+            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
+        told && purpose.role == Role::Define || self.reading.unread_of(&letters, &self.at).is_some()
+    }
+
+    /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
+    pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
+        match self.reading.unused.is_empty() {
+            true => None,
+            false => self.reading.unused_of(&letters_in(nodes), &self.at),
+        }
+    }
+
+    /// A sentence that was not understood, without which nothing can be said of formulas.
+    pub(super) fn unread_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
+        match self.reading.unused.is_empty() {
+            true => None,
+            false => self.reading.unread_of(&letters_in(nodes), &self.at),
+        }
+    }
+}
+
+fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
+    nodes.into_iter().flat_map(letter_names).collect()
+}

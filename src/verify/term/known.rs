@@ -1,0 +1,113 @@
+//! What was found out of the letters of a document so far, so that it is worked out once.
+
+use crate::notation::ast::Symbol;
+use crate::verify::model::system::{FrameId, System};
+use crate::verify::term::letters::{Letters, Meaning};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Shape, Value, Valued};
+use foldhash::HashMap;
+use std::collections::BTreeSet;
+use std::collections::HashMap as Map;
+
+/// What letters are, as far as it was asked for. It holds for one system.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Known {
+    /// Shapes of letters that lines have settled.
+    pub(crate) shapes: Map<String, Shape>,
+    /// Values of letters that sentences tell of, by how they are printed: one may stand for several quantities.
+    values: HashMap<String, Vec<(Quantity, Valued)>>,
+    /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
+    /// axes they are.
+    symbols: HashMap<Symbol, (Value, BTreeSet<FrameId>)>,
+    /// How many dimensions space has where they were worked out.
+    dimensions: usize,
+}
+
+impl Known {
+    /// Letters of these shapes, and nothing worked out.
+    pub(crate) fn of(shapes: Map<String, Shape>) -> Self {
+        Self {
+            shapes,
+            ..Self::default()
+        }
+    }
+
+    /// In a space of another number of dimensions letters have other values.
+    pub(super) fn enter(&mut self, dimensions: usize) {
+        if self.dimensions != dimensions {
+            self.values.clear();
+            self.symbols.clear();
+            self.dimensions = dimensions;
+        }
+    }
+
+    /// The value of a letter that stands for a quantity, if it was worked out.
+    pub(super) fn value(&self, letter: &str, quantity: &Quantity) -> Option<&Valued> {
+        let values = self.values.get(letter)?.iter();
+        let mut own = values.filter(|(known, _)| known == quantity);
+        own.next().map(|(_, value)| value)
+    }
+
+    /// The value of a symbol and its frames, if it was worked out.
+    pub(super) fn symbol(&self, symbol: &Symbol) -> Option<&(Value, BTreeSet<FrameId>)> {
+        self.symbols.get(symbol)
+    }
+
+    pub(super) fn keep_symbol(
+        &mut self,
+        symbol: &Symbol,
+        value: &Value,
+        frames: &BTreeSet<FrameId>,
+    ) {
+        let known = (value.clone(), frames.clone());
+        self.symbols.insert(symbol.clone(), known);
+    }
+
+    /// Forgets the values of symbols, as by what a document writes they may mean something else.
+    pub(crate) fn forget_symbols(&mut self) {
+        self.symbols.clear();
+    }
+
+    /// Works out all letters that stand for quantities.
+    pub(crate) fn work_out(&mut self, letters: &Letters, system: &mut System) {
+        self.enter(system.dimensions());
+        for letter in &letters.letters {
+            if let Meaning::Quantity(quantity) = &letter.meaning
+                && self.value(&letter.latex, quantity).is_none()
+            {
+                let value = system.letter(&letter.latex, quantity);
+                self.keep(&letter.latex, quantity, &value);
+            }
+        }
+    }
+
+    pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {
+        let values = self.values.entry(letter.to_owned()).or_default();
+        values.push((quantity.clone(), value.clone()));
+    }
+}
+
+impl Lowering<'_> {
+    /// The value of a symbol; where it is the same on every line and no letter is new, it is worked out once.
+    pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
+        if !self.axes.is_empty() || !self.letters.is_uniform() {
+            return self.new_symbol(symbol);
+        }
+        if let Some((value, frames)) = self.known.symbol(symbol) {
+            self.frames_seen.extend(frames);
+            return Ok(value.clone());
+        }
+        let unknown = std::mem::take(&mut self.unknown);
+        let frames = std::mem::take(&mut self.frames_seen);
+        let value = self.new_symbol(symbol);
+        if let Ok(value) = &value
+            && self.unknown.is_empty()
+        {
+            self.known.keep_symbol(symbol, value, &self.frames_seen);
+        }
+        self.unknown.extend(unknown);
+        self.frames_seen.extend(frames);
+        value
+    }
+}
