@@ -36,14 +36,14 @@
 //! assert!((gradient[0] - (cost(3.001, 0.5) - cost(2.999, 0.5)) / 0.002).abs() < 1e-8);
 //! ```
 
-pub(crate) mod any_law;
 pub mod flow;
 pub(crate) mod runge_kutta;
 mod variation;
 
-use crate::motion::{Number, Quaternion, Scheme, State, System, TorqueLaw};
+use crate::motion::torque::SIDE;
+use crate::motion::{Number, Quaternion, Scheme, SmoothLaw, State, System, TorqueLaw};
+use crate::scalar::Jet;
 use nalgebra::{Matrix3, Matrix6, SMatrix, SVector, Vector3, Vector6};
-use num_dual::{Dual64, DualSVec64};
 
 /// The state after a step and its Jacobian of 6 rows and `N` columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,23 +78,23 @@ pub fn by_dual_numbers<const N: usize, S, L>(
 ) -> StepJacobian<N>
 where
     S: Scheme<L> + ?Sized,
-    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-    DualSVec64<N>: Number,
+    L: SmoothLaw,
 {
-    let seed = Seed::<DualSVec64<N>>::new(
-        &|value, column| {
-            let number = DualSVec64::<N>::from_re(value);
-            if column < N {
-                number.derivative(column)
-            } else {
-                number
-            }
-        },
-        system.inertia(),
-        state,
-        step,
-    );
-    read(&seed.stepped(scheme, system, time))
+    let mut found = StepJacobian {
+        state: *state,
+        matrix: SMatrix::<f64, 6, N>::zeros(),
+    };
+    for first in (0..N.max(1)).step_by(SIDE) {
+        let variable =
+            |value, column: usize| Jet::<f64, SIDE>::variable(value, column.wrapping_sub(first));
+        let seed = Seed::new(&variable, system.inertia(), state, step);
+        let (state, columns) = tangents(&seed.stepped(scheme, system, time));
+        for (mut onto, column) in found.matrix.column_iter_mut().skip(first).zip(columns) {
+            onto.copy_from(&column);
+        }
+        found.state = state;
+    }
+    found
 }
 
 /// The columns by name. Asking for columns that `N` does not have is an error of the compiler.
@@ -194,54 +194,45 @@ pub fn jvp<const N: usize, S, L>(
 ) -> (State<f64>, Vector6<f64>)
 where
     S: Scheme<L> + ?Sized,
-    L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+    L: SmoothLaw,
 {
-    let seed = Seed::new(
-        &|value, column| Dual64::new(value, direction.get(column).copied().unwrap_or(0.0)),
-        system.inertia(),
-        state,
-        step,
-    );
-    let end = seed.stepped(scheme, system, time);
-    let attitude = Quaternion::new(end.attitude.components().map(|c| c.re));
-    let rate = Quaternion::new(end.attitude.components().map(|c| c.eps));
-    let (theta, omega) = (
-        (attitude.conjugate() * rate).v * 2.0,
-        end.angular_velocity.map(|c| c.eps),
-    );
-    let state = State {
-        attitude,
-        angular_velocity: end.angular_velocity.map(|c| c.re),
+    let variable = |value, column: usize| {
+        let along = direction.get(column).copied().unwrap_or(0.0);
+        Jet::moving(value, along)
     };
-    (
-        state,
-        Vector6::new(theta.x, theta.y, theta.z, omega.x, omega.y, omega.z),
-    )
+    let seed = Seed::new(&variable, system.inertia(), state, step);
+    let (state, [along]) = tangents(&seed.stepped(scheme, system, time));
+    (state, along)
 }
 
 /// A step's input as numbers of which column `c` is the variable `c`.
-pub(crate) struct Seed<T> {
-    pub(crate) state: State<T>,
-    pub(crate) added: Vector3<T>,
-    pub(crate) inertia: Matrix3<T>,
-    pub(crate) step: T,
+struct Seed<T> {
+    state: State<T>,
+    added: Vector3<T>,
+    inertia: Matrix3<T>,
+    step: T,
 }
 
 impl<T: Number> Seed<T> {
     /// Seeds by `variable(value, column)`.
-    pub(crate) fn new(
+    fn new(
         variable: &impl Fn(f64, usize) -> T,
         inertia: &Matrix3<f64>,
         state: &State<f64>,
         step: f64,
     ) -> Self {
-        let theta = Vector3::from_fn(|i, _| variable(0.0, i));
+        // exp(θ/2) to first order in θ, which is 0.
+        let half = Vector3::from_fn(|i, _| variable(0.0, i) * T::of(0.5));
+        let turn = Quaternion {
+            w: T::one(),
+            v: half,
+        };
         let attitude = Quaternion::new(state.attitude.components().map(T::of));
         let entry = |r: usize, c: usize| variable(inertia[(r, c)], 9 + INERTIA_COLUMN[r][c]);
         let omega = &state.angular_velocity;
         Self {
             state: State {
-                attitude: attitude * Quaternion::exp_near_zero(&theta),
+                attitude: attitude * turn,
                 angular_velocity: Vector3::from_fn(|i, _| variable(omega[i], 3 + i)),
             },
             added: Vector3::from_fn(|i, _| variable(0.0, 6 + i)),
@@ -254,7 +245,7 @@ impl<T: Number> Seed<T> {
     fn stepped<S, L>(self, scheme: &S, system: &System<f64, L>, time: f64) -> State<T>
     where
         S: Scheme<L> + ?Sized,
-        L: Copy + TorqueLaw<f64> + TorqueLaw<T>,
+        L: SmoothLaw + TorqueLaw<T>,
     {
         let added = self.added + system.added().map(T::of);
         let system = System::over(self.inertia, *system.law(), added);
@@ -263,30 +254,22 @@ impl<T: Number> Seed<T> {
 }
 
 /// The place of each tensor entry in the order xx, yy, zz, xy, xz, yz.
-pub(crate) const INERTIA_COLUMN: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
+const INERTIA_COLUMN: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
 
 /// Values and tangent derivatives of a state of dual numbers. δθ = 2 Im(q⁻¹ δq) for a unit q; what δq has along
 /// q is real and drops out.
-fn read<const N: usize>(end: &State<DualSVec64<N>>) -> StepJacobian<N>
-where
-    DualSVec64<N>: Number,
-{
-    let attitude = Quaternion::new(end.attitude.components().map(|c| c.re));
-    let mut matrix = SMatrix::<f64, 6, N>::zeros();
-    for column in 0..N {
-        let part = |c: &DualSVec64<N>| c.eps.0.as_ref().map_or(0.0, |eps| eps[column]);
-        let dq = Quaternion::new(end.attitude.components().map(|c| part(&c)));
-        let theta = (attitude.conjugate() * dq).v * 2.0;
-        for i in 0..3 {
-            matrix[(i, column)] = theta[i];
-            matrix[(3 + i, column)] = part(&end.angular_velocity[i]);
-        }
-    }
-    StepJacobian {
-        state: State {
-            attitude,
-            angular_velocity: end.angular_velocity.map(|c| c.re),
-        },
-        matrix,
-    }
+fn tangents<const K: usize>(end: &State<Jet<f64, K>>) -> (State<f64>, [Vector6<f64>; K]) {
+    let attitude = Quaternion::new(end.attitude.components().map(|c| c.value));
+    let angular_velocity = end.angular_velocity.map(|c| c.value);
+    let columns = std::array::from_fn(|k| {
+        let rate = Quaternion::new(end.attitude.components().map(|c| c.partials[k]));
+        let theta = (attitude.conjugate() * rate).v * 2.0;
+        let omega = end.angular_velocity.map(|c| c.partials[k]);
+        Vector6::new(theta.x, theta.y, theta.z, omega.x, omega.y, omega.z)
+    });
+    let state = State {
+        attitude,
+        angular_velocity,
+    };
+    (state, columns)
 }

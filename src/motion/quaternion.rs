@@ -96,16 +96,6 @@ impl<T: Number> Quaternion<T> {
             w * c + x * b - y * a,
         ])
     }
-
-    /// exp(θ/2) through the third order in θ, without a branch: for seeds of derivatives, where θ is 0.
-    #[inline(always)]
-    pub(crate) fn exp_near_zero(theta: &Vector3<T>) -> Self {
-        let square = theta.dot(theta);
-        Self {
-            w: T::one() - square * T::of(0.125),
-            v: theta * (T::of(0.5) - square * T::of(1.0 / 48.0)),
-        }
-    }
 }
 
 impl Quaternion<f64> {

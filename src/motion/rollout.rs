@@ -1,8 +1,9 @@
 //! A trajectory of steps with a torque for each, and its derivatives.
 
-use crate::motion::{MotionError, Number, Scheme, State, StepJacobian, System, TorqueLaw, stepper};
+use crate::motion::{
+    MotionError, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, stepper,
+};
 use nalgebra::{Vector3, Vector6};
-use num_dual::DualSVec64;
 
 /// The trajectory of a system in steps of one length, a torque of its own added in each.
 ///
@@ -96,7 +97,7 @@ where
     /// than the states.
     pub fn gradient(&self, costs: &[Vector6<f64>]) -> RolloutGradient
     where
-        L: TorqueLaw<DualSVec64<16>>,
+        L: SmoothLaw,
     {
         let cost = |k: usize| costs.get(k).copied().unwrap_or_else(Vector6::zeros);
         let steps = self.torques.len();
@@ -124,8 +125,7 @@ where
     /// [`by_state`](StepJacobian::by_state) is A and [`by_torque`](StepJacobian::by_torque) is B of δx' = A δx + B δu.
     pub fn jacobians<const N: usize>(&self) -> impl Iterator<Item = StepJacobian<N>> + '_
     where
-        L: TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         let steps = self.torques.iter().zip(&self.states).enumerate();
         steps.map(|(k, (torque, state))| {

@@ -2,7 +2,8 @@
 
 use crate::mechanics::{angular_momentum, apply, cross, possible_body};
 use crate::motion::{
-    Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw, torque::in_body,
+    Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw,
+    torque::{in_body, lift},
 };
 use nalgebra::{Matrix3, Vector3};
 use std::ops::{Add, Div, Mul, Sub};
@@ -30,6 +31,23 @@ impl<L: TorqueLaw<f64>> System<f64, L> {
             principal: products.iter().all(|p| *p == 0.0),
             ..Self::over(inertia, law, Vector3::zeros())
         })
+    }
+}
+
+impl<L: TorqueLaw<f64>> System<f64, L> {
+    /// The whole torque over another number.
+    #[inline(always)]
+    pub(crate) fn torque_over<T: Number>(&self, time: T, state: &State<T>) -> Vector3<T>
+    where
+        L: TorqueLaw<T>,
+    {
+        let frame = TorqueLaw::<f64>::added_in(&self.law);
+        let torque = self.law.torque(time, state);
+        // None at all is the most frequent one.
+        if self.added == Vector3::zeros() {
+            return torque;
+        }
+        torque + in_body(frame, &state.attitude, lift(&self.added))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Laws of torque.
 
 use crate::motion::{Number, Quaternion, State};
+use crate::scalar::Jet;
 use nalgebra::{Matrix3, Vector3};
 
 /// The axes that a vector is given in.
@@ -33,6 +34,9 @@ pub enum Frame {
 /// assert_eq!(Drag(0.5).torque(0.0, &spinning).z, -2.0);
 /// ```
 pub trait TorqueLaw<T: Number> {
+    /// Whether [`linear`](Self::linear) is to be asked: known beforehand, so that no code is made for what does not occur.
+    const LINEAR: bool = false;
+
     /// The torque on the body at `time` (s) in `state`, in body axes. The attitude may be off unit length
     /// by the error of a stage of a step.
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T>;
@@ -57,22 +61,61 @@ pub trait TorqueLaw<T: Number> {
         true
     }
 
-    /// The torque at `time` as a constant one and a matrix times ω, if it is such whatever the attitude: then the fast
-    /// Jacobians can be taken. Must agree with [`torque`](Self::torque).
-    fn without_attitude(&self, _time: f64) -> Option<BodyTorque> {
+    /// The torque at `time` in parts, if it is linear in ω and in one vector that stands in space, whatever the state: then no
+    /// dual number is needed for its derivatives. Must agree with [`torque`](Self::torque).
+    fn linear(&self, _time: f64) -> Option<LinearTorque> {
         None
     }
 }
 
-/// A torque that is linear in ω, in body axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyTorque {
-    /// The torque on a body at rest, N m.
+/// A law over all the numbers that derivatives are taken with, as every `Copy` law that is generic over its number is.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` gives torques over one kind of number, and derivatives need it over every one",
+    label = "no derivatives of this law of torque",
+    note = "write a struct that is `Copy`, and `impl<T: Number> TorqueLaw<T>` for it; a closure cannot be generic"
+)]
+pub trait SmoothLaw:
+    Copy + TorqueLaw<f64> + TorqueLaw<Jet<f64, 1>> + TorqueLaw<Jet<f64, SIDE>>
+{
+}
+
+impl<L> SmoothLaw for L where
+    L: Copy + TorqueLaw<f64> + TorqueLaw<Jet<f64, 1>> + TorqueLaw<Jet<f64, SIDE>>
+{
+}
+
+/// How many derivatives are taken side by side: as many as the widest registers hold, and as the state and the time have numbers.
+pub(crate) const SIDE: usize = 8;
+
+/// A torque that is linear in ω and in one vector that stands in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearTorque {
+    /// What depends on the time alone, body axes, N m.
     pub at_rest: Vector3<f64>,
+    /// Its derivative in time.
+    pub by_time: Vector3<f64>,
     /// What ω is multiplied by to be added, `None` for zeros. Row: component of the torque; column: component of ω.
     pub by_angular_velocity: Option<Matrix3<f64>>,
-    /// The partial derivative in time.
+    /// What stands in space.
+    pub load: Option<SpaceLoad>,
+}
+
+/// A torque that stands in space, or a force there that acts at an arm of the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpaceLoad {
+    /// The torque, N m, or the force, N; space axes.
+    pub value: Vector3<f64>,
+    /// Its derivative in time.
     pub by_time: Vector3<f64>,
+    /// The arm of a force, body axes, m.
+    pub arm: Option<Vector3<f64>>,
+}
+
+impl LinearTorque {
+    /// Whether the torque is the same in every attitude.
+    pub fn looks_away(&self) -> bool {
+        self.load.is_none()
+    }
 }
 
 impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
@@ -120,6 +163,8 @@ pub enum Torque {
 }
 
 impl<T: Number> TorqueLaw<T> for Torque {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         match self {
@@ -171,40 +216,51 @@ impl<T: Number> TorqueLaw<T> for Torque {
     }
 
     #[inline(always)]
-    fn without_attitude(&self, time: f64) -> Option<BodyTorque> {
-        let none = BodyTorque {
-            at_rest: Vector3::zeros(),
-            by_angular_velocity: None,
-            by_time: Vector3::zeros(),
-        };
-        match *self {
-            Self::None => Some(none),
-            Self::Constant {
-                frame: Frame::Body,
-                value,
-            } => Some(BodyTorque {
+    fn linear(&self, time: f64) -> Option<LinearTorque> {
+        let of = |frame: Frame, value: Vector3<f64>, by_time: Vector3<f64>| match frame {
+            Frame::Body => LinearTorque {
                 at_rest: value,
-                ..none
-            }),
-            Self::Damping { coefficient } => Some(BodyTorque {
+                by_time,
+                ..LinearTorque::default()
+            },
+            Frame::Space => LinearTorque {
+                load: Some(SpaceLoad {
+                    value,
+                    by_time,
+                    arm: None,
+                }),
+                ..LinearTorque::default()
+            },
+        };
+        Some(match *self {
+            Self::None => LinearTorque::default(),
+            Self::Constant { frame, value } => of(frame, value, Vector3::zeros()),
+            Self::Gravity { weight, arm } => LinearTorque {
+                load: Some(SpaceLoad {
+                    value: Vector3::new(0.0, 0.0, -weight),
+                    by_time: Vector3::zeros(),
+                    arm: Some(arm),
+                }),
+                ..LinearTorque::default()
+            },
+            Self::Damping { coefficient } => LinearTorque {
                 by_angular_velocity: Some(Matrix3::from_diagonal_element(-coefficient)),
-                ..none
-            }),
+                ..LinearTorque::default()
+            },
             Self::Sinusoid {
-                frame: Frame::Body,
+                frame,
                 amplitude,
                 angular_frequency,
                 phase,
             } => {
                 let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
-                Some(BodyTorque {
-                    at_rest: amplitude * sine,
-                    by_time: amplitude * (cosine * angular_frequency),
-                    ..none
-                })
+                of(
+                    frame,
+                    amplitude * sine,
+                    amplitude * (cosine * angular_frequency),
+                )
             }
-            _ => None,
-        }
+        })
     }
 }
 

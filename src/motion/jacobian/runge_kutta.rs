@@ -14,6 +14,7 @@ mod alone;
 mod along;
 mod back;
 mod block;
+mod moments;
 mod products;
 mod rows;
 mod stages;
