@@ -57,7 +57,7 @@ impl<L> Scheme<L> for Rk4 {
             state: *state,
             matrix: SMatrix::zeros(),
         };
-        if !runge_kutta::step_with_jacobian(system, time, step, &mut out) {
+        if !runge_kutta::step_with_jacobian(system, time, state, step, &mut out) {
             out = jacobian::by_dual_numbers(self, system, time, state, step);
         }
         out
@@ -109,7 +109,7 @@ impl<L> Scheme<L> for Rk4 {
         L: SmoothLaw,
     {
         let mut out = (*state, Vector6::zeros());
-        if !runge_kutta::jvp(system, time, step, direction, &mut out) {
+        if !runge_kutta::jvp(system, time, state, step, direction, &mut out) {
             out = jacobian::jvp(self, system, time, state, step, direction);
         }
         out
@@ -129,7 +129,7 @@ impl<L> Scheme<L> for Rk4 {
         L: SmoothLaw,
     {
         let mut out = (*state, SVector::zeros());
-        if !runge_kutta::vjp(system, time, step, covector, &mut out) {
+        if !runge_kutta::vjp(system, time, state, step, covector, &mut out) {
             let whole = jacobian::by_dual_numbers::<N, _, _>(self, system, time, state, step);
             out = whole.pulled_back(covector);
         }

@@ -10,12 +10,13 @@ use crate::motion::registers::{Registers, Work, one_at_a_time};
 use crate::motion::{SmoothLaw, State, System};
 use nalgebra::{SVector, Vector6};
 
-/// A state and zeros overwritten by the state after the step and the Jacobian times a direction of its first `N` inputs;
+/// A state and zeros overwritten by the state after a step and the Jacobian times a direction of its first `N` inputs;
 /// `false` if the law is said to be linear and is not. In place, for copies would take as long as the work.
 #[inline(always)]
 pub(crate) fn jvp<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
+    start: &State<f64>,
     step: f64,
     direction: &SVector<f64, N>,
     (state, product): &mut (State<f64>, Vector6<f64>),
@@ -24,7 +25,7 @@ pub(crate) fn jvp<const N: usize, L: SmoothLaw>(
         system,
         time,
         step,
-        state: *state,
+        state: start,
         task: Forward {
             direction: &direction.data.0[0],
             state,
@@ -38,6 +39,7 @@ pub(crate) fn jvp<const N: usize, L: SmoothLaw>(
 pub(crate) fn vjp<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
+    start: &State<f64>,
     step: f64,
     covector: &Vector6<f64>,
     (state, product): &mut (State<f64>, SVector<f64, N>),
@@ -46,7 +48,7 @@ pub(crate) fn vjp<const N: usize, L: SmoothLaw>(
         system,
         time,
         step,
-        state: *state,
+        state: start,
         task: Backward {
             covector: &covector.data.0[0],
             state,
@@ -60,7 +62,7 @@ struct One<'a, L, T> {
     system: &'a System<f64, L>,
     time: f64,
     step: f64,
-    state: State<f64>,
+    state: &'a State<f64>,
     task: T,
 }
 
@@ -70,7 +72,7 @@ impl<L: SmoothLaw, T: Task> Work for One<'_, L, T> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
         let times = (self.time, self.step);
-        alone(registers, self.system, times, &self.state, self.task)
+        alone(registers, self.system, times, self.state, self.task)
     }
 }
 

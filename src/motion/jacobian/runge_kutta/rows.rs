@@ -6,7 +6,7 @@ use super::moments::{ByTurn, Moments};
 use super::stages::{Stages, Start};
 use super::tensor::Tensor;
 use crate::motion::registers::{Registers, Work, in_widest};
-use crate::motion::{SmoothLaw, StepJacobian, System};
+use crate::motion::{SmoothLaw, State, StepJacobian, System};
 
 /// The state and an empty matrix overwritten by those after the step. `false` if the law is
 /// said to be linear and is not. In place, for the matrix is large beside the work.
@@ -14,21 +14,24 @@ use crate::motion::{SmoothLaw, StepJacobian, System};
 pub(crate) fn step_with_jacobian<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
+    state: &State<f64>,
     step: f64,
     out: &mut StepJacobian<N>,
 ) -> bool {
     in_widest(One {
         system,
         time,
+        state,
         step,
         out,
     })
 }
 
-/// One body: the state before the step and an empty matrix, to be overwritten.
+/// One body.
 struct One<'a, const N: usize, L> {
     system: &'a System<f64, L>,
     time: f64,
+    state: &'a State<f64>,
     step: f64,
     out: &'a mut StepJacobian<N>,
 }
@@ -38,8 +41,8 @@ impl<const N: usize, L: SmoothLaw> Work for One<'_, N, L> {
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
-        let (state, times) = (self.out.state, (self.time, self.step));
-        alone(registers, self.system, times, &state, Rows(self.out))
+        let times = (self.time, self.step);
+        alone(registers, self.system, times, self.state, Rows(self.out))
     }
 }
 
