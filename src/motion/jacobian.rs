@@ -205,6 +205,62 @@ where
     (state, along)
 }
 
+/// One step of `scheme`, and its Jacobian in the `P` parameters of a law that is made of them: rows (θ', ω').
+///
+/// The parameters are dual numbers, and the law is one over these.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Number, Rk4, State, TorqueLaw, jacobian};
+///
+/// /// A drag, and a weight on an arm along z.
+/// #[derive(Clone, Copy)]
+/// struct Top<T> {
+///     drag: T,
+///     weight: T,
+/// }
+/// impl<T: Number> TorqueLaw<T> for Top<T> {
+///     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
+///         let down = Vector3::new(T::zero(), T::zero(), -self.weight);
+///         let seen = state.attitude.to_body(&down);
+///         Vector3::new(-seen.y, seen.x, T::zero()) - state.angular_velocity * self.drag
+///     }
+/// }
+/// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+/// let law = |[drag, weight]: [_; 2]| Top { drag, weight };
+/// let at = |values| jacobian::by_parameters(&Rk4, &inertia, law, values, (0.0, 0.1), &start);
+/// let (end, by_parameters) = at([0.2, 9.81]);
+/// let difference = end.difference(&at([0.2, 9.81 + 1e-6]).0) / 1e-6;
+/// assert!((by_parameters.column(1) - difference).norm() < 1e-7);
+/// ```
+pub fn by_parameters<const P: usize, S, L>(
+    scheme: &S,
+    inertia: &Matrix3<f64>,
+    law: impl Fn([Jet<f64, P>; P]) -> L,
+    parameters: [f64; P],
+    (time, step): (f64, f64),
+    state: &State<f64>,
+) -> (State<f64>, SMatrix<f64, 6, P>)
+where
+    S: Scheme<L> + ?Sized,
+    L: TorqueLaw<Jet<f64, P>>,
+{
+    let law = law(std::array::from_fn(|i| Jet::variable(parameters[i], i)));
+    let system = System::over(
+        inertia.map(Number::of),
+        law,
+        Vector3::from_element(Jet::of(0.0)),
+    );
+    let start = State {
+        attitude: Quaternion::new(state.attitude.components().map(Number::of)),
+        angular_velocity: state.angular_velocity.map(Number::of),
+    };
+    let end = scheme.step(&system, Number::of(time), &start, Number::of(step));
+    let (state, columns) = tangents(&end);
+    (state, SMatrix::from_columns(&columns))
+}
+
 /// A step's input as numbers of which column `c` is the variable `c`.
 struct Seed<T> {
     state: State<T>,

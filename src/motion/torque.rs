@@ -87,6 +87,57 @@ impl<L> SmoothLaw for L where
 /// How many derivatives are taken side by side: as many as the widest registers hold, and as the state and the time have numbers.
 pub(crate) const SIDE: usize = 8;
 
+/// A law as it is from a time on: a motion that starts at a time t₀ is that of its law from t₀ on, which starts at 0.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Frame, Later, Rk4, State, System, Torque, jacobian::flow};
+///
+/// let wave = Torque::Sinusoid {
+///     frame: Frame::Space,
+///     amplitude: Vector3::new(0.1, -0.2, 0.3),
+///     angular_frequency: 2.0,
+///     phase: 0.3,
+/// };
+/// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+/// let (whole, later) = (System::new(inertia, wave)?, System::new(inertia, Later { law: wave, from: 0.5 })?);
+/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+/// let first = flow::by_steps::<15, _, _>(&Rk4, &whole, &start, 0.01, 0.5)?;
+/// let second = flow::by_steps::<15, _, _>(&Rk4, &later, &first.state, 0.01, 0.5)?;
+/// let both = flow::by_steps::<15, _, _>(&Rk4, &whole, &start, 0.01, 1.0)?;
+/// assert!((first.then(&second).matrix - both.matrix).amax() < 1e-12);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Later<L> {
+    /// The law.
+    pub law: L,
+    /// What is its time where this one's is 0, s.
+    pub from: f64,
+}
+
+impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
+    const LINEAR: bool = L::LINEAR;
+
+    #[inline(always)]
+    fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
+        self.law.torque(time + T::of(self.from), state)
+    }
+
+    fn added_in(&self) -> Frame {
+        self.law.added_in()
+    }
+
+    fn needs_angular_velocity(&self) -> bool {
+        self.law.needs_angular_velocity()
+    }
+
+    #[inline(always)]
+    fn linear(&self, time: f64) -> Option<LinearTorque> {
+        self.law.linear(time + self.from)
+    }
+}
+
 /// A torque that is linear in ω and in one vector that stands in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LinearTorque {

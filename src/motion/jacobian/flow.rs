@@ -1,4 +1,4 @@
-//! The Jacobian of a whole motion, from time 0 to a given time.
+//! The Jacobian of a whole motion, from time 0 to a given time; from another one by a law that is [`Later`](crate::motion::Later).
 //!
 //! Rows and columns are those of a step: (θ, ω) at the end by (θ, ω) at the start, the added torque, the inertia and
 //! the length, which is here the time itself. Each step's Jacobian is chained to those before it.
