@@ -15,16 +15,19 @@ pub enum Frame {
 
 /// A torque as a function of time and state, in body axes, N m.
 ///
-/// A closure `|time, state| …` is a law over its own number. A law that is to give Jacobians is generic: it
-/// implements this trait for every [`Number`].
+/// A closure `|time: f64, state: &State<f64>| …` is a law over doubles. A law that is to give Jacobians is generic: it
+/// implements this trait for every [`Number`], and for speed its function is `#[inline(always)]`, so that it is compiled for the
+/// machine at hand with the step around it.
 ///
 /// ```
 /// use nalgebra::Vector3;
 /// use polhode::motion::{Number, State, TorqueLaw};
 ///
 /// /// A drag that grows with the square of the spin about z.
+/// #[derive(Clone, Copy)]
 /// struct Drag(f64);
 /// impl<T: Number> TorqueLaw<T> for Drag {
+///     #[inline(always)]
 ///     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
 ///         let spin = state.angular_velocity.z;
 ///         Vector3::new(T::zero(), T::zero(), -spin * spin * T::of(self.0))
@@ -33,6 +36,22 @@ pub enum Frame {
 /// let spinning = State::at_rest().turning(Vector3::new(0.0, 0.0, 2.0));
 /// assert_eq!(Drag(0.5).torque(0.0, &spinning).z, -2.0);
 /// ```
+///
+/// A closure has no derivatives, and the compiler says so:
+///
+/// ```compile_fail,E0277
+/// use nalgebra::Matrix3;
+/// use polhode::motion::{Rk4, Scheme, State, System};
+/// let drag = |_: f64, state: &State<f64>| -state.angular_velocity;
+/// let system = System::new(Matrix3::identity(), drag).expect("a body");
+/// let step = Rk4.step_with_jacobian::<6>(&system, 0.0, &State::at_rest(), 0.1);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no law of torque over `{T}`",
+    label = "gives no torque over `{T}`",
+    note = "a closure `|time: f64, state: &State<f64>| -> Vector3<f64>` is a law without derivatives; name the types of its arguments",
+    note = "for derivatives write `#[derive(Clone, Copy)] struct Law;` and `impl<T: Number> TorqueLaw<T> for Law`"
+)]
 pub trait TorqueLaw<T: Number> {
     /// Whether [`linear`](Self::linear) is to be asked: known beforehand, so that no code is made for what does not occur.
     const LINEAR: bool = false;
@@ -70,9 +89,8 @@ pub trait TorqueLaw<T: Number> {
 
 /// A law over all the numbers that derivatives are taken with, as every `Copy` law that is generic over its number is.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` gives torques over one kind of number, and derivatives need it over every one",
-    label = "no derivatives of this law of torque",
-    note = "write a struct that is `Copy`, and `impl<T: Number> TorqueLaw<T>` for it; a closure cannot be generic"
+    message = "`{Self}` is no law of torque with derivatives",
+    note = "write `#[derive(Clone, Copy)] struct Law;` and `impl<T: Number> TorqueLaw<T> for Law`"
 )]
 pub trait SmoothLaw:
     Copy + TorqueLaw<f64> + TorqueLaw<Jet<f64, 1>> + TorqueLaw<Jet<f64, SIDE>>
@@ -169,9 +187,9 @@ impl LinearTorque {
     }
 }
 
-impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
+impl<F: Fn(f64, &State<f64>) -> Vector3<f64>> TorqueLaw<f64> for F {
     #[inline(always)]
-    fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
+    fn torque(&self, time: f64, state: &State<f64>) -> Vector3<f64> {
         self(time, state)
     }
 }

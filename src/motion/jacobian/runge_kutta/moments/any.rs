@@ -40,8 +40,10 @@ impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
         Quaternion::new(components)
     }
 
-    /// The torque at a stage, M: its derivatives in p, in v and in ln h.
-    #[inline(always)]
+    /// The torque at a stage, M: its derivatives in p, in v and in ln h. Apart where no wide registers are to be had: in one
+    /// piece with the step, it is what LLVM 22 breaks down at.
+    #[cfg_attr(feature = "batch", inline(always))]
+    #[cfg_attr(not(feature = "batch"), inline(never))]
     fn torque(&self, place: Place, turn: [f64; 4], velocity: [f64; 3]) -> Vector3<Side> {
         let (pace, since) = (2.0 / self.step, place.since(self.step));
         let mut omega = [Side::of(0.0); 3];
