@@ -8,6 +8,17 @@
 //! the law, in the axes that the law names. The inertia is the tensor's own entries xx, yy, zz, xy, xz, yz (an
 //! off-diagonal entry and its mirror image move together), at constant ω.
 //!
+//! # What it costs
+//!
+//! A step of [`Rk4`](crate::motion::Rk4) with 15 columns takes about three and a half plain steps of a free body, 170 ns on one core
+//! of an AMD EPYC, and 1.4 to 1.6 times that under the laws of [`Torque`](crate::motion::Torque). Of a law of one's own only the torque is
+//! run on dual numbers, in twice the time of a free body, if its function is `#[inline(always)]`. `cargo bench --bench laws` has
+//! all laws beside num-dual, differences and CasADi.
+//!
+//! The feature `batch` finds out what registers the machine has. Without it the code is made for the machine that the crate is
+//! built for: for any x86-64 the same step takes 290 ns instead of 170, the products with one vector a quarter more, so build with
+//! `-C target-cpu=native` where speed counts.
+//!
 //! # Second derivatives
 //!
 //! Every step is generic over its [`Number`], so a scalar of the result that one chooses has its second derivatives by

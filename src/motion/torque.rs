@@ -102,7 +102,7 @@ impl<L> SmoothLaw for L where
 {
 }
 
-/// How many derivatives are taken side by side: as many as the widest registers hold, and as the state and the time have numbers.
+/// How many derivatives are taken side by side, 8: as many as the widest registers hold, and as state and time have numbers.
 pub(crate) const SIDE: usize = 8;
 
 /// A law as it is from a time on: a motion that starts at a time t₀ is that of its law from t₀ on, which starts at 0.
