@@ -219,11 +219,12 @@ impl<T: Arithmetic> Source<T> {
     #[inline(always)]
     fn doubled(&self) -> Self {
         let two = self.velocity[0].constant(2.0);
+        let mut turn = None;
+        if let Some(own) = self.turn {
+            turn = Some(times(own, two));
+        }
         Self {
-            turn: match self.turn {
-                Some(turn) => Some(times(turn, two)),
-                None => None,
-            },
+            turn,
             velocity: times(self.velocity, two),
             momentum: times(self.momentum, two),
             ..*self

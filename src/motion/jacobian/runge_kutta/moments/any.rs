@@ -105,8 +105,8 @@ impl<R: Registers, L: SmoothLaw> Moments<R::Wide> for Any<'_, R, L> {
         let mut rows = [[0.0; SIDE]; 3];
         for i in 0..3 {
             value[i] = torque[i].value * scale;
-            for k in 0..SIDE {
-                rows[i][k] = torque[i].partials[k] * scale;
+            for (slope, partial) in rows[i].iter_mut().zip(torque[i].partials) {
+                *slope = partial * scale;
             }
         }
         let zero = registers.splat(0.0);

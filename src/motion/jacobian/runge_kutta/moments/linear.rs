@@ -98,24 +98,26 @@ impl Own<f64> {
     fn new(part: &LinearTorque, place: Place, step: f64) -> Self {
         let scale = 0.25 * step * step;
         let by_time = part.by_time * place.since(step);
+        let mut by_velocity = None;
+        if let Some(matrix) = part.by_angular_velocity {
+            by_velocity = Some((matrix.transpose() * (0.5 * step)).data.0);
+        }
         Self {
             at_rest: (part.at_rest * scale).into(),
-            by_velocity: match part.by_angular_velocity {
-                Some(matrix) => Some((matrix.transpose() * (0.5 * step)).data.0),
-                None => None,
-            },
+            by_velocity,
             by_length: ((part.at_rest * 2.0 + by_time) * scale).into(),
         }
     }
 
     #[inline(always)]
     fn splat<R: Registers>(&self, registers: R) -> Own<R::Wide> {
+        let mut by_velocity = None;
+        if let Some(rows) = self.by_velocity {
+            by_velocity = Some(splat_rows(registers, rows));
+        }
         Own {
             at_rest: splat(registers, self.at_rest),
-            by_velocity: match self.by_velocity {
-                Some(rows) => Some(splat_rows(registers, rows)),
-                None => None,
-            },
+            by_velocity,
             by_length: splat(registers, self.by_length),
         }
     }
@@ -164,13 +166,14 @@ impl Seen<f64> {
     #[inline(always)]
     pub(in super::super) fn splat<R: Registers>(&self, registers: R) -> Seen<R::Wide> {
         let [a, b, c] = &self.loads;
+        let mut arm = None;
+        if let Some(own) = self.arm {
+            arm = Some(splat(registers, own));
+        }
         Seen {
             own: self.own.splat(registers),
             loads: [a.splat(registers), b.splat(registers), c.splat(registers)],
-            arm: match self.arm {
-                Some(arm) => Some(splat(registers, arm)),
-                None => None,
-            },
+            arm,
         }
     }
 }
