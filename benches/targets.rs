@@ -5,6 +5,8 @@
 
 #[path = "reference/step.rs"]
 mod reference_step;
+#[path = "reference/turns.rs"]
+mod turns;
 
 use nalgebra::{SVector, Vector3, Vector6};
 use polhode::bench::{Contender, Point, Problem, floor, measure, problems, reference, time_to};
@@ -13,11 +15,8 @@ use polhode::motion::{
 };
 use reference_step::{STEP, central_differences, full, principal, start};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
-
-/// Turns, and how long a turn of a small thing is.
-const TURNS: usize = 301;
-const TURN: f64 = 2e-5;
+use std::time::Duration;
+use turns::{TURNS, in_turns, repeated};
 
 fn main() {
     let quick = std::env::args().any(|arg| arg == "--quick");
@@ -61,45 +60,6 @@ fn at_most(target: f64) -> Option<(f64, bool)> {
 
 fn at_least(target: f64) -> Option<(f64, bool)> {
     Some((target, false))
-}
-
-/// Something done a number of times.
-type Work<'a> = &'a mut dyn FnMut(u32);
-
-/// Nanoseconds for one call of each, in turns.
-fn in_turns<const N: usize>(turns: usize, works: [Work<'_>; N]) -> [f64; N] {
-    let mut times = vec![Vec::with_capacity(turns); N];
-    let mut counts = [1_u32; N];
-    let mut works = works;
-    for (work, count) in works.iter_mut().zip(&mut counts) {
-        work(1);
-        let begun = Instant::now();
-        work(1);
-        let once = begun.elapsed().as_secs_f64().max(1e-9);
-        *count = (TURN / once).ceil().clamp(1.0, 1e4) as u32;
-    }
-    for _ in 0..turns {
-        for ((work, count), times) in works.iter_mut().zip(counts).zip(&mut times) {
-            let begun = Instant::now();
-            work(count);
-            times.push(begun.elapsed().as_secs_f64() / f64::from(count));
-        }
-    }
-    std::array::from_fn(|i| {
-        times[i].sort_by(f64::total_cmp);
-        1e9 * times[i][turns / 2]
-    })
-}
-
-/// Calls a thing as often as is asked.
-macro_rules! repeated {
-    ($thing:expr) => {
-        &mut |count| {
-            for _ in 0..count {
-                let _ = black_box($thing);
-            }
-        }
-    };
 }
 
 fn step() {

@@ -9,6 +9,7 @@ mod motion {
     mod flow_jacobian;
     mod free_body;
     mod geometric;
+    mod laws;
     mod numbers_and_limits;
     mod objectivity;
     mod rollout;

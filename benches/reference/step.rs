@@ -1,4 +1,5 @@
 //! The step that is timed, and its Jacobian by central differences.
+#![allow(dead_code, reason = "no bench takes all of it")]
 
 use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
 use polhode::motion::{Rk4, Scheme, State, System, Torque};

@@ -9,11 +9,10 @@ use crate::mechanics::possible_body;
 use crate::motion::stepper::positive;
 use crate::motion::system::{entries, inverse};
 use crate::motion::{
-    Block, LANES, Lane, MotionError, Number, Scheme, State, System, Tensors, TorqueLaw,
+    Block, LANES, Lane, MotionError, Scheme, SmoothLaw, State, System, Tensors, TorqueLaw,
 };
 use dispatch::{for_each_block, for_each_share};
 use nalgebra::{Matrix3, Vector3};
-use num_dual::DualSVec64;
 
 /// Bodies under one law of torque, moved together: an ensemble over states, or over states and inertia.
 ///
@@ -198,8 +197,7 @@ impl Batch {
     ) -> Result<(), MotionError>
     where
         S: Scheme<L> + Sync,
-        L: TorqueLaw<f64> + TorqueLaw<DualSVec64<N>> + Copy + Send + Sync,
-        DualSVec64<N>: Number,
+        L: SmoothLaw + Send + Sync,
     {
         positive(step)?;
         let start = self.time;

@@ -60,22 +60,22 @@ impl<T: Number, const N: usize> Number for Jet<T, N> {
     type Value = <T as Number>::Value;
     const DERIVATIVES: usize = T::DERIVATIVES + 1;
 
-    #[inline]
+    #[inline(always)]
     fn real(&self) -> <T as Number>::Value {
         self.value.real()
     }
 
-    #[inline]
+    #[inline(always)]
     fn constant(value: <T as Number>::Value) -> Self {
         Self::constant(T::constant(value))
     }
 
-    #[inline]
+    #[inline(always)]
     fn magnitude(&self) -> f64 {
         self.value.magnitude()
     }
 
-    #[inline]
+    #[inline(always)]
     fn of(value: f64) -> Self {
         Self::constant(T::of(value))
     }

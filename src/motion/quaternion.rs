@@ -63,12 +63,13 @@ impl<T: Number> Quaternion<T> {
     /// Of a quaternion off unit length it is |q|² times that, whatever the axes: a stage of a step knows none.
     #[inline(always)]
     pub fn to_space(&self, v: &Vector3<T>) -> Vector3<T> {
-        let (w, u, two) = (self.w, &self.v, T::of(2.0));
+        let (w, u) = (self.w, &self.v);
         let (square, along) = (
             u.x * u.x + u.y * u.y + u.z * u.z,
             u.x * v.x + u.y * v.y + u.z * v.z,
         );
-        v * (w * w - square) + u * (along * two) + cross(u, v) * (w * two)
+        // Doubled by sums: a product with a constant would have derivatives to multiply by.
+        v * (w * w - square) + u * (along + along) + cross(u, v) * (w + w)
     }
 
     /// The components in the body of the space vector `v`: q⁻¹ v q.
@@ -95,16 +96,6 @@ impl<T: Number> Quaternion<T> {
             w * b - x * c + z * a,
             w * c + x * b - y * a,
         ])
-    }
-
-    /// exp(θ/2) through the third order in θ, without a branch: for seeds of derivatives, where θ is 0.
-    #[inline(always)]
-    pub(crate) fn exp_near_zero(theta: &Vector3<T>) -> Self {
-        let square = theta.dot(theta);
-        Self {
-            w: T::one() - square * T::of(0.125),
-            v: theta * (T::of(0.5) - square * T::of(1.0 / 48.0)),
-        }
     }
 }
 

@@ -4,11 +4,10 @@ mod lanes;
 
 use crate::motion::block::{Block, Lane, Tensors};
 use crate::motion::{
-    Number, Scheme, State, StepJacobian, System, TorqueLaw, jacobian, jacobian::any_law,
+    Number, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
     jacobian::runge_kutta, stepper,
 };
 use nalgebra::{SMatrix, SVector, Vector6};
-use num_dual::{Dual64, DualSVec64};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
 /// made unit after the step. It conserves neither energy nor momentum: both drift as t h⁴.
@@ -41,8 +40,8 @@ impl<L> Scheme<L> for Rk4 {
         }
     }
 
-    /// Backwards through the stages, in registers where the torque does not look at the attitude, else with the law alone on
-    /// dual numbers.
+    /// Backwards through the stages, in registers; a law that is not written out as a [`LinearTorque`](crate::motion::LinearTorque)
+    /// is alone run on dual numbers.
     #[inline(always)]
     fn step_with_jacobian<const N: usize>(
         &self,
@@ -52,15 +51,14 @@ impl<L> Scheme<L> for Rk4 {
         step: f64,
     ) -> StepJacobian<N>
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         let mut out = StepJacobian {
             state: *state,
             matrix: SMatrix::zeros(),
         };
-        if !runge_kutta::step_with_jacobian(system, time, step, &mut out) {
-            out = any_law::step_with_jacobian(system, time, state, step);
+        if !runge_kutta::step_with_jacobian(system, time, state, step, &mut out) {
+            out = jacobian::by_dual_numbers(self, system, time, state, step);
         }
         out
     }
@@ -90,15 +88,14 @@ impl<L> Scheme<L> for Rk4 {
         step: f64,
         columns: &mut [[Lane; 6]; N],
     ) where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         if !runge_kutta::block_with_jacobian(system, time, block, step, columns) {
             stepper::one_by_one(self, system, time, block, step, columns);
         }
     }
 
-    /// Forward through the stages where the torque does not look at the attitude, else by dual numbers.
+    /// Forward through the stages, as the Jacobian.
     #[inline(always)]
     fn jvp<const N: usize>(
         &self,
@@ -109,10 +106,10 @@ impl<L> Scheme<L> for Rk4 {
         direction: &SVector<f64, N>,
     ) -> (State<f64>, Vector6<f64>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+        L: SmoothLaw,
     {
         let mut out = (*state, Vector6::zeros());
-        if !runge_kutta::jvp(system, time, step, direction, &mut out) {
+        if !runge_kutta::jvp(system, time, state, step, direction, &mut out) {
             out = jacobian::jvp(self, system, time, state, step, direction);
         }
         out
@@ -129,12 +126,12 @@ impl<L> Scheme<L> for Rk4 {
         covector: &Vector6<f64>,
     ) -> (State<f64>, SVector<f64, N>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         let mut out = (*state, SVector::zeros());
-        if !runge_kutta::vjp(system, time, step, covector, &mut out) {
-            out = any_law::vjp(system, time, state, step, covector);
+        if !runge_kutta::vjp(system, time, state, step, covector, &mut out) {
+            let whole = jacobian::by_dual_numbers::<N, _, _>(self, system, time, state, step);
+            out = whole.pulled_back(covector);
         }
         out
     }

@@ -1,8 +1,9 @@
 //! A trajectory of steps with a torque for each, and its derivatives.
 
-use crate::motion::{MotionError, Number, Scheme, State, StepJacobian, System, TorqueLaw, stepper};
+use crate::motion::{
+    MotionError, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, stepper,
+};
 use nalgebra::{Vector3, Vector6};
-use num_dual::DualSVec64;
 
 /// The trajectory of a system in steps of one length, a torque of its own added in each.
 ///
@@ -48,6 +49,18 @@ pub struct RolloutGradient {
     pub step: f64,
 }
 
+impl RolloutGradient {
+    /// That of a trajectory of no step, with room for the torques of so many.
+    fn of_end(cost: Vector6<f64>, steps: usize) -> Self {
+        Self {
+            start: cost,
+            torques: vec![Vector3::zeros(); steps],
+            inertia: Vector6::zeros(),
+            step: 0.0,
+        }
+    }
+}
+
 impl<'a, S, L> Rollout<'a, S, L>
 where
     S: Scheme<L>,
@@ -64,11 +77,23 @@ where
         step: f64,
         torques: &'a [Vector3<f64>],
     ) -> Result<Self, MotionError> {
+        Self::starting_at(0, scheme, system, start, step, torques)
+    }
+
+    /// The trajectory of the steps from `first` on.
+    fn starting_at(
+        first: usize,
+        scheme: S,
+        system: System<f64, L>,
+        start: State<f64>,
+        step: f64,
+        torques: &'a [Vector3<f64>],
+    ) -> Result<Self, MotionError> {
         stepper::positive(step)?;
         let mut states = Vec::with_capacity(torques.len() + 1);
         states.push(start);
         let mut state = start;
-        for (k, torque) in torques.iter().enumerate() {
+        for (k, torque) in (first..).zip(torques) {
             let time = k as f64 * step;
             state = scheme.step(&system.with_torque(*torque), time, &state, step);
             if !state.is_finite() {
@@ -85,6 +110,11 @@ where
         })
     }
 
+    /// The last state.
+    pub fn end(&self) -> State<f64> {
+        self.states[self.torques.len()]
+    }
+
     /// The states: one more than there are steps.
     pub fn states(&self) -> &[State<f64>] {
         &self.states
@@ -96,36 +126,93 @@ where
     /// than the states.
     pub fn gradient(&self, costs: &[Vector6<f64>]) -> RolloutGradient
     where
-        L: TorqueLaw<DualSVec64<16>>,
+        L: SmoothLaw,
     {
         let cost = |k: usize| costs.get(k).copied().unwrap_or_else(Vector6::zeros);
-        let steps = self.torques.len();
-        let mut gradient = RolloutGradient {
-            start: cost(steps),
-            torques: vec![Vector3::zeros(); steps],
-            inertia: Vector6::zeros(),
-            step: 0.0,
+        let mut gradient = RolloutGradient::of_end(cost(self.torques.len()), self.torques.len());
+        self.back(0, &mut gradient, |k, _| cost(k));
+        gradient
+    }
+
+    /// The end of the trajectory and the gradient of a cost, in little memory: as many states as the root of the number of steps
+    /// are kept, and those between are made again. `cost(k, state)` is the cost of state `k` in its tangent (θ, ω).
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3, Vector6};
+    /// use polhode::motion::{Rk4, Rollout, State, System, Torque};
+    ///
+    /// let system = System::new(Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0)), Torque::None)?;
+    /// let torques = vec![Vector3::new(0.1, 0.0, -0.2); 100];
+    /// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+    /// let cost = |k: usize, state: &State<f64>| match k {
+    ///     100 => Vector6::new(0.0, 0.0, 0.0, 1.0, 0.0, 0.0) * state.angular_velocity.x,
+    ///     _ => Vector6::zeros(),
+    /// };
+    /// let (end, gradient) = Rollout::end_with_gradient(Rk4, system, start, 0.01, &torques, cost)?;
+    /// let whole = Rollout::new(Rk4, system, start, 0.01, &torques)?;
+    /// let costs: Vec<_> = whole.states().iter().enumerate().map(|(k, state)| cost(k, state)).collect();
+    /// assert_eq!((end, gradient), (whole.states()[100], whole.gradient(&costs)));
+    /// # Ok::<(), polhode::motion::MotionError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn end_with_gradient(
+        scheme: S,
+        system: System<f64, L>,
+        start: State<f64>,
+        step: f64,
+        torques: &'a [Vector3<f64>],
+        cost: impl Fn(usize, &State<f64>) -> Vector6<f64>,
+    ) -> Result<(State<f64>, RolloutGradient), MotionError>
+    where
+        S: Copy,
+        L: SmoothLaw,
+    {
+        let part = torques.len().isqrt().max(1);
+        let from = |first: usize, state| {
+            let torques = &torques[first..torques.len().min(first + part)];
+            Self::starting_at(first, scheme, system, state, step, torques)
         };
-        for k in (0..steps).rev() {
-            let system = self.system.with_torque(self.torques[k]);
+        let (mut kept, mut end) = (Vec::new(), start);
+        for first in (0..torques.len()).step_by(part) {
+            kept.push((first, end));
+            end = from(first, end)?.end();
+        }
+        let mut gradient = RolloutGradient::of_end(cost(torques.len(), &end), torques.len());
+        for (first, state) in kept.into_iter().rev() {
+            from(first, state)?.back(first, &mut gradient, &cost);
+        }
+        Ok((end, gradient))
+    }
+
+    /// Takes a gradient in the end back to the start, through steps of which the first is step `first`.
+    fn back(
+        &self,
+        first: usize,
+        gradient: &mut RolloutGradient,
+        cost: impl Fn(usize, &State<f64>) -> Vector6<f64>,
+    ) where
+        L: SmoothLaw,
+    {
+        let steps = self.torques.iter().zip(&self.states).enumerate();
+        for (i, (torque, state)) in steps.rev() {
+            let (k, system) = (first + i, self.system.with_torque(*torque));
             let time = k as f64 * self.step;
             let covector = gradient.start;
-            let (_, found) =
-                (self.scheme).vjp::<16>(&system, time, &self.states[k], self.step, &covector);
-            gradient.start = found.fixed_rows::<6>(0) + cost(k);
+            let (_, found) = (self.scheme).vjp::<16>(&system, time, state, self.step, &covector);
+            gradient.start = found.fixed_rows::<6>(0) + cost(k, state);
             gradient.torques[k] = found.fixed_rows::<3>(6).into_owned();
             gradient.inertia += found.fixed_rows::<6>(9);
             gradient.step += found[15];
         }
-        gradient
     }
 
     /// The Jacobian of each step, the blocks of a Gauss–Newton or multiple-shooting problem: with 9 columns
     /// [`by_state`](StepJacobian::by_state) is A and [`by_torque`](StepJacobian::by_torque) is B of δx' = A δx + B δu.
     pub fn jacobians<const N: usize>(&self) -> impl Iterator<Item = StepJacobian<N>> + '_
     where
-        L: TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         let steps = self.torques.iter().zip(&self.states).enumerate();
         steps.map(|(k, (torque, state))| {

@@ -1,9 +1,10 @@
 //! One interface to every way of moving a body through time.
 
 use crate::motion::block::{Block, LANES, Lane, Tensors};
-use crate::motion::{MotionError, Number, State, StepJacobian, System, TorqueLaw, jacobian};
+use crate::motion::{
+    MotionError, Number, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
+};
 use nalgebra::{SVector, Vector6};
-use num_dual::{Dual64, DualSVec64};
 
 /// A method that takes one step of a given length, over any number: on dual numbers the step is its own
 /// Jacobian.
@@ -33,8 +34,7 @@ pub trait Scheme<L> {
         step: f64,
     ) -> StepJacobian<N>
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         jacobian::by_dual_numbers(self, system, time, state, step)
     }
@@ -69,8 +69,7 @@ pub trait Scheme<L> {
         columns: &mut [[Lane; 6]; N],
     ) where
         Self: Sized,
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         one_by_one(self, system, time, block, step, columns);
     }
@@ -85,7 +84,7 @@ pub trait Scheme<L> {
         direction: &SVector<f64, N>,
     ) -> (State<f64>, Vector6<f64>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<Dual64>,
+        L: SmoothLaw,
     {
         jacobian::jvp(self, system, time, state, step, direction)
     }
@@ -101,8 +100,7 @@ pub trait Scheme<L> {
         covector: &Vector6<f64>,
     ) -> (State<f64>, SVector<f64, N>)
     where
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-        DualSVec64<N>: Number,
+        L: SmoothLaw,
     {
         self.step_with_jacobian::<N>(system, time, state, step)
             .pulled_back(covector)
@@ -119,8 +117,7 @@ pub(crate) fn one_by_one<const N: usize, S, L>(
     columns: &mut [[Lane; 6]; N],
 ) where
     S: Scheme<L>,
-    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-    DualSVec64<N>: Number,
+    L: SmoothLaw,
 {
     for lane in 0..LANES {
         let state = block.get(lane);

@@ -2,7 +2,8 @@
 
 use crate::mechanics::{angular_momentum, apply, cross, possible_body};
 use crate::motion::{
-    Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw, torque::in_body,
+    Body, Frame, MotionError, Number, Rates, State, Torque, TorqueLaw,
+    torque::{in_body, lift},
 };
 use nalgebra::{Matrix3, Vector3};
 use std::ops::{Add, Div, Mul, Sub};
@@ -21,15 +22,32 @@ pub struct System<T, L> {
 impl<L: TorqueLaw<f64>> System<f64, L> {
     /// The system of an inertia tensor (kg m², body axes, the tensor's own entries) and a law of torque.
     ///
+    /// That the tensor is one of a body is tested here, which costs as much as several steps. An optimiser makes the system
+    /// once and gives it a torque for each step by [`with_torque`](Self::with_torque); its trial tensors, which may be of no
+    /// body, it gives to [`over`](Self::over).
+    ///
     /// # Errors
     /// A tensor that no body has.
     pub fn new(inertia: Matrix3<f64>, law: L) -> Result<Self, MotionError> {
         possible_body(&inertia).map_err(MotionError::Inertia)?;
-        let products = [inertia[(0, 1)], inertia[(0, 2)], inertia[(1, 2)]];
-        Ok(Self {
-            principal: products.iter().all(|p| *p == 0.0),
-            ..Self::over(inertia, law, Vector3::zeros())
-        })
+        Ok(Self::over(inertia, law, Vector3::zeros()))
+    }
+}
+
+impl<L: TorqueLaw<f64>> System<f64, L> {
+    /// The whole torque over another number.
+    #[inline(always)]
+    pub(crate) fn torque_over<T: Number>(&self, time: T, state: &State<T>) -> Vector3<T>
+    where
+        L: TorqueLaw<T>,
+    {
+        let frame = TorqueLaw::<f64>::added_in(&self.law);
+        let torque = self.law.torque(time, state);
+        // None at all is the most frequent one.
+        if self.added == Vector3::zeros() {
+            return torque;
+        }
+        torque + in_body(frame, &state.attitude, lift(&self.added))
     }
 }
 
@@ -45,16 +63,29 @@ impl System<f64, Torque> {
 }
 
 impl<T: Number, L: TorqueLaw<T>> System<T, L> {
-    /// The system over any number, with a constant torque `added` to the law in the axes that the law names.
-    /// A tensor without an inverse gives numbers that are not finite.
+    /// The system over any number, with a constant torque `added` to the law in the axes that the law names; the tensor is not
+    /// tested. One without an inverse gives numbers that are not finite.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use polhode::motion::{Rk4, Scheme, State, System, Torque};
+    /// // No body has a moment larger than the sum of the others, but an optimiser may come by.
+    /// let trial = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.5));
+    /// assert!(System::new(trial, Torque::None).is_err());
+    /// let system = System::over(trial, Torque::None, Vector3::zeros());
+    /// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+    /// assert!(Rk4.step(&system, 0.0, &start, 0.01).is_finite());
+    /// ```
     #[inline(always)]
     pub fn over(inertia: Matrix3<T>, law: L, added: Vector3<T>) -> Self {
+        let none = |r, c| inertia[(r, c)] == T::zero();
         Self {
             inverse: inverse(&inertia),
+            // A product that is zero may yet have a derivative.
+            principal: T::DERIVATIVES == 0 && none(0, 1) && none(0, 2) && none(1, 2),
             inertia,
             law,
             added,
-            principal: false,
         }
     }
 

@@ -147,8 +147,8 @@ impl TaylorMotion {
     /// ```
     #[must_use]
     pub fn without_attitude(mut self) -> Self {
-        let law: &dyn TorqueLaw<f64> = self.system.law();
-        if law.without_attitude(0.0).is_some() {
+        let parts = TorqueLaw::<f64>::linear(self.system.law(), 0.0);
+        if parts.is_some_and(|torque| torque.looks_away()) {
             self.with_attitude = false;
             let inner = self.series.at(0.0);
             self.begin_series(&inner);

@@ -1,6 +1,7 @@
 //! Laws of torque.
 
 use crate::motion::{Number, Quaternion, State};
+use crate::scalar::Jet;
 use nalgebra::{Matrix3, Vector3};
 
 /// The axes that a vector is given in.
@@ -14,16 +15,19 @@ pub enum Frame {
 
 /// A torque as a function of time and state, in body axes, N m.
 ///
-/// A closure `|time, state| …` is a law over its own number. A law that is to give Jacobians is generic: it
-/// implements this trait for every [`Number`].
+/// A closure `|time: f64, state: &State<f64>| …` is a law over doubles. A law that is to give Jacobians is generic: it
+/// implements this trait for every [`Number`], and for speed its function is `#[inline(always)]`, so that it is compiled for the
+/// machine at hand with the step around it.
 ///
 /// ```
 /// use nalgebra::Vector3;
 /// use polhode::motion::{Number, State, TorqueLaw};
 ///
 /// /// A drag that grows with the square of the spin about z.
+/// #[derive(Clone, Copy)]
 /// struct Drag(f64);
 /// impl<T: Number> TorqueLaw<T> for Drag {
+///     #[inline(always)]
 ///     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
 ///         let spin = state.angular_velocity.z;
 ///         Vector3::new(T::zero(), T::zero(), -spin * spin * T::of(self.0))
@@ -32,7 +36,26 @@ pub enum Frame {
 /// let spinning = State::at_rest().turning(Vector3::new(0.0, 0.0, 2.0));
 /// assert_eq!(Drag(0.5).torque(0.0, &spinning).z, -2.0);
 /// ```
+///
+/// A closure has no derivatives, and the compiler says so:
+///
+/// ```compile_fail,E0277
+/// use nalgebra::Matrix3;
+/// use polhode::motion::{Rk4, Scheme, State, System};
+/// let drag = |_: f64, state: &State<f64>| -state.angular_velocity;
+/// let system = System::new(Matrix3::identity(), drag).expect("a body");
+/// let step = Rk4.step_with_jacobian::<6>(&system, 0.0, &State::at_rest(), 0.1);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no law of torque over `{T}`",
+    label = "gives no torque over `{T}`",
+    note = "a closure `|time: f64, state: &State<f64>| -> Vector3<f64>` is a law without derivatives; name the types of its arguments",
+    note = "for derivatives write `#[derive(Clone, Copy)] struct Law;` and `impl<T: Number> TorqueLaw<T> for Law`"
+)]
 pub trait TorqueLaw<T: Number> {
+    /// Whether [`linear`](Self::linear) is to be asked: known beforehand, so that no code is made for what does not occur.
+    const LINEAR: bool = false;
+
     /// The torque on the body at `time` (s) in `state`, in body axes. The attitude may be off unit length
     /// by the error of a stage of a step.
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T>;
@@ -57,27 +80,116 @@ pub trait TorqueLaw<T: Number> {
         true
     }
 
-    /// The torque at `time` as a constant one and a matrix times ω, if it is such whatever the attitude: then the fast
-    /// Jacobians can be taken. Must agree with [`torque`](Self::torque).
-    fn without_attitude(&self, _time: f64) -> Option<BodyTorque> {
+    /// The torque at `time` in parts, if it is linear in ω and in one vector that stands in space, whatever the state: then no
+    /// dual number is needed for its derivatives. Must agree with [`torque`](Self::torque).
+    fn linear(&self, _time: f64) -> Option<LinearTorque> {
         None
     }
 }
 
-/// A torque that is linear in ω, in body axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyTorque {
-    /// The torque on a body at rest, N m.
-    pub at_rest: Vector3<f64>,
-    /// What ω is multiplied by to be added, `None` for zeros. Row: component of the torque; column: component of ω.
-    pub by_angular_velocity: Option<Matrix3<f64>>,
-    /// The partial derivative in time.
-    pub by_time: Vector3<f64>,
+/// A law over all the numbers that derivatives are taken with, as every `Copy` law that is generic over its number is.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no law of torque with derivatives",
+    note = "write `#[derive(Clone, Copy)] struct Law;` and `impl<T: Number> TorqueLaw<T> for Law`"
+)]
+pub trait SmoothLaw:
+    Copy + TorqueLaw<f64> + TorqueLaw<Jet<f64, 1>> + TorqueLaw<Jet<f64, SIDE>>
+{
 }
 
-impl<T: Number, F: Fn(T, &State<T>) -> Vector3<T>> TorqueLaw<T> for F {
+impl<L> SmoothLaw for L where
+    L: Copy + TorqueLaw<f64> + TorqueLaw<Jet<f64, 1>> + TorqueLaw<Jet<f64, SIDE>>
+{
+}
+
+/// How many derivatives are taken side by side, 8: as many as the widest registers hold, and as state and time have numbers.
+pub(crate) const SIDE: usize = 8;
+
+/// A law as it is from a time on: a motion that starts at a time t₀ is that of its law from t₀ on, which starts at 0.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// use polhode::motion::{Frame, Later, Rk4, State, System, Torque, jacobian::flow};
+///
+/// let wave = Torque::Sinusoid {
+///     frame: Frame::Space,
+///     amplitude: Vector3::new(0.1, -0.2, 0.3),
+///     angular_frequency: 2.0,
+///     phase: 0.3,
+/// };
+/// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+/// let (whole, later) = (System::new(inertia, wave)?, System::new(inertia, Later { law: wave, from: 0.5 })?);
+/// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
+/// let first = flow::by_steps::<15, _, _>(&Rk4, &whole, &start, 0.01, 0.5)?;
+/// let second = flow::by_steps::<15, _, _>(&Rk4, &later, &first.state, 0.01, 0.5)?;
+/// let both = flow::by_steps::<15, _, _>(&Rk4, &whole, &start, 0.01, 1.0)?;
+/// assert!((first.then(&second).matrix - both.matrix).amax() < 1e-12);
+/// # Ok::<(), polhode::motion::MotionError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Later<L> {
+    /// The law.
+    pub law: L,
+    /// What is its time where this one's is 0, s.
+    pub from: f64,
+}
+
+impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
+    const LINEAR: bool = L::LINEAR;
+
     #[inline(always)]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
+        self.law.torque(time + T::of(self.from), state)
+    }
+
+    fn added_in(&self) -> Frame {
+        self.law.added_in()
+    }
+
+    fn needs_angular_velocity(&self) -> bool {
+        self.law.needs_angular_velocity()
+    }
+
+    #[inline(always)]
+    fn linear(&self, time: f64) -> Option<LinearTorque> {
+        self.law.linear(time + self.from)
+    }
+}
+
+/// A torque that is linear in ω and in one vector that stands in space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearTorque {
+    /// What depends on the time alone, body axes, N m.
+    pub at_rest: Vector3<f64>,
+    /// Its derivative in time.
+    pub by_time: Vector3<f64>,
+    /// What ω is multiplied by to be added, `None` for zeros. Row: component of the torque; column: component of ω.
+    pub by_angular_velocity: Option<Matrix3<f64>>,
+    /// What stands in space.
+    pub load: Option<SpaceLoad>,
+}
+
+/// A torque that stands in space, or a force there that acts at an arm of the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpaceLoad {
+    /// The torque, N m, or the force, N; space axes.
+    pub value: Vector3<f64>,
+    /// Its derivative in time.
+    pub by_time: Vector3<f64>,
+    /// The arm of a force, body axes, m.
+    pub arm: Option<Vector3<f64>>,
+}
+
+impl LinearTorque {
+    /// Whether the torque is the same in every attitude.
+    pub fn looks_away(&self) -> bool {
+        self.load.is_none()
+    }
+}
+
+impl<F: Fn(f64, &State<f64>) -> Vector3<f64>> TorqueLaw<f64> for F {
+    #[inline(always)]
+    fn torque(&self, time: f64, state: &State<f64>) -> Vector3<f64> {
         self(time, state)
     }
 }
@@ -120,6 +232,8 @@ pub enum Torque {
 }
 
 impl<T: Number> TorqueLaw<T> for Torque {
+    const LINEAR: bool = true;
+
     #[inline(always)]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         match self {
@@ -171,40 +285,51 @@ impl<T: Number> TorqueLaw<T> for Torque {
     }
 
     #[inline(always)]
-    fn without_attitude(&self, time: f64) -> Option<BodyTorque> {
-        let none = BodyTorque {
-            at_rest: Vector3::zeros(),
-            by_angular_velocity: None,
-            by_time: Vector3::zeros(),
-        };
-        match *self {
-            Self::None => Some(none),
-            Self::Constant {
-                frame: Frame::Body,
-                value,
-            } => Some(BodyTorque {
+    fn linear(&self, time: f64) -> Option<LinearTorque> {
+        let of = |frame: Frame, value: Vector3<f64>, by_time: Vector3<f64>| match frame {
+            Frame::Body => LinearTorque {
                 at_rest: value,
-                ..none
-            }),
-            Self::Damping { coefficient } => Some(BodyTorque {
+                by_time,
+                ..LinearTorque::default()
+            },
+            Frame::Space => LinearTorque {
+                load: Some(SpaceLoad {
+                    value,
+                    by_time,
+                    arm: None,
+                }),
+                ..LinearTorque::default()
+            },
+        };
+        Some(match *self {
+            Self::None => LinearTorque::default(),
+            Self::Constant { frame, value } => of(frame, value, Vector3::zeros()),
+            Self::Gravity { weight, arm } => LinearTorque {
+                load: Some(SpaceLoad {
+                    value: Vector3::new(0.0, 0.0, -weight),
+                    by_time: Vector3::zeros(),
+                    arm: Some(arm),
+                }),
+                ..LinearTorque::default()
+            },
+            Self::Damping { coefficient } => LinearTorque {
                 by_angular_velocity: Some(Matrix3::from_diagonal_element(-coefficient)),
-                ..none
-            }),
+                ..LinearTorque::default()
+            },
             Self::Sinusoid {
-                frame: Frame::Body,
+                frame,
                 amplitude,
                 angular_frequency,
                 phase,
             } => {
                 let (sine, cosine) = (angular_frequency * time + phase).sin_cos();
-                Some(BodyTorque {
-                    at_rest: amplitude * sine,
-                    by_time: amplitude * (cosine * angular_frequency),
-                    ..none
-                })
+                of(
+                    frame,
+                    amplitude * sine,
+                    amplitude * (cosine * angular_frequency),
+                )
             }
-            _ => None,
-        }
+        })
     }
 }
 

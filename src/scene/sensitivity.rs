@@ -93,6 +93,5 @@ impl Sensitivity {
 
 /// Whether the torque does not depend on the attitude.
 pub(crate) fn looks_away(member: &Member) -> bool {
-    let law: &dyn TorqueLaw<f64> = &member.torque;
-    law.without_attitude(0.0).is_some()
+    TorqueLaw::<f64>::linear(&member.torque, 0.0).is_some_and(|torque| torque.looks_away())
 }

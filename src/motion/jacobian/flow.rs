@@ -1,15 +1,14 @@
-//! The Jacobian of a whole motion, from time 0 to a given time.
+//! The Jacobian of a whole motion, from time 0 to a given time; from another one by a law that is [`Later`](crate::motion::Later).
 //!
 //! Rows and columns are those of a step: (θ, ω) at the end by (θ, ω) at the start, the added torque, the inertia and
 //! the length, which is here the time itself. Each step's Jacobian is chained to those before it.
 
 use super::variation::Variation;
 use crate::motion::{
-    Body, Dop853, Dop853Motion, FreeBody, MotionError, Number, Scheme, State, StepJacobian,
+    Body, Dop853, Dop853Motion, FreeBody, MotionError, Scheme, SmoothLaw, State, StepJacobian,
     Stepper, System, Taylor, TaylorMotion, Torque, TorqueLaw, stepper,
 };
 use nalgebra::SMatrix;
-use num_dual::DualSVec64;
 
 /// The steps' Jacobians so far.
 struct Chain<const N: usize> {
@@ -18,10 +17,7 @@ struct Chain<const N: usize> {
     matrix: SMatrix<f64, 6, N>,
 }
 
-impl<const N: usize> Chain<N>
-where
-    DualSVec64<N>: Number,
-{
+impl<const N: usize> Chain<N> {
     fn new(state: &State<f64>) -> Self {
         Self {
             time: 0.0,
@@ -33,7 +29,7 @@ where
     fn step_to<S, L>(&mut self, scheme: &S, system: &System<f64, L>, end: f64)
     where
         S: Scheme<L>,
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
+        L: SmoothLaw,
     {
         let span = end - self.time;
         let step = scheme.step_with_jacobian::<N>(system, self.time, &self.state, span);
@@ -84,8 +80,7 @@ pub fn by_steps<const N: usize, S, L>(
 ) -> Result<StepJacobian<N>, MotionError>
 where
     S: Scheme<L>,
-    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-    DualSVec64<N>: Number,
+    L: SmoothLaw,
 {
     let mut chain = Chain::new(state);
     for end in stepper::ends(0.0, time, step)? {
@@ -120,7 +115,6 @@ pub fn by_taylor<const N: usize>(
     time: f64,
 ) -> Result<StepJacobian<N>, MotionError>
 where
-    DualSVec64<N>: Number,
 {
     let system = System::new(*body.inertia(), torque)?;
     let mut motion = TaylorMotion::new(body, torque, state, tolerance)?;
@@ -141,8 +135,7 @@ pub fn by_dop853<const N: usize, L>(
     time: f64,
 ) -> Result<StepJacobian<N>, MotionError>
 where
-    L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<N>>,
-    DualSVec64<N>: Number,
+    L: SmoothLaw,
 {
     let mut motion = Dop853Motion::new(*system, state, tolerance)?;
     let mut chain = Chain::new(state);
@@ -203,7 +196,6 @@ pub fn of_free_body<const N: usize>(
     time: f64,
 ) -> Result<StepJacobian<N>, MotionError>
 where
-    DualSVec64<N>: Number,
 {
     stepper::onward(time, 0.0)?;
     let end = FreeBody::new(body, state).at(time)?;

@@ -165,8 +165,7 @@ impl Stage {
                 gyroscopic[(i, i)] -= coefficient;
             }
         }
-        let law: &dyn TorqueLaw<f64> = system.law();
-        let into_principal = match law.added_in() {
+        let into_principal = match TorqueLaw::<f64>::added_in(system.law()) {
             Frame::Body => axes.transpose(),
             Frame::Space => attitude.matrix().transpose(),
         };

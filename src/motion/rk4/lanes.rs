@@ -3,7 +3,7 @@
 use crate::motion::block::{Block, LANES, Lane, Tensors};
 use crate::motion::registers::{Arithmetic, Registers, Work, in_widest};
 use crate::motion::system::inverse_entries;
-use crate::motion::{BodyTorque, TorqueLaw};
+use crate::motion::{LinearTorque, TorqueLaw};
 
 /// Eight steps, or `false` if the law gives a torque that depends on the attitude. Never inlined: the callers are many, one
 /// for each kind of law, tensor and machine, and this is as large as all of them.
@@ -38,11 +38,8 @@ impl<L: TorqueLaw<f64>> Work for Eight<'_, L> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
         let (law, time, step) = (self.law, self.time, self.step);
-        let (Some(a), Some(b), Some(c)) = (
-            law.without_attitude(time),
-            law.without_attitude(time + step * 0.5),
-            law.without_attitude(time + step),
-        ) else {
+        let at = |time| law.linear(time).filter(LinearTorque::looks_away);
+        let (Some(a), Some(b), Some(c)) = (at(time), at(time + step * 0.5), at(time + step)) else {
             return false;
         };
         let moments = [
@@ -72,7 +69,7 @@ struct Moment<T> {
 
 impl<T: Arithmetic> Moment<T> {
     #[inline(always)]
-    fn of<R: Registers<Wide = T>>(registers: R, torque: &BodyTorque) -> Self {
+    fn of<R: Registers<Wide = T>>(registers: R, torque: &LinearTorque) -> Self {
         let [x, y, z] = torque.at_rest.into();
         let mut by_omega = None;
         if let Some(m) = torque.by_angular_velocity {

@@ -131,6 +131,34 @@ pub(in crate::motion::jacobian) fn loaded<R: Registers, const N: usize>(
     wide
 }
 
+/// The matrix of a turn, whose rows are the axes that it starts from: v ↦ q v q⁻¹ for a unit q, and |q|² times that for any
+/// other.
+#[inline(always)]
+pub(super) fn axes<T: Arithmetic>([w, a, b, c]: Turn<T>) -> [Vector<T>; 3] {
+    let two = w.constant(2.0);
+    let [p, q, r] = [w * two, a * two, b * two];
+    let square = (w * w).less_product(c, c);
+    let difference = (a * a).less_product(b, b);
+    let last = (w * w).plus_product(c, c);
+    [
+        [
+            square + difference,
+            (q * b).less_product(p, c),
+            (q * c).plus_product(p, b),
+        ],
+        [
+            (q * b).plus_product(p, c),
+            square - difference,
+            (r * c).less_product(p, a),
+        ],
+        [
+            (q * c).less_product(p, b),
+            (r * c).plus_product(p, a),
+            last.less_product(a, a).less_product(b, b),
+        ],
+    ]
+}
+
 /// The product of a turn and a pure quaternion.
 #[inline(always)]
 pub(super) fn turned<T: Arithmetic>([w, a, b, c]: Turn<T>, [x, y, z]: Vector<T>) -> Turn<T> {
@@ -142,6 +170,20 @@ pub(super) fn turned<T: Arithmetic>([w, a, b, c]: Turn<T>, [x, y, z]: Vector<T>)
         (w * x).plus_product(b, z).less_product(c, y),
         (w * y).plus_product(c, x).less_product(a, z),
         (w * z).plus_product(a, y).less_product(b, x),
+    ]
+}
+
+/// The product of a pure quaternion and a turn.
+#[inline(always)]
+pub(super) fn turning<T: Arithmetic>([x, y, z]: Vector<T>, [w, a, b, c]: Turn<T>) -> Turn<T> {
+    let zero = w.constant(0.0);
+    [
+        zero.less_product(x, a)
+            .less_product(y, b)
+            .less_product(z, c),
+        (w * x).plus_product(y, c).less_product(z, b),
+        (w * y).plus_product(z, a).less_product(x, c),
+        (w * z).plus_product(x, b).less_product(y, a),
     ]
 }
 

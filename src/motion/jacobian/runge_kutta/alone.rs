@@ -1,66 +1,109 @@
 //! The step of one body, each of its numbers in all lanes of a register.
 
-use super::algebra::{Turn, Vector, splat};
-use super::stages::{Moment, Stages, moments, some_length};
+use super::algebra::{axes, splat};
+use super::moments::{Any, Moments, Parts, parts, some_length};
+use super::stages::{Stages, Start};
 use super::tensor::{Full, Principal, Tensor};
 use crate::motion::registers::Registers;
 use crate::motion::system::entries;
-use crate::motion::{Quaternion, State, System, TorqueLaw};
+use crate::motion::{Frame, Quaternion, SmoothLaw, State, System, TorqueLaw};
 
-/// A step before it is taken.
-pub(super) struct Alone<R: Registers> {
-    pub(super) registers: R,
-    pub(super) step: f64,
-    pub(super) moments: [Moment<R::Wide>; 3],
-    pub(super) attitude: Turn<R::Wide>,
-    pub(super) omega: Vector<R::Wide>,
+/// Something to be done with a step, of whatever kind its tensor and its law are.
+pub(super) trait Task {
+    /// Does it.
+    fn run<R: Registers>(
+        self,
+        registers: R,
+        start: Start<R::Wide>,
+        tensor: impl Tensor<R::Wide>,
+        moments: &impl Moments<R::Wide>,
+    );
 }
 
-impl<R: Registers> Alone<R> {
-    /// `None` if the law gives a torque that depends on the attitude.
-    #[inline(always)]
-    pub(super) fn new<L: TorqueLaw<f64>>(
-        registers: R,
-        system: &System<f64, L>,
-        time: f64,
-        state: &State<f64>,
-        step: f64,
-    ) -> Option<Self> {
-        let step = some_length(step);
-        let [a, b, c] = &moments(system, time, step)?;
-        Some(Self {
+/// Does a task with a step of one body; `false` if the law is said to be linear and is not.
+#[inline(always)]
+pub(super) fn alone<R: Registers, L: SmoothLaw>(
+    registers: R,
+    system: &System<f64, L>,
+    (time, step): (f64, f64),
+    state: &State<f64>,
+    task: impl Task,
+) -> bool {
+    let step = some_length(step);
+    let start = |axes| Start {
+        attitude: splat(registers, state.attitude.components()),
+        omega: splat(registers, state.angular_velocity.into()),
+        step,
+        axes,
+    };
+    let in_space = || match TorqueLaw::<f64>::added_in(system.law()) {
+        Frame::Body => None,
+        Frame::Space => Some(axes(splat(registers, state.attitude.components()))),
+    };
+    if !<L as TorqueLaw<f64>>::LINEAR {
+        let any = Any {
             registers,
+            system,
+            attitude: state.attitude,
+            time,
             step,
-            moments: [a.splat(registers), b.splat(registers), c.splat(registers)],
-            attitude: splat(registers, state.attitude.components()),
-            omega: splat(registers, state.angular_velocity.into()),
-        })
+        };
+        with_tensor(registers, system, start(in_space()), &any, task);
+        return true;
     }
-
-    #[inline(always)]
-    pub(super) fn stages<I: Tensor<R::Wide>>(&self, tensor: I) -> Stages<R::Wide, I> {
-        Stages::new(tensor, self.omega, self.step, &self.moments)
-    }
-
-    /// The state after the step.
-    #[inline(always)]
-    pub(super) fn end<I: Tensor<R::Wide>>(&self, stages: &Stages<R::Wide, I>) -> State<f64> {
-        let (attitude, omega) = stages.state(self.attitude, self.omega);
-        State {
-            attitude: Quaternion::new(self.firsts(attitude)),
-            angular_velocity: self.firsts(omega).into(),
+    match parts(system, time, step) {
+        Some(Parts::Linear(linear)) => {
+            let linear = linear.splat(registers);
+            with_tensor(registers, system, start(None), &linear, task);
         }
-    }
-
-    /// What stands in the first lane of each.
-    #[inline(always)]
-    pub(super) fn firsts<const N: usize>(&self, wide: [R::Wide; N]) -> [f64; N] {
-        let mut firsts = [0.0; N];
-        for i in 0..N {
-            firsts[i] = self.registers.first(wide[i]);
+        Some(Parts::Seen(seen)) => {
+            let axes = axes(splat(registers, state.attitude.components()));
+            let seen = seen.splat(registers).from(axes);
+            with_tensor(registers, system, start(in_space()), &seen, task);
         }
-        firsts
+        None => return false,
     }
+    true
+}
+
+#[inline(always)]
+fn with_tensor<R: Registers, L: TorqueLaw<f64>>(
+    registers: R,
+    system: &System<f64, L>,
+    start: Start<R::Wide>,
+    moments: &impl Moments<R::Wide>,
+    task: impl Task,
+) {
+    if system.is_principal() {
+        let tensor = principal(system).splat(registers);
+        task.run(registers, start, tensor, moments);
+    } else {
+        let tensor = full(system).splat(registers);
+        task.run(registers, start, tensor, moments);
+    }
+}
+
+/// The state after the step.
+#[inline(always)]
+pub(super) fn end<R: Registers, I: Tensor<R::Wide>, D: Copy>(
+    registers: R,
+    stages: &Stages<R::Wide, I, D>,
+) -> State<f64> {
+    let (attitude, omega) = stages.state();
+    State {
+        attitude: Quaternion::new(firsts(registers, attitude)),
+        angular_velocity: firsts(registers, omega).into(),
+    }
+}
+
+/// What stands in the first lane of each.
+#[inline(always)]
+pub(super) fn firsts<R: Registers, const N: usize>(registers: R, wide: [R::Wide; N]) -> [f64; N] {
+    let mut firsts = [0.0; N];
+    for i in 0..N {
+        firsts[i] = registers.first(wide[i]);
+    }
+    firsts
 }
 
 #[inline(always)]

@@ -1,9 +1,11 @@
 //! The change of a step with a direction of its input, stage by stage beside it.
 
 use super::algebra::{
-    Turn, Vector, applied, between, dot, minus, plus, plus_cross, plus_times, times, turned,
+    Turn, Vector, applied, between, dot, minus, plus, plus_cross, plus_times, pulled, times,
+    turned, turning,
 };
-use super::stages::{Moment, Stage, Stages, weighed};
+use super::moments::{ByTurn, Moments, Place};
+use super::stages::{Stage, Stages, Start, weighed};
 use super::tensor::{Tensor, symmetric};
 use crate::motion::registers::Arithmetic;
 
@@ -25,7 +27,7 @@ struct Change<T> {
     net: Vector<T>,
 }
 
-/// The change of what a stage's rates come from: of p, `None` in the first stage, of v and of the momentum.
+/// The change of what a stage's rates come from: of p, `None` in the first stage where no law looks at it, of v and of the momentum.
 #[derive(Clone, Copy)]
 struct Moved<T> {
     turn: Option<Turn<T>>,
@@ -33,45 +35,39 @@ struct Moved<T> {
     momentum: Vector<T>,
 }
 
-/// The step from an angular velocity, and the change of (θ', ω') with a direction.
+/// The step, and the change of (θ', ω') with a direction.
 #[inline(always)]
-pub(super) fn along<T: Arithmetic, I: Tensor<T>>(
+pub(super) fn along<T: Arithmetic, I: Tensor<T>, M: Moments<T>>(
     tensor: I,
-    omega: Vector<T>,
-    step: f64,
-    [at_start, midway, at_end]: &[Moment<T>; 3],
+    moments: &M,
+    start: Start<T>,
     direction: &Direction<T>,
-) -> (Stages<T, I>, [T; 6]) {
-    let number = |value: f64| direction.span.constant(value);
-    let start = times(omega, number(0.5 * step));
-    let way = Direction {
-        torque: times(direction.torque, number(0.25 * step * step)),
-        span: direction.span * number(1.0 / step),
-        ..*direction
-    };
+) -> (Stages<T, I, M::ByTurn>, [T; 6]) {
+    let (number, step) = (|value: f64| direction.span.constant(value), start.step);
+    let way = Way::new(direction, &start);
     let velocity = times(direction.omega, number(0.5 * step));
-    let velocity = plus_times(velocity, start, way.span);
+    let velocity = plus_times(velocity, start.velocity(), way.span);
     let own = Moved {
-        turn: None,
+        turn: M::ByTurn::IS_ANY.then_some(way.turn),
         velocity,
-        momentum: tensor.changed(velocity, symmetric(way.inertia, start)),
+        momentum: tensor.changed(velocity, symmetric(way.inertia, start.velocity())),
     };
     // Beside each other, for what a stage leaves behind fills all registers.
-    let first = Stage::first(&tensor, at_start, start);
+    let first = Stage::first(&tensor, moments, start.velocity());
     let a = way.change(&tensor, &first, &own);
-    let second = first.after(&tensor, midway, &first, 1.0);
-    let b = way.change(&tensor, &second, &own.after(&a, 1.0));
-    let third = second.after(&tensor, midway, &first, 1.0);
-    let c = way.change(&tensor, &third, &own.after(&b, 1.0));
-    let fourth = third.after(&tensor, at_end, &first, 2.0);
-    let d = way.change(&tensor, &fourth, &own.after(&c, 2.0));
-    let stages = Stages::of(tensor, step, [first, second, third, fourth]);
+    let second = first.after(&tensor, moments, &first, Place::Middle);
+    let b = way.change(&tensor, &second, &own.after(&a, Place::Middle));
+    let third = second.after(&tensor, moments, &first, Place::Middle);
+    let c = way.change(&tensor, &third, &own.after(&b, Place::Middle));
+    let fourth = third.after(&tensor, moments, &first, Place::End);
+    let d = way.change(&tensor, &fourth, &own.after(&c, Place::End));
+    let stages = Stages::of(tensor, start, [first, second, third, fourth]);
 
     let moved = weighed([a.turn_rate, b.turn_rate, c.turn_rate, d.turn_rate]);
-    // A turn beforehand goes through to the end.
-    let ([s, axis @ ..], half) = (stages.end, times(direction.theta, number(0.5)));
-    let [x, y, z] = plus_cross(times(half, s), half, axis);
-    let turned = [number(0.0) - dot(half, axis), x, y, z];
+    let turned = match own.turn {
+        Some(turn) => turn,
+        None => way.turned(stages.end),
+    };
     let turned = plus_times(turned, moved, number(1.0 / 3.0));
     let unit = number(2.0) / stages.square;
     let [p, q, r] = times(between(stages.end, turned), unit);
@@ -86,18 +82,61 @@ pub(super) fn along<T: Arithmetic, I: Tensor<T>>(
     (stages, [p, q, r, x, y, z])
 }
 
-impl<T: Arithmetic> Direction<T> {
+/// A direction in half steps.
+struct Way<T> {
+    /// Of the turn since the start: θ/2.
+    turn: Turn<T>,
+    /// In the axes of the stage, or in those of the start where it stands in space.
+    torque: Vector<T>,
+    in_space: bool,
+    inertia: [T; 6],
+    /// Of the logarithm of the length.
+    span: T,
+}
+
+impl<T: Arithmetic> Way<T> {
     #[inline(always)]
-    fn change<I: Tensor<T>>(
+    fn new(direction: &Direction<T>, start: &Start<T>) -> Self {
+        let (number, step) = (|value: f64| direction.span.constant(value), start.step);
+        let [x, y, z] = times(direction.theta, number(0.5));
+        let torque = times(direction.torque, number(0.25 * step * step));
+        Self {
+            turn: [number(0.0), x, y, z],
+            torque: match start.axes {
+                Some(axes) => pulled(axes, torque),
+                None => torque,
+            },
+            in_space: start.axes.is_some(),
+            inertia: direction.inertia,
+            span: direction.span * number(1.0 / step),
+        }
+    }
+
+    /// The change of a turn with one beforehand, which goes through to the end.
+    #[inline(always)]
+    fn turned(&self, [s, axis @ ..]: Turn<T>) -> Turn<T> {
+        let [zero, half @ ..] = self.turn;
+        let [x, y, z] = plus_cross(times(half, s), half, axis);
+        [zero - dot(half, axis), x, y, z]
+    }
+
+    #[inline(always)]
+    fn change<I: Tensor<T>, D: ByTurn<T>>(
         &self,
         tensor: &I,
-        stage: &Stage<T, I::Momentum>,
+        stage: &Stage<T, I::Momentum, D>,
         moved: &Moved<T>,
     ) -> Change<T> {
-        let mut moment = plus_times(self.torque, stage.moment.by_step, self.span);
+        let mut moment = self.torque;
+        if self.in_space {
+            moment = between(stage.turn, turning(moment, stage.turn));
+        }
+        moment = plus_times(moment, stage.moment.by_length, self.span);
         if let Some(by_velocity) = stage.moment.by_velocity {
-            let velocity = plus_times(moved.velocity, stage.velocity, self.span);
-            moment = plus(moment, applied(by_velocity, velocity));
+            moment = plus(moment, applied(by_velocity, moved.velocity));
+        }
+        if let Some(turn) = moved.turn {
+            moment = stage.moment.by_turn.along(moment, turn);
         }
         let (acceleration, net) = tensor.along(
             (stage.velocity, stage.momentum),
@@ -120,12 +159,15 @@ impl<T: Arithmetic> Direction<T> {
 }
 
 impl<T: Arithmetic> Moved<T> {
-    /// That of a stage so many half steps from the start, by the rates of the stage before.
+    /// That of a stage, by the rates of the stage before.
     #[inline(always)]
-    fn after(&self, before: &Change<T>, span: f64) -> Self {
-        let span = self.velocity[0].constant(span);
+    fn after(&self, before: &Change<T>, place: Place) -> Self {
+        let span = self.velocity[0].constant(place.half_steps());
         Self {
-            turn: Some(times(before.turn_rate, span)),
+            turn: Some(match self.turn {
+                Some(turn) => plus_times(turn, before.turn_rate, span),
+                None => times(before.turn_rate, span),
+            }),
             velocity: plus_times(self.velocity, before.acceleration, span),
             momentum: plus_times(self.momentum, before.net, span),
         }

@@ -1,10 +1,11 @@
 //! A covector of the result of a step, on its way back through the stages.
 
 use super::algebra::{
-    Turn, Vector, applied, before, between, cross, dot, plus, plus_times, pulled, times, turned,
-    turned_back,
+    Turn, Vector, applied, before, between, cross, dot, minus, plus, plus_times, pulled, times,
+    turned, turned_back,
 };
-use super::stages::{Stages, weighed};
+use super::moments::ByTurn;
+use super::stages::{Stage, Stages, weighed};
 use super::tensor::Tensor;
 use crate::motion::registers::Arithmetic;
 
@@ -30,6 +31,8 @@ struct Way<T> {
 /// What it is of the stage's velocity and moment and of a change of the tensor.
 #[derive(Clone, Copy)]
 struct Source<T> {
+    /// Of the stage's turn by the moment alone, over 2; what is `None` is 0.
+    turn: Option<Turn<T>>,
     velocity: Vector<T>,
     moment: Vector<T>,
     /// Of −δI a.
@@ -38,7 +41,7 @@ struct Source<T> {
     momentum: Vector<T>,
 }
 
-impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
+impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, D> {
     /// A covector (of θ', of ω') of the result times the columns below `N` of the Jacobian; what is `None` is 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn pulled_back<const N: usize>(
@@ -60,29 +63,37 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
             let of = turned(self.end, of);
             // Of a turn beforehand, which goes through to the end.
             theta = times(before(self.end, of), unit);
-            result.turn = Some(times(of, number(0.5 * self.step)));
+            result.turn = Some(times(of, number(0.5 * self.start.step)));
+        } else if D::IS_ANY {
+            result.turn = Some([zero; 4]);
         }
         if let Some(of) = of_omega {
             omega = of;
             result.acceleration = Some(times(of, self.square));
         }
-        let sources = self.sources(&result);
+        let factor = unit * number(2.0 / (3.0 * self.start.step));
+        let (sources, turn) = self.sources(&result);
+        if let (true, Some([_, axis @ ..])) = (D::IS_ANY, turn) {
+            theta = times(axis, factor);
+        }
         let [a, b, c, d] = &sources;
         let velocity = weighed([a.velocity, b.velocity, c.velocity, d.velocity]);
         let momentum = weighed([a.momentum, b.momentum, c.momentum, d.momentum]);
         let velocity = self.tensor.start(velocity, momentum);
-        let moment = weighed([a.moment, b.moment, c.moment, d.moment]);
-        let factor = unit * number(2.0 / (3.0 * self.step));
+        let torque = times(
+            self.by_torque(&sources),
+            unit * number(self.start.step / 6.0),
+        );
         let mut span = zero;
         if N > 15 {
             let gained = self.by_length(velocity, &sources) * factor;
-            let spread = dot(omega, self.sum) * number(2.0 / (3.0 * self.step));
-            span = (gained - spread) * number(1.0 / self.step);
+            let spread = dot(omega, self.sum) * number(2.0 / (3.0 * self.start.step));
+            span = (gained - spread) * number(1.0 / self.start.step);
         }
         Pulled {
             theta,
             omega: plus_times(omega, velocity, unit * number(1.0 / 3.0)),
-            torque: times(moment, unit * number(self.step / 6.0)),
+            torque,
             inertia: match N {
                 ..10 => [zero; 6],
                 _ => times(self.by_inertia(&sources, momentum), factor),
@@ -91,20 +102,32 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         }
     }
 
-    /// Through all stages, from the last to the first.
+    /// Through all stages, from the last to the first; and the covector of the turn at the start, as of those of the stages by their
+    /// weights, which are 6 together.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn sources(&self, result: &Way<T>) -> [Source<T>; 4] {
-        let [_, second, third, fourth] = &self.stages;
+    fn sources(&self, result: &Way<T>) -> ([Source<T>; 4], Option<Turn<T>>) {
+        let [first, second, third, fourth] = &self.stages;
         let d = self.source(3, result);
-        let way = result.before(result, fourth.half, d.velocity, d.momentum);
-        let c = self.source(2, &way);
-        let way = result.before(&way, third.half, c.velocity, c.momentum);
-        let b = self.source(1, &way);
+        let into_third = result.before(result, fourth.half, &d);
+        let c = self.source(2, &into_third);
+        let into_second = result.before(&into_third, third.half, &c);
+        let b = self.source(1, &into_second);
         // The second stage has twice the weight of the first.
-        let two = self.square.constant(2.0);
-        let [velocity, momentum] = [times(b.velocity, two), times(b.momentum, two)];
-        let way = result.before(&way, second.velocity, velocity, momentum);
-        [self.source(0, &way), b, c, d]
+        let into_first = result.before(&into_second, second.velocity, &b.doubled());
+        let a = self.source(0, &into_first);
+        let into_start = result.before(&into_first, first.half, &a);
+        let mut turn = None;
+        if let (Some(p), Some(q), Some(r), Some(s), Some(own)) = (
+            into_start.turn,
+            into_first.turn,
+            into_second.turn,
+            into_third.turn,
+            result.turn,
+        ) {
+            let two = self.square.constant(2.0);
+            turn = Some(plus_times(plus(plus(p, q), s), minus(r, own), two));
+        }
+        ([a, b, c, d], turn)
     }
 
     /// Back through stage `i`.
@@ -119,6 +142,7 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
         };
         let Some(of) = way.acceleration else {
             return Source {
+                turn: None,
                 velocity: direct,
                 moment: zero,
                 inertial: zero,
@@ -132,11 +156,28 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
             velocity = plus(velocity, pulled(by_velocity, moment));
         }
         Source {
+            turn: stage.moment.by_turn.back(moment),
             velocity,
             moment,
             inertial,
             momentum: cross(moment, stage.velocity),
         }
+    }
+
+    /// The covector of an added torque, in the axes in which it is given.
+    #[inline(always)]
+    fn by_torque(&self, [a, b, c, d]: &[Source<T>; 4]) -> Vector<T> {
+        let Some(axes) = self.start.axes else {
+            return weighed([a.moment, b.moment, c.moment, d.moment]);
+        };
+        let [_, second, third, fourth] = &self.stages;
+        let moments = [
+            a.moment,
+            second.seen_at_start(b.moment),
+            third.seen_at_start(c.moment),
+            fourth.seen_at_start(d.moment),
+        ];
+        applied(axes, weighed(moments))
     }
 
     /// The covector of the tensor. Each v is that of the start and an a, so that besides the first v only the a are met.
@@ -158,38 +199,57 @@ impl<T: Arithmetic, I: Tensor<T>> Stages<T, I> {
     fn by_length(&self, velocity: Vector<T>, sources: &[Source<T>; 4]) -> T {
         let mut parts = [[self.square]; 4];
         for ((part, source), stage) in parts.iter_mut().zip(sources).zip(&self.stages) {
-            let mut grown = stage.moment.by_step;
-            if let Some(by_velocity) = stage.moment.by_velocity {
-                grown = plus(grown, applied(by_velocity, stage.velocity));
-            }
-            *part = [dot(source.moment, grown)];
+            *part = [dot(source.moment, stage.moment.by_length)];
         }
         let [sum] = weighed(parts);
         sum + dot(velocity, self.stages[0].velocity)
     }
 }
 
+impl<T: Arithmetic, K, D> Stage<T, K, D> {
+    /// What stands in the axes of this stage, in those of the start of the step.
+    #[inline(always)]
+    fn seen_at_start(&self, v: Vector<T>) -> Vector<T> {
+        before(self.turn, turned(self.turn, v))
+    }
+}
+
+impl<T: Arithmetic> Source<T> {
+    /// Twice what the stage before goes on from.
+    #[inline(always)]
+    fn doubled(&self) -> Self {
+        let two = self.velocity[0].constant(2.0);
+        let mut turn = None;
+        if let Some(own) = self.turn {
+            turn = Some(times(own, two));
+        }
+        Self {
+            turn,
+            velocity: times(self.velocity, two),
+            momentum: times(self.momentum, two),
+            ..*self
+        }
+    }
+}
+
 impl<T: Arithmetic> Way<T> {
     /// The way into the stage before: `self` is that of the result, `after` the one in the stage that follows, which turns by `half`.
     #[inline(always)]
-    fn before(
-        &self,
-        after: &Self,
-        half: Vector<T>,
-        velocity: Vector<T>,
-        momentum: Vector<T>,
-    ) -> Self {
+    fn before(&self, after: &Self, half: Vector<T>, source: &Source<T>) -> Self {
         let mut turn = None;
-        if let (Some(onto), Some(of)) = (self.turn, after.turn) {
+        if let (Some(mut onto), Some(of)) = (self.turn, after.turn) {
+            if let Some(own) = source.turn {
+                onto = plus(onto, own);
+            }
             turn = Some(turned_back(onto, of, half));
         }
         Self {
             turn,
             acceleration: match self.acceleration {
-                Some(of) => Some(plus(of, velocity)),
-                None => Some(velocity),
+                Some(of) => Some(plus(of, source.velocity)),
+                None => Some(source.velocity),
             },
-            momentum,
+            momentum: source.momentum,
         }
     }
 }

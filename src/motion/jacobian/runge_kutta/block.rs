@@ -1,14 +1,16 @@
 //! The Jacobians of eight bodies, the same row of each side by side in registers.
 
-use super::algebra::loaded;
+use super::algebra::{axes, loaded};
 use super::alone::{full, principal};
-use super::stages::{Moment, Stages, moments, some_length};
+use super::moments::{ByTurn, Linear, Moments, Parts, Seen, parts, some_length};
+use super::stages::{Stages, Start};
 use super::tensor::{Full, Principal, Tensor};
 use crate::motion::block::{Block, LANES, Lane};
-use crate::motion::registers::{Registers, Work, in_widest};
-use crate::motion::{System, TorqueLaw};
+use crate::motion::registers::{Arithmetic, Registers, Work, in_widest};
+use crate::motion::{Frame, System, TorqueLaw};
 
-/// Eight steps and the columns of their Jacobians; `false` if the law gives a torque that depends on the attitude.
+/// Eight steps and the columns of their Jacobians; `false` if the law is none that is linear in ω and in
+/// a vector of space.
 #[inline(always)]
 pub(crate) fn block_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
     system: &impl Fn(usize) -> System<f64, L>,
@@ -17,13 +19,14 @@ pub(crate) fn block_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
     step: f64,
     columns: &mut [[Lane; 6]; N],
 ) -> bool {
-    in_widest(Eight {
-        system,
-        time,
-        step,
-        block,
-        columns,
-    })
+    L::LINEAR
+        && in_widest(Eight {
+            system,
+            time,
+            step,
+            block,
+            columns,
+        })
 }
 
 struct Eight<'a, const N: usize, F> {
@@ -41,18 +44,63 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
     fn run<R: Registers>(self, registers: R) -> bool {
         let (system, time, step) = (self.system, self.time, some_length(self.step));
         // The bodies of a block are under one law.
-        let Some(moments) = moments(&system(0), time, step) else {
+        let first = system(0);
+        let Some(parts) = parts(&first, time, step) else {
             return false;
         };
-        let [a, b, c] = &moments;
-        let moments = [a.splat(registers), b.splat(registers), c.splat(registers)];
         let mut rows = Rows {
             registers,
             step,
-            moments,
+            in_space: first.law().added_in() == Frame::Space,
             block: self.block,
             columns: self.columns,
         };
+        match parts {
+            Parts::Linear(linear) => rows.of(system, &linear.splat(registers)),
+            Parts::Seen(seen) => rows.of(system, &seen.splat(registers)),
+        }
+        true
+    }
+}
+
+/// The moments of a law as bodies see them that start their step in certain axes.
+trait Shared<T> {
+    fn seen(&self, axes: [[T; 3]; 3]) -> impl Moments<T>;
+}
+
+impl<T: Arithmetic> Shared<T> for Linear<T> {
+    #[inline(always)]
+    fn seen(&self, _: [[T; 3]; 3]) -> impl Moments<T> {
+        *self
+    }
+}
+
+impl<T: Arithmetic> Shared<T> for Seen<T> {
+    #[inline(always)]
+    fn seen(&self, axes: [[T; 3]; 3]) -> impl Moments<T> {
+        self.from(axes)
+    }
+}
+
+/// Where the rows of eight Jacobians go.
+struct Rows<'a, const N: usize, R: Registers> {
+    registers: R,
+    step: f64,
+    /// Whether an added torque stands in space.
+    in_space: bool,
+    block: &'a mut Block,
+    columns: &'a mut [[Lane; 6]; N],
+}
+
+impl<const N: usize, R: Registers> Rows<'_, N, R> {
+    /// All eight.
+    #[inline(always)]
+    fn of<L: TorqueLaw<f64>>(
+        &mut self,
+        system: &impl Fn(usize) -> System<f64, L>,
+        moments: &impl Shared<R::Wide>,
+    ) {
+        let registers = self.registers;
         if (0..LANES).all(|lane| system(lane).is_principal()) {
             let ratios = lanes(|lane| principal(&system(lane)).ratios);
             let inverse = lanes(|lane| principal(&system(lane)).inverse);
@@ -61,7 +109,7 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
                     ratios: loaded(registers, &ratios, first),
                     inverse: loaded(registers, &inverse, first),
                 };
-                rows.side_by_side(first, tensor);
+                self.side_by_side(first, tensor, moments);
             }
         } else {
             let entries = lanes(|lane| full(&system(lane)).entries);
@@ -71,48 +119,48 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
                     entries: loaded(registers, &entries, first),
                     inverse: loaded(registers, &inverse, first),
                 };
-                rows.side_by_side(first, tensor);
+                self.side_by_side(first, tensor, moments);
             }
         }
-        true
     }
-}
 
-/// Where the rows of eight Jacobians go.
-struct Rows<'a, const N: usize, R: Registers> {
-    registers: R,
-    step: f64,
-    moments: [Moment<R::Wide>; 3],
-    block: &'a mut Block,
-    columns: &'a mut [[Lane; 6]; N],
-}
-
-impl<const N: usize, R: Registers> Rows<'_, N, R> {
     /// The bodies from `first` on, as many as a register holds.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn side_by_side(&mut self, first: usize, tensor: impl Tensor<R::Wide>) {
+    fn side_by_side(
+        &mut self,
+        first: usize,
+        tensor: impl Tensor<R::Wide>,
+        moments: &impl Shared<R::Wide>,
+    ) {
         let registers = self.registers;
         let [w, x, y, z, a, b, c] = loaded(registers, self.block.lanes(), first);
-        let stages = Stages::new(tensor, [a, b, c], self.step, &self.moments);
-        let ([w, x, y, z], [a, b, c]) = stages.state([w, x, y, z], [a, b, c]);
+        let axes = axes([w, x, y, z]);
+        let start = Start {
+            attitude: [w, x, y, z],
+            omega: [a, b, c],
+            step: self.step,
+            axes: self.in_space.then_some(axes),
+        };
+        let stages = Stages::new(tensor, &moments.seen(axes), start);
+        let ([w, x, y, z], [a, b, c]) = stages.state();
         let (lanes, values) = (self.block.lanes_mut(), [w, x, y, z, a, b, c]);
         for i in 0..7 {
             registers.store(values[i], &mut lanes[i][first..]);
         }
-        self.row::<_, 0>(first, &stages);
-        self.row::<_, 1>(first, &stages);
-        self.row::<_, 2>(first, &stages);
-        self.row::<_, 3>(first, &stages);
-        self.row::<_, 4>(first, &stages);
-        self.row::<_, 5>(first, &stages);
+        self.row::<_, _, 0>(first, &stages);
+        self.row::<_, _, 1>(first, &stages);
+        self.row::<_, _, 2>(first, &stages);
+        self.row::<_, _, 3>(first, &stages);
+        self.row::<_, _, 4>(first, &stages);
+        self.row::<_, _, 5>(first, &stages);
     }
 
     /// The row `ROW` of each Jacobian.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn row<I: Tensor<R::Wide>, const ROW: usize>(
+    fn row<I: Tensor<R::Wide>, D: ByTurn<R::Wide>, const ROW: usize>(
         &mut self,
         first: usize,
-        stages: &Stages<R::Wide, I>,
+        stages: &Stages<R::Wide, I, D>,
     ) {
         let registers = self.registers;
         let mut seed = [registers.splat(0.0); 3];

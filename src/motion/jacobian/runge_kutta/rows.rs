@@ -1,52 +1,80 @@
 //! The Jacobian of one body, its six rows side by side in registers.
 
 use super::algebra::loaded;
-use super::alone::{Alone, full, principal};
-use super::stages::Stages;
+use super::alone::{Task, alone, end};
+use super::moments::{ByTurn, Moments};
+use super::stages::{Stages, Start};
 use super::tensor::Tensor;
 use crate::motion::registers::{Registers, Work, in_widest};
-use crate::motion::{StepJacobian, System, TorqueLaw};
+use crate::motion::{SmoothLaw, State, StepJacobian, System};
 
-/// The state and an empty matrix overwritten by those after the step; `false` if the law gives a torque that depends on the
-/// attitude. In place, for the matrix is large beside the work.
+/// The state and an empty matrix overwritten by those after the step. `false` if the law is
+/// said to be linear and is not. In place, for the matrix is large beside the work.
 #[inline(always)]
-pub(crate) fn step_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
+pub(crate) fn step_with_jacobian<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
+    state: &State<f64>,
     step: f64,
     out: &mut StepJacobian<N>,
 ) -> bool {
     in_widest(One {
         system,
         time,
+        state,
         step,
         out,
     })
 }
 
-/// One body: the state before the step and an empty matrix, to be overwritten.
+/// One body.
 struct One<'a, const N: usize, L> {
     system: &'a System<f64, L>,
     time: f64,
+    state: &'a State<f64>,
     step: f64,
     out: &'a mut StepJacobian<N>,
 }
 
-impl<const N: usize, L: TorqueLaw<f64>> Work for One<'_, N, L> {
+impl<const N: usize, L: SmoothLaw> Work for One<'_, N, L> {
     type Output = bool;
 
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
-        let (system, out) = (self.system, self.out);
-        let Some(alone) = Alone::new(registers, system, self.time, &out.state, self.step) else {
-            return false;
-        };
-        if system.is_principal() {
-            write(&alone, principal(system).splat(registers), out);
-        } else {
-            write(&alone, full(system).splat(registers), out);
+        let times = (self.time, self.step);
+        alone(registers, self.system, times, self.state, Rows(self.out))
+    }
+}
+
+/// Where the state and the matrix are to be written.
+struct Rows<'a, const N: usize>(&'a mut StepJacobian<N>);
+
+impl<const N: usize> Task for Rows<'_, N> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<R: Registers>(
+        self,
+        registers: R,
+        start: Start<R::Wide>,
+        tensor: impl Tensor<R::Wide>,
+        moments: &impl Moments<R::Wide>,
+    ) {
+        let stages = Stages::new(tensor, moments, start);
+        self.0.state = end(registers, &stages);
+        let columns = &mut self.0.matrix.data.0;
+        // From the last rows to the first: what a register holds beyond the sixth row falls on the column after, whose
+        // rows come later.
+        match R::LANES {
+            8 => rows(registers, &stages, 0, columns),
+            4 => {
+                rows(registers, &stages, 4, columns);
+                rows(registers, &stages, 0, columns);
+            }
+            lanes => {
+                for first in (0..6).step_by(lanes).rev() {
+                    rows(registers, &stages, first, columns);
+                }
+            }
         }
-        true
     }
 }
 
@@ -62,36 +90,11 @@ const OF_OMEGA: [[f64; 8]; 3] = [
     [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 ];
 
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn write<R: Registers, I: Tensor<R::Wide>, const N: usize>(
-    alone: &Alone<R>,
-    tensor: I,
-    out: &mut StepJacobian<N>,
-) {
-    let stages = alone.stages(tensor);
-    out.state = alone.end(&stages);
-    let columns = &mut out.matrix.data.0;
-    // From the last rows to the first: what a register holds beyond the sixth row falls on the column after, whose
-    // rows come later.
-    match R::LANES {
-        8 => rows(alone.registers, &stages, 0, columns),
-        4 => {
-            rows(alone.registers, &stages, 4, columns);
-            rows(alone.registers, &stages, 0, columns);
-        }
-        lanes => {
-            for first in (0..6).step_by(lanes).rev() {
-                rows(alone.registers, &stages, first, columns);
-            }
-        }
-    }
-}
-
 /// The rows from `first` on, as many as a register holds.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn rows<R: Registers, I: Tensor<R::Wide>, const N: usize>(
+fn rows<R: Registers, I: Tensor<R::Wide>, D: ByTurn<R::Wide>, const N: usize>(
     registers: R,
-    stages: &Stages<R::Wide, I>,
+    stages: &Stages<R::Wide, I, D>,
     first: usize,
     columns: &mut [[f64; 6]; N],
 ) {

@@ -1,0 +1,77 @@
+//! The moment at the stages of a step with its derivatives, by as much as is known of the law.
+//!
+//! In half steps, as the stages: the moment is M h²/4, a function of v = ω h/2, of the turn p since the start of the step and of
+//! its length h. A law that is linear in ω and in a vector that stands in space is written out; any other is run on jets, and
+//! nothing but the law.
+
+mod any;
+mod linear;
+
+pub(super) use any::Any;
+pub(super) use linear::{Linear, Parts, Seen, parts};
+
+use super::algebra::{Turn, Vector};
+
+/// Where in the step a stage stands.
+#[derive(Clone, Copy)]
+pub(super) enum Place {
+    Start,
+    Middle,
+    End,
+}
+
+impl Place {
+    /// The time since the start, in half steps.
+    #[inline(always)]
+    pub(super) fn half_steps(self) -> f64 {
+        f64::from(self as u8)
+    }
+
+    /// The time since the start of a step of a given length.
+    #[inline(always)]
+    fn since(self, step: f64) -> f64 {
+        0.5 * self.half_steps() * step
+    }
+}
+
+/// The moment at a stage and its derivatives.
+#[derive(Clone, Copy)]
+pub(super) struct Moment<T, D> {
+    pub(super) value: Vector<T>,
+    /// Row: component of the moment; column: component of v. `None` for zeros.
+    pub(super) by_velocity: Option<[Vector<T>; 3]>,
+    pub(super) by_turn: D,
+    /// In the logarithm of the length of the step, v and p held.
+    pub(super) by_length: Vector<T>,
+}
+
+/// Half of the derivative of a moment in the turn p, whose four components vary freely.
+pub(super) trait ByTurn<T>: Copy {
+    /// Whether there can be any.
+    const IS_ANY: bool;
+
+    /// `onto`, and the change of the moment with one of the turn.
+    fn along(&self, onto: Vector<T>, turn: Turn<T>) -> Vector<T>;
+
+    /// A covector of the moment as half of one of the turn, `None` for zeros.
+    fn back(&self, moment: Vector<T>) -> Option<Turn<T>>;
+}
+
+/// What gives the moments of a step.
+pub(super) trait Moments<T> {
+    type ByTurn: ByTurn<T>;
+
+    /// The moment at a stage, of no turn where there is `None`.
+    fn at(
+        &self,
+        place: Place,
+        turn: Option<Turn<T>>,
+        velocity: Vector<T>,
+    ) -> Moment<T, Self::ByTurn>;
+}
+
+/// The length of a step as a divisor: a step of no length is to rounding a very short one.
+#[inline(always)]
+pub(super) fn some_length(step: f64) -> f64 {
+    if step == 0.0 { 1e-100 } else { step }
+}
