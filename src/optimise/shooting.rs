@@ -1,9 +1,8 @@
 //! Multiple shooting: states at nodes that are steps apart, and how far the steps miss them.
 
 use super::sparse::Blocks;
-use crate::motion::{Number, Scheme, State, System, TorqueLaw};
+use crate::motion::{Scheme, SmoothLaw, State, System};
 use nalgebra::{DVector, Vector3, Vector6};
-use num_dual::DualSVec64;
 
 /// States at nodes, and a torque for the step from each node to the next one: the unknowns of multiple shooting.
 ///
@@ -54,8 +53,7 @@ impl Nodes {
     ) -> (DVector<f64>, Blocks)
     where
         S: Scheme<L>,
-        L: Copy + TorqueLaw<f64> + TorqueLaw<DualSVec64<EACH>>,
-        DualSVec64<EACH>: Number,
+        L: SmoothLaw,
     {
         let mut values = DVector::zeros(6 * self.torques.len());
         let mut jacobian = Blocks::default();
