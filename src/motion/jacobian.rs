@@ -12,8 +12,8 @@
 //!
 //! A step of [`Rk4`](crate::motion::Rk4) with 15 columns takes three and a half plain steps of a free body, 173 ns on one core of an
 //! AMD EPYC, and the product with one vector two. Under gravity, a torque in space or damping all of these take 1.2 to 1.7 times
-//! that, under a sinusoid, whose sines alone take as long as a step, 1.7 to 1.9 times. Of a law of one's own only the torque is
-//! run on dual numbers, at each of the four stages: 2.0 to 2.6 times, if its function is `#[inline(always)]`.
+//! that, under a sinusoid, whose sines alone take as long as a step, 1.6 to 2.0 times. Of a law of one's own only the torque is
+//! run on dual numbers, at each of the four stages: two to three times, if its function is `#[inline(always)]`.
 //! `cargo bench --bench laws` has all laws beside num-dual, differences and CasADi.
 //!
 //! The feature `batch` finds out what registers the machine has. Without it the code is made for the machine that the crate is
