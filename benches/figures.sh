@@ -24,9 +24,10 @@ polhode=target/release/polhode
 # Without the verifier, which has no part in it and takes long to build.
 bench=(cargo bench --no-default-features --features batch,bench)
 "${bench[@]}" --bench targets -- "${quick[@]}" >"$out/targets.txt"
+"${bench[@]}" --bench laws >"$out/laws.txt"
 "${bench[@]}" --bench skips -- --output-format bencher --warm-up-time 0.3 --measurement-time 1 |
     sed -n 's/^test \(.*\) \.\.\. bench: *\([0-9,]*\) ns.*/\2 ns\t\1/p' >"$out/skips.txt"
-for table in ensemble targets skips; do
+for table in ensemble targets laws skips; do
     echo
     cat "$out/$table.txt"
 done
