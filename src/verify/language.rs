@@ -29,6 +29,7 @@ mod reader;
 mod reorder;
 mod rewrite;
 mod roles;
+mod sentence_parts;
 mod sign;
 pub mod statement;
 mod unread;

@@ -1,14 +1,17 @@
 //! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
 
-use super::ellipsis::{clause, head, is_list, nouns_end, reminded};
-use super::lexicon::Lexicon;
+use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::reorder::last_named;
 use super::rewrite::put_in;
+use super::sentence_parts::{clause, head, is_list, nouns_end};
 use super::words::{Kind, Token};
 
 /// Words before a noun that has been said.
 const POINTING: [&str; 4] = ["that", "this", "those", "these"];
+
+/// Nouns of which "that" and "those" remind.
+const REMINDERS: [&str; 3] = ["that", "those", "one"];
 
 /// Looks no further back than so many sentences.
 const FURTHEST: usize = 12;
@@ -115,4 +118,50 @@ pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>
     let (subject, _, rest) = clause(first, lexicon)?;
     let second = meant_by_it(second, subject, rest)?;
     Some([first, &second].concat())
+}
+
+/// The clause with the noun of the first one for "that" and "those".
+pub(super) fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
+    let reminds = |at: usize| {
+        let rest: Vec<&str> = second[at + 1..].iter().map(|t| t.lower.as_str()).collect();
+        REMINDERS.contains(&second[at].lower.as_str())
+            && lexicon.find(&rest, &[Class::Preposition]).is_some()
+    };
+    let Some(at) = (0..second.len()).find(|&at| reminds(at)) else {
+        return second.to_vec();
+    };
+    let article = at > 0 && ARTICLES.contains(&second[at - 1].lower.as_str());
+    let the = put_in(Kind::Word, "the", &second[at]);
+    // "the one about P" is of the same thing
+    let noun = match second[at + 1].lower.as_str() {
+        "of" => head(spoken, lexicon),
+        _ => owned(spoken, lexicon),
+    };
+    let before = &second[..at - usize::from(article)];
+    [before, &[the], noun, &second[at + 1..]].concat()
+}
+
+/// The noun with which something begins, and whose it is.
+fn owned<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
+    let noun = head(tokens, lexicon);
+    let start = usize::from(
+        tokens
+            .first()
+            .is_some_and(|t| ARTICLES.contains(&t.lower.as_str())),
+    );
+    let of = start + noun.len();
+    if tokens
+        .get(of)
+        .is_none_or(|t| !matches!(t.lower.as_str(), "of" | "on"))
+    {
+        return noun;
+    }
+    let hangs = |at: usize| {
+        let rest: Vec<&str> = tokens[at..].iter().map(|t| t.lower.as_str()).collect();
+        tokens[at].kind == Kind::Comma || lexicon.find(&rest, &[Class::Preposition]).is_some()
+    };
+    let end = (of + 1..tokens.len())
+        .find(|&at| hangs(at))
+        .unwrap_or(tokens.len());
+    &tokens[start..end]
 }

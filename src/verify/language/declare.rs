@@ -3,7 +3,7 @@
 use super::anaphora::{referring, with_its};
 use super::bodies::introduced;
 use super::clause::Said;
-use super::ellipsis::{joins, joint_weakness, parted_at};
+use super::ellipsis::{joint_weakness, parted_at};
 use super::kinds::show_frames;
 use super::lexicon::Lexicon;
 use super::reader::{COPULAS, Reader};
@@ -12,6 +12,7 @@ use super::reorder::{
     without_ranges,
 };
 use super::rewrite::plainly;
+use super::sentence_parts::joins;
 use super::statement::{Declaration, Extent, Misread, Statement, Term};
 use super::words::{Kind, Token, tokens, wrong};
 use crate::notation::Macros;

@@ -1,22 +1,15 @@
 //! Several things said in one sentence: where it parts, and the words that its parts leave out.
 
-use super::anaphora::meant_by_it;
+use super::anaphora::{meant_by_it, reminded};
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
+use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
-
-/// Words by which clauses are joined.
-const JOINS: [&str; 8] = [
-    "and", "while", "whereas", "where", "but", "with", "likewise", "then",
-];
 
 /// Words that go on from a thing named just before.
 const RELATIVES: [&str; 3] = ["which", "that", "who"];
-
-/// Nouns of which "that" and "those" remind.
-const REMINDERS: [&str; 3] = ["that", "those", "one"];
 
 /// The sentence with a semicolon in the place of what joins two clauses there, and with the words that the second one may
 /// have left out; none where no clauses are joined.
@@ -100,17 +93,6 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
         .collect()
 }
 
-/// Where the noun ends with which something begins.
-pub(super) fn nouns_end(tokens: &[Token], lexicon: &Lexicon) -> usize {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let nouns = [Class::Noun, Class::Place];
-    let found = (0..tokens.len().min(4)).find_map(|at| {
-        let noun = lexicon.find(&words[at..], &nouns)?;
-        Some(at + noun.length)
-    });
-    found.unwrap_or(0)
-}
-
 /// How weak the signs are by which two clauses may be joined at a place: a comma and a word, a word, a comma.
 pub(crate) fn joint_weakness(tokens: &[Token], at: usize) -> u8 {
     let comma = |t: &&Token| t.kind == Kind::Comma;
@@ -120,11 +102,6 @@ pub(crate) fn joint_weakness(tokens: &[Token], at: usize) -> u8 {
         (false, true) => 1,
         _ => 2,
     }
-}
-
-/// Whether a word or a comma may join clauses.
-pub(crate) fn joins(token: &Token) -> bool {
-    token.kind == Kind::Comma || token.kind == Kind::Word && JOINS.contains(&token.lower.as_str())
 }
 
 /// Two clauses with what each may leave out to the other.
@@ -230,12 +207,6 @@ fn fuller(
     Some([&second[..end], said, rest].concat())
 }
 
-/// Whether a preposition comes next.
-fn preposition(tokens: &[Token], lexicon: &Lexicon) -> Option<usize> {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    Some(lexicon.find(&words, &[Class::Preposition])?.length)
-}
-
 /// "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end.
 fn shared_tail(
     first: &[Token],
@@ -255,31 +226,6 @@ fn shared_tail(
     Some(([first, tail].concat(), [own, tail].concat()))
 }
 
-/// Subject, verb, and the rest of a clause.
-pub(super) fn clause<'t>(
-    tokens: &'t [Token],
-    lexicon: &Lexicon,
-) -> Option<(&'t [Token], &'t [Token], &'t [Token])> {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let (at, length) = (1..tokens.len()).find_map(|at| {
-        if COPULAS.contains(&words[at]) || matches!(words[at], "means" | "mean") {
-            return Some((at, 1));
-        }
-        let verb = lexicon.find(&words[at..], &[Class::Verb])?;
-        let nouns = [Class::Noun, Class::Place, Class::Thing];
-        let noun = lexicon.find(&words[at..], &nouns);
-        // "`$x$` points east", "the disc rolls": behind a letter or another noun it is no noun
-        let before = &tokens[at - 1];
-        let letter = matches!(before.kind, Kind::Formula | Kind::Plain);
-        let things = [Class::Thing, Class::Place];
-        let thing = lexicon.find(&words[at - 1..at], &things).is_some();
-        (noun.is_none() || letter || thing).then_some((at, verb.length))
-    })?;
-    let (subject, rest) = tokens.split_at(at);
-    let (verb, rest) = rest.split_at(length);
-    Some((subject, verb, rest))
-}
-
 /// Whether "that" stands behind one subject, and "those" behind several.
 fn agrees(clause: &[Token]) -> bool {
     let subject = subject_of_gap(clause);
@@ -288,11 +234,6 @@ fn agrees(clause: &[Token]) -> bool {
         Some("those") => is_list(&clause[..subject]),
         _ => true,
     }
-}
-
-pub(super) fn is_list(tokens: &[Token]) -> bool {
-    let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain) && t.text.contains(',');
-    tokens.iter().any(|t| joins(t) || formula(t))
 }
 
 /// The verb of one thing or of several.
@@ -304,70 +245,6 @@ fn in_number(verb: &[Token], subject: &[Token]) -> Vec<Token> {
         _ => token.clone(),
     };
     verb.iter().map(one).collect()
-}
-
-/// The clause with the noun of the first one for "that" and "those".
-pub(super) fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
-    let reminds = |at: usize| {
-        let rest: Vec<&str> = second[at + 1..].iter().map(|t| t.lower.as_str()).collect();
-        REMINDERS.contains(&second[at].lower.as_str())
-            && lexicon.find(&rest, &[Class::Preposition]).is_some()
-    };
-    let Some(at) = (0..second.len()).find(|&at| reminds(at)) else {
-        return second.to_vec();
-    };
-    let article = at > 0 && ARTICLES.contains(&second[at - 1].lower.as_str());
-    let the = put_in(Kind::Word, "the", &second[at]);
-    // "the one about P" is of the same thing
-    let noun = match second[at + 1].lower.as_str() {
-        "of" => head(spoken, lexicon),
-        _ => owned(spoken, lexicon),
-    };
-    let before = &second[..at - usize::from(article)];
-    [before, &[the], noun, &second[at + 1..]].concat()
-}
-
-/// The noun with which something begins, without its article: what stands before the first preposition.
-pub(super) fn head<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let start = usize::from(words.first().is_some_and(|word| ARTICLES.contains(word)));
-    let nouns = [Class::Noun, Class::Place, Class::Thing];
-    let mut at = start;
-    while at < tokens.len() {
-        if let Some(noun) = lexicon.find(&words[at..], &nouns) {
-            return &tokens[start..at + noun.length];
-        }
-        if lexicon.find(&words[at..], &[Class::Preposition]).is_some() {
-            break;
-        }
-        at += 1;
-    }
-    &tokens[start..at]
-}
-
-/// The noun with which something begins, and whose it is.
-fn owned<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
-    let noun = head(tokens, lexicon);
-    let start = usize::from(
-        tokens
-            .first()
-            .is_some_and(|t| ARTICLES.contains(&t.lower.as_str())),
-    );
-    let of = start + noun.len();
-    if tokens
-        .get(of)
-        .is_none_or(|t| !matches!(t.lower.as_str(), "of" | "on"))
-    {
-        return noun;
-    }
-    let hangs = |at: usize| {
-        let rest: Vec<&str> = tokens[at..].iter().map(|t| t.lower.as_str()).collect();
-        tokens[at].kind == Kind::Comma || lexicon.find(&rest, &[Class::Preposition]).is_some()
-    };
-    let end = (of + 1..tokens.len())
-        .find(|&at| hangs(at))
-        .unwrap_or(tokens.len());
-    &tokens[start..end]
 }
 
 /// How many pieces the subject of a clause takes that has lost its verb: formulas or names up to an article or a preposition.
