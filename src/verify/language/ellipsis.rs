@@ -2,7 +2,7 @@
 
 use super::anaphora::{meant_by_it, reminded};
 use super::lexicon::{Class, Lexicon};
-use super::reader::{ARTICLES, COPULAS};
+use super::reader::ARTICLES;
 use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
