@@ -16,7 +16,6 @@ use crate::verify::verdict::{
 };
 use std::collections::{BTreeMap, HashMap};
 
-mod extents;
 mod judgment;
 
 pub(crate) use judgment::Shared;

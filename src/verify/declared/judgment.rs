@@ -1,6 +1,5 @@
 //! What the judge says of a part of the document, in the author's letters.
 
-use super::extents::located;
 use crate::algebra::{
     Fraction, Letter, Monomial, Polynomial, Printer, Proof, Rational, Style, Variable,
 };
@@ -14,6 +13,7 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Atoms, dotted};
 use crate::verify::reading::builder::place_in;
 use crate::verify::reading::{LineRole, Reading};
+use crate::verify::standing::extents::located;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::parts::{Part, is_of_one_system, parts};
 use crate::verify::standing::prepared::Prepared;

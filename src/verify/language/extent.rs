@@ -106,12 +106,7 @@ impl Reader<'_> {
             if self.take_any(&["cell", "cells"]) {
                 return Ok(vec![Extent::Cells(self.numbers()?)]);
             }
-            if EQUATIONS.contains(&self.word())
-                && self
-                    .tokens
-                    .get(self.at + 1)
-                    .is_some_and(|t| t.kind == Kind::Open)
-            {
+            if EQUATIONS.contains(&self.word()) && self.opens(1) {
                 self.at += 1;
                 return self.labels_from_to();
             }
@@ -128,17 +123,8 @@ impl Reader<'_> {
         if self.take("under the heading") {
             return Ok(vec![Extent::Section(self.quoted()?)]);
         }
-        let label = self
-            .tokens
-            .get(self.at + 1)
-            .is_some_and(|t| t.kind == Kind::Open);
-        if self.word() == "from" && label {
-            self.at += 1;
-            let from = self.label()?;
-            return match self.take("on") {
-                true => Ok(vec![Extent::Between(from, String::new())]),
-                false => Err(self.unexpected("end of an extent", "say `from (4) on`", &[])),
-            };
+        if self.word() == "from" && self.opens(1) {
+            return self.from_label();
         }
         if self.take("from line") {
             let first = self.number()?;
@@ -154,12 +140,7 @@ impl Reader<'_> {
         if self.take("up to line") || self.take("until line") {
             return Ok(vec![lines(1, Some(self.number()?))]);
         }
-        if self.word() == "between"
-            && self
-                .tokens
-                .get(self.at + 1)
-                .is_some_and(|t| t.kind == Kind::Open)
-        {
+        if self.word() == "between" && self.opens(1) {
             self.at += 1;
             let from = self.label()?;
             if !self.take("and") {
@@ -168,6 +149,22 @@ impl Reader<'_> {
             return Ok(vec![Extent::Between(from, self.label()?)]);
         }
         Ok(vec![])
+    }
+
+    /// Whether a bracket opens some words further on.
+    fn opens(&self, ahead: usize) -> bool {
+        let token = self.tokens.get(self.at + ahead);
+        token.is_some_and(|token| token.kind == Kind::Open)
+    }
+
+    /// "from (4) on".
+    fn from_label(&mut self) -> Read<Vec<Extent>> {
+        self.at += 1;
+        let from = self.label()?;
+        match self.take("on") {
+            true => Ok(vec![Extent::Between(from, String::new())]),
+            false => Err(self.unexpected("end of an extent", "say `from (4) on`", &[])),
+        }
     }
 
     /// "line 5", "lines 3 to 17", "lines 4, 8 and 41", with "of cell 2".

@@ -15,6 +15,13 @@ pub(crate) const POTENTIAL_ENERGY: &str = "potential energy";
 pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
+pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
+/// A unit vector that stands on a surface.
+pub(crate) const NORMAL: &str = "normal vector";
+/// The direction in which a plane falls most steeply.
+pub(crate) const DOWNHILL: &str = "downhill direction";
+/// A frame that is written as a label above.
+pub(crate) const FRAME_ABOVE: &str = "frame at the upper right";
 
 #[cfg(test)]
 mod tests {
@@ -39,9 +46,13 @@ mod tests {
             TOTAL_ENERGY,
             PRINCIPAL_MOMENTS,
             INERTIA_TENSOR,
+            MOMENT_OF_INERTIA,
+            NORMAL,
+            DOWNHILL,
+            FRAME_ABOVE,
         ];
         for head in heads {
-            let entry = Lexicon::shared().entry(head, &[Class::Noun]);
+            let entry = Lexicon::shared().entry(head, &[Class::Noun, Class::Place, Class::Custom]);
             assert!(entry.is_some(), "{head}");
         }
     }

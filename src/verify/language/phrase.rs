@@ -82,6 +82,13 @@ impl<'a> Reader<'a> {
             && self.find(&[Class::Adverb]).is_none()
     }
 
+    /// Whether a quantity comes next, with its article or without.
+    pub(crate) fn noun_next(&self) -> bool {
+        let article = usize::from(ARTICLES.contains(&self.word()));
+        let noun = [Class::Noun, Class::Place, Class::Adjective];
+        !self.at_renaming() && self.lexicon.find(self.following(article), &noun).is_some()
+    }
+
     /// Whether two members of a list may stand in one slot: no quantity beside a thing.
     fn alike(&self, a: &Term, b: &Term) -> bool {
         let quantity = |term: &Term| match term {

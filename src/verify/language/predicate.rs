@@ -43,20 +43,8 @@ impl<'a> Reader<'a> {
         {
             return self.verb(&subjects, verb);
         }
-        if self.at_formula()
-            && let [Term::Phrase(phrase)] = subjects.as_slice()
-        {
-            let subjects = self.all_formulas();
-            let what = (**phrase).clone();
-            return Ok(vec![Statement::Is { subjects, what }]);
-        }
-        if let [Term::Phrase(phrase)] = subjects.as_slice()
-            && self.at_name()
-            && self.ends_clause(1)
-        {
-            let what = (**phrase).clone();
-            let subjects = self.terms()?;
-            return Ok(vec![Statement::Is { subjects, what }]);
+        if let Some(statement) = self.named_by(&subjects)? {
+            return Ok(vec![statement]);
         }
         if let Some(statement) = self.the_only(&subjects)? {
             return Ok(vec![statement]);
@@ -81,6 +69,20 @@ impl<'a> Reader<'a> {
         }
         self.tail(entry, &mut what.slots)?;
         Ok(decide(subjects, formulas, what, entry))
+    }
+
+    /// "The mass of the rotor is `$m$`", "the mass centre of the rotor is Q", behind "is".
+    fn named_by(&mut self, subjects: &[Term]) -> Read<Option<Statement>> {
+        let [Term::Phrase(phrase)] = subjects else {
+            return Ok(None);
+        };
+        let what = (**phrase).clone();
+        let subjects = match self.at_formula() {
+            true => self.all_formulas(),
+            false if self.at_name() && self.ends_clause(1) => self.terms()?,
+            false => return Ok(None),
+        };
+        Ok(Some(Statement::Is { subjects, what }))
     }
 
     /// "The only loads on the top are the weight and the force at O", behind "are".
@@ -218,13 +220,6 @@ impl<'a> Reader<'a> {
             what: NounPhrase::new(entry.name, slots.clone()),
         };
         Ok(Some(subjects.iter().zip(entries).map(one).collect()))
-    }
-
-    /// Whether a quantity comes next, with its article or without.
-    fn noun_next(&self) -> bool {
-        let article = usize::from(ARTICLES.contains(&self.word()));
-        let noun = [Class::Noun, Class::Place, Class::Adjective];
-        !self.at_renaming() && self.lexicon.find(self.following(article), &noun).is_some()
     }
 
     /// "`$p$` is `$m v$`", "`$u$` is `$0$` at `$t = 0$`", behind "is".

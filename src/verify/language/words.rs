@@ -64,18 +64,6 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
                 "say it in several",
             ));
         }
-        // "{b}": a name in braces.
-        if let Some(name) = in_braces(trimmed) {
-            tokens.push(Token {
-                kind: Kind::Word,
-                text: name.to_owned(),
-                lower: name.to_lowercase(),
-                column,
-            });
-            column += name.chars().count() + 2;
-            rest = &trimmed[name.len() + 2..];
-            continue;
-        }
         // What stands behind a colon says more of what stands before it.
         if first == ':' && !tokens.is_empty() {
             tokens.push(Token {
@@ -130,6 +118,11 @@ fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, 
         ')' => single(Kind::Close),
         '$' => enclosed(text, '$', Kind::Formula),
         '`' => enclosed(text, '`', Kind::Plain),
+        // "{b}": a name in braces
+        '{' if in_braces(text).is_some() => {
+            let name = in_braces(text).unwrap_or_default();
+            Ok((Kind::Word, name, name.len() + 2))
+        }
         '"' => enclosed(text, '"', Kind::Quoted),
         '“' => enclosed(text, '”', Kind::Quoted),
         c if c.is_alphanumeric() || "*_'′".contains(c) => Ok(word(text)),

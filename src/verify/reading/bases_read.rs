@@ -1,6 +1,7 @@
 //! Points about which the inertia of bodies is told: where all that is said of it is said about one point of the body, its
 //! tensor is written about that one.
 
+use crate::verify::language::heads::{INERTIA_TENSOR, MOMENT_OF_INERTIA};
 use crate::verify::language::is_bodily;
 use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, PointId};
@@ -10,8 +11,8 @@ use crate::verify::term::quantity::Whole;
 
 /// Nouns of the inertia of a body about a point.
 const INERTIAS: [&str; 4] = [
-    "inertia tensor",
-    "moment of inertia",
+    INERTIA_TENSOR,
+    MOMENT_OF_INERTIA,
     PRINCIPAL_MOMENTS,
     PRODUCTS,
 ];

@@ -1,16 +1,11 @@
 //! Inclined planes: along which axis they fall, and by what angle.
 
+use crate::verify::language::heads::{DOWNHILL, NORMAL};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
-
-/// The direction in which a plane falls most steeply.
-pub(super) const DOWNHILL: &str = "downhill direction";
-
-/// A unit vector that stands on a surface.
-pub(super) const NORMAL: &str = "normal vector";
 
 impl Builder<'_> {
     /// The vertical where a plane falls along one axis of the inertial frame and another one stands on it. The vertical is

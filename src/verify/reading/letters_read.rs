@@ -1,12 +1,12 @@
 //! What letters denote.
 
 use crate::notation::ast::Kind;
+use crate::verify::language::heads::{DOWNHILL, NORMAL};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::incline_read::{DOWNHILL, NORMAL};
 use crate::verify::reading::loads_read::{acting_force, is_force_at, rests_for_long};
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,

@@ -2,8 +2,10 @@
 
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
+use crate::verify::model::loads::Lasting;
 use crate::verify::model::system::PointId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::loads_read::FORCES;
 use crate::verify::reading::names::POTENTIAL;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -20,6 +22,39 @@ impl Builder<'_> {
             }
             of => Some(Quantity::Force(of)),
         }
+    }
+
+    /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
+    pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
+        let value = match self.loads_at(at, Lasting::Always).as_slice() {
+            [named] => named.value.clone(),
+            [] => {
+                let declaration = self
+                    .declarations
+                    .iter()
+                    .find(|d| self.has_force_at(d, at))?;
+                let load = self.open_load("force", at, None, declaration)?;
+                self.system().loads.push(load.clone());
+                load.value
+            }
+            _ => return None,
+        };
+        Some(Quantity::Known(Value::vector(&value, Basis::Itself)))
+    }
+
+    /// Whether a sentence says of a force at a point that it is one of the only loads.
+    fn has_force_at(&self, declaration: &Declaration, at: PointId) -> bool {
+        let Statement::Premise(premise) = &declaration.statement else {
+            return false;
+        };
+        let mut loads = premise.all(Slot::With);
+        premise.is("only")
+            && loads.any(|load| match load {
+                Term::Phrase(load) if FORCES.contains(&load.head) => {
+                    load.slot(Slot::At).and_then(|term| self.point(term)) == Some(at)
+                }
+                _ => false,
+            })
     }
 
     pub(super) fn moment(

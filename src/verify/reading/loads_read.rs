@@ -224,25 +224,11 @@ impl Builder<'_> {
             let Term::Phrase(load) = load else {
                 return None;
             };
-            if load.head == "weight" {
-                let weight = self.weight(premise)?;
-                loads.push(Load {
-                    letter: String::new(),
-                    at: Some(self.centre_of(body)),
-                    value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
-                    lasting,
-                });
-                continue;
-            }
-            let letters: Vec<&Formula> = letters_of(load);
-            let known = letters.iter().map(|letter| self.load(letter, lasting));
-            if let Some(known) = known
-                .collect::<Option<Vec<Load>>>()
-                .filter(|k| !k.is_empty())
-            {
+            if let Some(known) = self.told_loads(load, premise, lasting) {
                 loads.extend(known);
                 continue;
             }
+            let letters: Vec<&Formula> = letters_of(load);
             let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
             if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1
             {
@@ -269,47 +255,36 @@ impl Builder<'_> {
         Some(())
     }
 
-    fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
+    /// The weight, or loads by letters that other sentences tell.
+    fn told_loads(
+        &mut self,
+        load: &NounPhrase,
+        premise: &NounPhrase,
+        lasting: Lasting,
+    ) -> Option<Vec<Load>> {
+        if load.head == "weight" {
+            let weight = self.weight(premise)?;
+            let body = self.body_of(premise)?;
+            return Some(vec![Load {
+                letter: String::new(),
+                at: Some(self.centre_of(body)),
+                value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
+                lasting,
+            }]);
+        }
+        let letters = letters_of(load).into_iter();
+        let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();
+        known.filter(|known| !known.is_empty())
+    }
+
+    pub(super) fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
         let there = loads.filter(|load| load.at == Some(at) && load.lasting == lasting);
         there.cloned().collect()
     }
 
-    /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
-    pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
-        let value = match self.loads_at(at, Lasting::Always).as_slice() {
-            [named] => named.value.clone(),
-            [] => {
-                let declaration = self
-                    .declarations
-                    .iter()
-                    .find(|d| self.has_force_at(d, at))?;
-                let load = self.open_load("force", at, None, declaration)?;
-                self.system().loads.push(load.clone());
-                load.value
-            }
-            _ => return None,
-        };
-        Some(Quantity::Known(Value::vector(&value, Basis::Itself)))
-    }
-
-    /// Whether a sentence says of a force at a point that it is one of the only loads.
-    fn has_force_at(&self, declaration: &Declaration, at: PointId) -> bool {
-        let Statement::Premise(premise) = &declaration.statement else {
-            return false;
-        };
-        let mut loads = premise.all(Slot::With);
-        premise.is("only")
-            && loads.any(|load| match load {
-                Term::Phrase(load) if FORCES.contains(&load.head) => {
-                    load.slot(Slot::At).and_then(|term| self.point(term)) == Some(at)
-                }
-                _ => false,
-            })
-    }
-
     /// A force that nothing tells, beside another one: a vector of its own.
-    fn open_load(
+    pub(super) fn open_load(
         &mut self,
         head: &str,
         at: PointId,

@@ -1,5 +1,6 @@
 //! Rules for marks, labels and operators.
 
+use crate::verify::language::heads::FRAME_ABOVE;
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
@@ -59,10 +60,8 @@ impl Builder<'_> {
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
         if matches!(sign, Sign::Custom("repeated axis index" | "repeated index")) {
-            let summed = *meaning == NotationMeaning::Fixed("summed");
-            let reaches = &mut self.reading.letters.customs.summed;
-            reaches.extend(summed.then_some(reach));
-            return;
+            let summed = (*meaning == NotationMeaning::Fixed("summed")).then_some(reach);
+            return self.reading.letters.customs.summed.extend(summed);
         }
         if let (Sign::Operator(_), NotationMeaning::FunctionsOf(letters)) = (sign, meaning) {
             let letters = letters.iter().filter_map(node_of).cloned();
@@ -109,7 +108,7 @@ impl Builder<'_> {
                 self.reading.letters.customs.raised_frames =
                     *meaning == NotationMeaning::Fixed("that frame");
             }
-            Sign::Custom("frame at the upper right") => self.label_components(&reach),
+            Sign::Custom(FRAME_ABOVE) => self.label_components(&reach),
             Sign::Custom(brackets) if brackets.starts_with("square") => {
                 let customs = &mut self.reading.letters.customs;
                 customs.crossing_brackets = effect == Effect::CrossProductMatrix;

@@ -103,17 +103,7 @@ impl Builder<'_> {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
             }
-            PART => {
-                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-                let across = phrase.slot(Slot::With);
-                let axis = across.or_else(|| phrase.slot(Slot::Along))?;
-                let axis = self.axis_quantity(&axis.clone(), declaration)?;
-                Quantity::Part {
-                    of: of.boxed(),
-                    axis: axis.boxed(),
-                    across: across.is_some(),
-                }
-            }
+            PART => self.part(phrase, declaration)?,
             CROSS_PRODUCT_MATRIX => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::CrossProductMatrix(of.boxed())
@@ -121,6 +111,19 @@ impl Builder<'_> {
             "identity matrix" => Quantity::Identity,
             "mass" => Quantity::Mass(self.whole_of(phrase)?),
             _ => return self.dynamic_quantity(phrase, declaration, relative),
+        })
+    }
+
+    /// "the part of `v` along n", "… perpendicular to n".
+    fn part(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+        let across = phrase.slot(Slot::With);
+        let axis = across.or_else(|| phrase.slot(Slot::Along))?;
+        let axis = self.axis_quantity(&axis.clone(), declaration)?;
+        Some(Quantity::Part {
+            of: of.boxed(),
+            axis: axis.boxed(),
+            across: across.is_some(),
         })
     }
 

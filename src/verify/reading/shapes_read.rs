@@ -70,35 +70,10 @@ impl Builder<'_> {
         let shape = mechanics::Shape::by_name(what.head)?;
         let mut sizes: Vec<Fraction> = vec![];
         for wanted in shape.sizes() {
-            let told = what.all(Slot::Of).find_map(|term| match term {
-                Term::Phrase(size) if size.head == wanted.name => match size.slot(Slot::Which) {
-                    Some(Term::Formula(formula)) => Some(formula.clone()),
-                    _ => None,
-                },
-                _ => None,
-            });
             if wanted.count != 1 {
                 return None;
             }
-            // A size of which nothing is said is a constant without a letter.
-            let own = || {
-                format!(
-                    "\\text{{{} of {}}}",
-                    wanted.name, self.reading.system.bodies[body].name
-                )
-            };
-            let text = told
-                .as_ref()
-                .map_or_else(own, |formula| formula.source.clone());
-            let quantity = Quantity::Scalar {
-                text,
-                constant: true,
-            };
-            if let Some(formula) = told {
-                self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
-            }
-            let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
-            self.system().atoms.set_positive(&size);
+            let size = self.size_of_shape(body, what, wanted.name, declaration)?;
             sizes.push(size);
         }
         let mass = self.reading.system.bodies[body].mass.clone();
@@ -124,6 +99,37 @@ impl Builder<'_> {
         let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;
         self.reading.system.bodies[body].inertia = Some(tensor);
         Some(())
+    }
+
+    /// A size by its letter; one of which nothing is said is a constant without a letter.
+    fn size_of_shape(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        wanted: &str,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        let told = what.all(Slot::Of).find_map(|term| match term {
+            Term::Phrase(size) if size.head == wanted => match size.slot(Slot::Which) {
+                Some(Term::Formula(formula)) => Some(formula.clone()),
+                _ => None,
+            },
+            _ => None,
+        });
+        let name = &self.reading.system.bodies[body].name;
+        let own = || format!("\\text{{{wanted} of {name}}}");
+        let quantity = Quantity::Scalar {
+            text: told
+                .as_ref()
+                .map_or_else(own, |formula| formula.source.clone()),
+            constant: true,
+        };
+        if let Some(formula) = told {
+            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+        }
+        let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
+        self.system().atoms.set_positive(&size);
+        Some(size)
     }
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.

@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Extent};
 
 /// The declarations with the lines that labels stand on, and headings as they are written. A sentence about labels that
 /// the document does not have is one that was not understood.
-pub(super) fn located(document: &Document, declarations: &[Declaration]) -> Vec<Declaration> {
+pub(crate) fn located(document: &Document, declarations: &[Declaration]) -> Vec<Declaration> {
     let places = Places::of(document);
     let one = |declaration: &Declaration| match places.located(&declaration.extent) {
         Some(extent) => Declaration {
