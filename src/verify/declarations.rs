@@ -10,8 +10,11 @@ use std::fmt;
 /// A document has no more sentences than this.
 const MOST: usize = 4_000;
 
-/// What the setting `products: entries` says.
-const ENTRIES: &str = "Products of inertia are entries.";
+/// What the settings of `products` say.
+const PRODUCTS: [(&str, &str); 2] = [
+    ("entries", "Products of inertia are entries."),
+    ("integrals", "Products of inertia are integrals."),
+];
 
 /// What may stand before a colon.
 const SETTINGS: &str =
@@ -113,12 +116,13 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
             .declarations
             .push(Declaration::unread(beyond.text.clone()));
     }
-    if document.front_matter.products.as_deref() == Some("entries") {
+    let products = document.front_matter.products.as_deref();
+    if let Some((_, text)) = PRODUCTS.iter().find(|(name, _)| Some(*name) == products) {
         origins.push(Origin {
             sheet: None,
             span: None,
             name: "front matter".to_owned(),
-            text: ENTRIES.to_owned(),
+            text: (*text).to_owned(),
         });
     }
     let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();

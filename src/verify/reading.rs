@@ -79,10 +79,7 @@ pub(crate) struct Reading {
     pub(crate) shapes: HashMap<String, Shape>,
     /// Lines that hold for a part of the document: which, and where.
     pub(crate) held: Vec<(Reach, Reach)>,
-    /// What is greater than zero, and where: sides of inequalities, the greater less the smaller.
-    pub(crate) orders: Vec<(Reach, Fraction)>,
-    /// Lines that hold to first order in these variables.
-    pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
+    pub(crate) sizes: Sizes,
     pub(crate) start: Start,
     /// Sentences that nothing was made of.
     pub(crate) unused: Vec<Unused>,
@@ -129,6 +126,15 @@ impl Unused {
     }
 }
 
+/// What is said of sizes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Sizes {
+    /// What is greater than zero, and where: sides of inequalities, the greater less the smaller.
+    pub(crate) orders: Vec<(Reach, Fraction)>,
+    /// Lines that hold to first order in these variables.
+    pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
+}
+
 impl Reading {
     /// Whether a line is left out.
     pub(crate) fn left_out(&self, at: &At) -> bool {
@@ -140,6 +146,7 @@ impl Reading {
     /// What is small at a place.
     pub(crate) fn small_at(&self, at: &At) -> Small {
         let reaching = self
+            .sizes
             .first_order
             .iter()
             .filter(|(lines, _)| lines.covers(at, 0));

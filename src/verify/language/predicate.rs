@@ -155,6 +155,7 @@ impl<'a> Reader<'a> {
         let mut nouns = vec![first.clone()];
         // "the force on the hub and the moment on it"
         let of = first.slot(Slot::Of).or(first.slot(Slot::Upon));
+        let of = of.filter(|term| subjects.len() > 1 && !matches!(term, Term::Formula(_)));
         self.thing = of.cloned().or(self.thing.take());
         while subjects.len() > 1 && self.take_separator() && self.noun_next() {
             nouns.push(self.said()?.0);

@@ -341,6 +341,7 @@ pub(crate) fn place_in(reach: &Reach) -> At {
                 sections: [a.sections, b.sections].concat(),
             }
         }
+        Reach::Any(all) => all.first().map_or_else(At::default, place_in),
         Reach::All => At::default(),
     }
 }

@@ -189,18 +189,16 @@ impl Builder<'_> {
         let free = system.frames[frame].turn == Turn::Free;
         let angle = slot(said.slots, Slot::By).cloned();
         let rate = slot(said.slots, Slot::At).cloned();
-        // "the axis through G along z" is z
-        let along = match &about {
-            Term::Phrase(axis) => axis.slot(Slot::Along).unwrap_or(&about),
-            _ => &about,
-        };
-        let shared = self.shared_axis(along, frame, relative);
+        let shared = self.shared_axis(along_of(&about), frame, relative);
         let angle = angle.and_then(|term| self.scalar_term(&term, said.declaration));
         let rate = rate.and_then(|term| self.scalar_term(&term, said.declaration));
         if whole && of_parent && free {
             self.reading.system.frames[frame].turn = match (angle, rate, shared) {
                 (Some(angle), _, Some(axis)) => Turn::Angle(axis, Box::new(angle)),
                 (None, Some(rate), Some(axis)) => Turn::Rate(Axis::Number(axis), Box::new(rate)),
+                (None, None, Some(axis)) => {
+                    Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
+                }
                 (angle, rate, _) => {
                     let Some(along) = self.direction(&about, said.declaration, Some(relative))
                     else {
@@ -412,4 +410,12 @@ pub(super) fn slot(slots: &[(Slot, Term)], wanted: Slot) -> Option<&Term> {
         .iter()
         .find(|(slot, _)| *slot == wanted)
         .map(|(_, term)| term)
+}
+
+/// What an axis is along: z for "the axis through G along z".
+fn along_of(axis: &Term) -> &Term {
+    match axis {
+        Term::Phrase(line) => line.slot(Slot::Along).unwrap_or(axis),
+        _ => axis,
+    }
 }

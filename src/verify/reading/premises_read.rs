@@ -222,7 +222,10 @@ impl Builder<'_> {
                 .iter()
                 .flat_map(|v| v.entries.iter())
                 .filter_map(|e| e.as_variable());
-            self.reading.first_order.push((lines, variables.collect()));
+            self.reading
+                .sizes
+                .first_order
+                .push((lines, variables.collect()));
             return;
         }
         let instant = slots.iter().find_map(|(slot, term)| match term {
@@ -340,7 +343,7 @@ impl Builder<'_> {
                 _ => return None,
             };
             let reach = reach_of(&declaration.extent);
-            self.reading.orders.push((reach, greater));
+            self.reading.sizes.orders.push((reach, greater));
         }
         Some(())
     }
@@ -365,7 +368,15 @@ impl Builder<'_> {
             // "On lines 4 to 9 line 3 is assumed": it holds there alone.
             if matches!(role, DeclaredRole::Assume) && declaration.extent != Extent::Document {
                 let there = reach_of(&declaration.extent);
-                self.reading.held.push((reach.clone(), there));
+                match self
+                    .reading
+                    .held
+                    .iter_mut()
+                    .find(|(lines, _)| *lines == reach)
+                {
+                    Some((_, before)) => *before = before.clone().or(there),
+                    None => self.reading.held.push((reach.clone(), there)),
+                }
             }
             let role = match role {
                 DeclaredRole::Given => Some(Role::Given),

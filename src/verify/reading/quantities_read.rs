@@ -104,10 +104,9 @@ impl Builder<'_> {
                 Quantity::Magnitude(of.boxed())
             }
             PART => self.part(phrase, declaration)?,
-            CROSS_PRODUCT_MATRIX => {
-                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-                Quantity::CrossProductMatrix(of.boxed())
-            }
+            CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
+                self.operand(phrase.slot(Slot::Of)?, declaration)?.boxed(),
+            ),
             "identity matrix" => Quantity::Identity,
             "mass" => Quantity::Mass(self.whole_of(phrase)?),
             _ => return self.dynamic_quantity(phrase, declaration, relative),

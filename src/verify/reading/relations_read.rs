@@ -7,7 +7,7 @@ use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::incline_read::is_incline;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{node_of, reach_of, told};
+use crate::verify::reading::names::{PRODUCTS, node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::labels::letters_of;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
@@ -112,8 +112,7 @@ impl Builder<'_> {
             let [row, column] = told
                 .or_else(|| labelled_entry(formula))
                 .or(ENTRIES.get(place).copied())?;
-            let integral =
-                told.is_none() && self.reading.letters.customs.integrals && is_tensor(&of);
+            let integral = told.is_none() && self.says_integrals() && is_tensor(&of);
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),
                 row,
@@ -124,6 +123,17 @@ impl Builder<'_> {
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
         Some(())
+    }
+
+    /// Whether a sentence says that products of inertia are integrals: entries are entries where none does.
+    fn says_integrals(&self) -> bool {
+        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                what.head == "integral" && subjects.iter().any(products)
+            }
+            _ => false,
+        })
     }
 
     /// "`I_{jk}` are the entries of `I`", where j and k number axes: each by its numbers or by its axes.
@@ -146,7 +156,7 @@ impl Builder<'_> {
         if !symbol.subscripts.last().is_some_and(numbers) {
             return false;
         }
-        let integral = self.reading.letters.customs.integrals && is_tensor(of);
+        let integral = self.says_integrals() && is_tensor(of);
         for (names, (row, column)) in LABELS
             .iter()
             .flat_map(|names| (0..9).map(move |n| (names, (n / 3, n % 3))))

@@ -11,7 +11,7 @@ use crate::verify::standing::shown::shown;
 impl Judge<'_> {
     /// What inequalities say at this place, in free variables.
     fn orders(&mut self) -> Vec<Fraction> {
-        let own = self.reading.orders.iter();
+        let own = self.reading.sizes.orders.iter();
         let own: Vec<Fraction> = own
             .filter(|(reach, _)| reach.covers(&self.at, 0))
             .map(|(_, order)| order.clone())

@@ -37,6 +37,8 @@ pub(crate) enum Reach {
         line: usize,
     },
     Both(Box<Reach>, Box<Reach>),
+    /// One of several parts.
+    Any(Vec<Reach>),
 }
 
 impl Customs {
@@ -62,6 +64,18 @@ impl Reach {
                 line,
             } => *cell == at.cell && *line == at.line && *n == number,
             Self::Both(a, b) => a.covers(at, number) && b.covers(at, number),
+            Self::Any(all) => all.iter().any(|reach| reach.covers(at, number)),
+        }
+    }
+
+    /// This part of the document, and another one.
+    pub(crate) fn or(self, other: Self) -> Self {
+        match self {
+            Self::Any(mut all) => {
+                all.push(other);
+                Self::Any(all)
+            }
+            one => Self::Any(vec![one, other]),
         }
     }
 
@@ -82,6 +96,7 @@ impl Reach {
             Self::Lines { first, last, .. } => 1_000_000 - last.saturating_sub(*first).min(900_000),
             Self::Occurrence { .. } => 2_000_000,
             Self::Both(a, b) => a.narrowness().max(b.narrowness()) + 1,
+            Self::Any(all) => all.iter().map(Self::narrowness).min().unwrap_or(0),
         }
     }
 }
