@@ -4,7 +4,7 @@ use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{EULER_ANGLES, name_of, opposite};
+use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, opposite};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
@@ -410,12 +410,4 @@ pub(super) fn slot(slots: &[(Slot, Term)], wanted: Slot) -> Option<&Term> {
         .iter()
         .find(|(slot, _)| *slot == wanted)
         .map(|(_, term)| term)
-}
-
-/// What an axis is along: z for "the axis through G along z".
-fn along_of(axis: &Term) -> &Term {
-    match axis {
-        Term::Phrase(line) => line.slot(Slot::Along).unwrap_or(axis),
-        _ => axis,
-    }
 }

@@ -72,6 +72,14 @@ pub(crate) fn name_of_formula(formula: &Formula) -> String {
     }
 }
 
+/// What an axis is along: z for "the axis through G along z".
+pub(crate) fn along_of(axis: &Term) -> &Term {
+    match axis {
+        Term::Phrase(line) => line.slot(Slot::Along).unwrap_or(axis),
+        _ => axis,
+    }
+}
+
 /// `x` of `-x`: the direction against which something points.
 pub(crate) fn opposite(term: &Term) -> Option<Term> {
     let Term::Formula(formula) = term else {
