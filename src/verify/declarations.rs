@@ -10,11 +10,8 @@ use std::fmt;
 /// A document has no more sentences than this.
 const MOST: usize = 4_000;
 
-/// What the settings of `products` say.
-const PRODUCTS: [(&str, &str); 2] = [
-    ("entries", "Products of inertia are entries."),
-    ("integrals", "Products of inertia are integrals."),
-];
+/// What products of inertia may be set to be.
+const PRODUCTS: [&str; 2] = ["entries", "integrals"];
 
 /// What may stand before a colon.
 const SETTINGS: &str =
@@ -117,12 +114,12 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
             .push(Declaration::unread(beyond.text.clone()));
     }
     let products = document.front_matter.products.as_deref();
-    if let Some((_, text)) = PRODUCTS.iter().find(|(name, _)| Some(*name) == products) {
+    if let Some(products) = products.filter(|products| PRODUCTS.contains(products)) {
         origins.push(Origin {
             sheet: None,
             span: None,
             name: "front matter".to_owned(),
-            text: (*text).to_owned(),
+            text: format!("Products of inertia are {products}."),
         });
     }
     let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();

@@ -132,16 +132,15 @@ $$ \vec L = \vec H $$
 #[test]
 fn what_is_assumed_for_some_lines_ends_with_them() {
     let sentences = "N is an inertial frame.
-B is a frame fixed in the body.
-O is a point fixed in N and in B.
-$\\vec L$ is the angular momentum of the body about O relative to N.
-$\\vec M$ is the total moment on the body about O.
+P is a particle of mass $m$.
+$\\vec p$ is the momentum of P relative to N.
+$\\vec F$ is the total force on P.
 On lines 2 and 3 line 2 is assumed.
 ";
     let text = r"
-$$ \vec M = 0 $$
-$$ \dot{\vec L} = 0 $$
-$$ \dot{\vec L} = 0 $$
+$$ \vec F = 0 $$
+$$ \dot{\vec p} = 0 $$
+$$ \dot{\vec p} = 0 $$
 ";
     assert_eq!(judged(sentences, text), "apr");
 }
