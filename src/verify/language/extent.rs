@@ -124,7 +124,7 @@ impl Reader<'_> {
             return Ok(vec![Extent::Section(self.quoted()?)]);
         }
         if self.word() == "from" && self.opens(1) {
-            return self.from_label();
+            return self.behind_label();
         }
         if self.take("from line") {
             let first = self.number()?;
@@ -158,7 +158,7 @@ impl Reader<'_> {
     }
 
     /// "from (4) on".
-    fn from_label(&mut self) -> Read<Vec<Extent>> {
+    fn behind_label(&mut self) -> Read<Vec<Extent>> {
         self.at += 1;
         let from = self.label()?;
         match self.take("on") {
