@@ -9,7 +9,6 @@ mod motion {
     mod flow_jacobian;
     mod free_body;
     mod geometric;
-    mod laws;
     mod numbers_and_limits;
     mod objectivity;
     mod rollout;
