@@ -232,8 +232,8 @@ fn a_sentence_that_is_not_understood_is_an_error_at_its_word() {
 
 #[test]
 fn beside_a_sentence_that_is_not_understood_lines_are_proved_and_none_is_refuted() {
-    let of_letter = RING.map(|s| s.replace("is the kinetic", "is the whole kinetic"));
-    let of_thing = RING.map(|s| s.replace("G is the mass centre", "G is the whole mass centre"));
+    let of_letter = RING.map(|s| s.replace("is the kinetic", "is the grand kinetic"));
+    let of_thing = RING.map(|s| s.replace("G is the mass centre", "G is the grand mass centre"));
     let named = |sentences: &[String; 13]| sentences.each_ref().map(|s| s.as_str()).map_to_lines();
     let folder = folder(&[
         ("bare.md", LINES),

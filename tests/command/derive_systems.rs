@@ -192,7 +192,7 @@ const SHORT: [(&str, usize); 3] = [
     (
         "N is an inertial frame.\nB is a frame fixed in the craft.\n\
          The craft is a rigid body of mass $m$.\nG is the mass centre of the craft.\n\
-         $g$ is the acceleration of gravity.\n$z$ is the upward vertical.\n\
+         $g$ is the acceleration of gravity.\n$u$ is the upward vertical.\n\
          The weight is the only load on the craft.\n",
         20,
     ),

@@ -251,11 +251,19 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             })
         }
         Piece::Formulas(c) => {
-            // A list is taken whole.
-            let length = Some(formulas(tokens)).filter(|length| *length > 0)?;
-            let (used, mut bound) = behind(length)?;
-            bound.push((*c, &tokens[..length]));
-            Some((used, bound))
+            // A list is taken whole, unless its last letter is what another clause is about.
+            let whole = formulas(tokens);
+            let clause = |&end: &usize| {
+                let behind = end + 1 + formulas(tokens.get(end + 1..).unwrap_or_default());
+                let verb = tokens.get(behind).map(|t| t.lower.as_str());
+                behind > end + 1 && verb.is_some_and(|verb| COPULAS.contains(&verb))
+            };
+            let lengths = std::iter::once(whole).chain((1..whole).filter(clause));
+            lengths.filter(|length| *length > 0).find_map(|length| {
+                let (used, mut bound) = behind(length)?;
+                bound.push((*c, &tokens[..length]));
+                Some((used, bound))
+            })
         }
     }
 }
