@@ -174,7 +174,7 @@ pub enum Refusal {
 /// let wish = Wish { find: Some("the moment on the rotor about O".into()), steady: false };
 /// let derived = derive_system(&declared, &wish).expect("a derivation");
 /// let last = derived.parts.last().and_then(|part| part.steps.last()).expect("a step");
-/// assert_eq!(last.law, Law::MomentPutIn);
+/// assert_eq!(last.law, Law::Moment);
 /// assert_eq!(last.rows[0].right.latex, "C \\ddot{\\theta}");
 /// ```
 ///
