@@ -1,5 +1,6 @@
 //! Derivatives of a step by central differences.
 
+use crate::num_dual_step::pulled_back;
 use crate::turns::{TURNS, in_turns, repeated};
 use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 use polhode::motion::{Rk4, Scheme, SmoothLaw, State, System};
@@ -97,12 +98,5 @@ fn gradient<L: SmoothLaw>(
         steps.push(columns::<15, L>(&system, &state));
         state = Rk4.step(&system, 0.0, &state, STEP);
     }
-    let mut gradient = SVector::<f64, 15>::zeros();
-    let mut covector = costs.last().copied().unwrap_or_else(Vector6::zeros);
-    for (step, cost) in steps.iter().zip(costs).rev() {
-        let found = step.tr_mul(&covector);
-        gradient += found;
-        covector = found.fixed_rows::<6>(0) + cost;
-    }
-    gradient
+    pulled_back(&steps, costs)
 }

@@ -219,7 +219,7 @@ pub(crate) fn plain(
     Input::new(inertia, state, step, |value, _| value).stepped(law, 0.0)
 }
 
-/// The gradient of a cost of as many steps as there are costs but one, backwards through the columns of each.
+/// The gradient of a cost of as many steps as there are costs but one.
 pub(crate) fn gradient(
     law: &impl Law,
     inertia: &Matrix3<f64>,
@@ -233,6 +233,14 @@ pub(crate) fn gradient(
         steps.push(matrix);
         state = end;
     }
+    pulled_back(&steps, costs)
+}
+
+/// The gradient of a cost, backwards through the columns of each step.
+pub(crate) fn pulled_back(
+    steps: &[SMatrix<f64, 6, 15>],
+    costs: &[Vector6<f64>],
+) -> SVector<f64, 15> {
     let mut gradient = SVector::<f64, 15>::zeros();
     let mut covector = costs.last().copied().unwrap_or_else(Vector6::zeros);
     for (step, cost) in steps.iter().zip(costs).rev() {

@@ -7,7 +7,7 @@ mod rust;
 
 use crate::emit::graph::{Operation, Symbol};
 use crate::emit::lines::Lines;
-use crate::emit::routine::{Letter, Output};
+use crate::emit::routine::{Argument, Letter, Output};
 use crate::emit::{Language, Precision, Request};
 
 /// The code of a request.
@@ -145,6 +145,13 @@ impl Output {
             count => format!("[{}][{count}]", self.rows.len()),
         }
     }
+}
+
+/// Names for the numbers of an argument, `_` where no line uses one; none if it is a number itself, or nothing uses it.
+fn unpacked<'a>(argument: &'a Argument, used: &[bool]) -> Option<Vec<&'a str>> {
+    let name = |(letter, used): (&'a Letter, &bool)| if *used { letter.code.as_str() } else { "_" };
+    let names = argument.letters.iter().zip(used).map(name);
+    (!argument.is_number && used.contains(&true)).then(|| names.collect())
 }
 
 /// A number in the digits that it takes to be read back.

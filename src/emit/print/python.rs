@@ -1,6 +1,6 @@
 //! Python.
 
-use super::{Printer, Spelling, digits, header, tolerance};
+use super::{Printer, Spelling, digits, header, tolerance, unpacked};
 use crate::emit::lines::Lines;
 use crate::emit::routine::{Letter, Output};
 use crate::emit::{Precision, Request, sample};
@@ -44,11 +44,7 @@ fn body(lines: &Lines<'_>) -> String {
     let printer = Printer::new(lines, &Python);
     let mut text = String::new();
     for (argument, used) in lines.arguments() {
-        if !argument.is_number && used.contains(&true) {
-            let letters = argument.letters.iter().zip(used);
-            let names: Vec<_> = letters
-                .map(|(l, used)| if used { &l.code } else { "_" })
-                .collect();
+        if let Some(names) = unpacked(argument, &used) {
             // One name alone would take the whole sequence.
             let comma = if names.len() == 1 { "," } else { "" };
             text += &format!("    {}{comma} = {}\n", names.join(", "), argument.name);

@@ -1,6 +1,6 @@
 //! Rust.
 
-use super::{Printer, Spelling, digits, header, tolerance};
+use super::{Printer, Spelling, digits, header, tolerance, unpacked};
 use crate::emit::lines::Lines;
 use crate::emit::routine::{Argument, Letter, Output};
 use crate::emit::{Precision, Request, sample};
@@ -83,11 +83,7 @@ fn body(spelling: &Rust, lines: &Lines<'_>) -> String {
     let printer = Printer::new(lines, spelling);
     let mut text = String::new();
     for (argument, used) in lines.arguments() {
-        if !argument.is_number && used.contains(&true) {
-            let letters = argument.letters.iter().zip(used);
-            let names: Vec<_> = letters
-                .map(|(l, used)| if used { &l.code } else { "_" })
-                .collect();
+        if let Some(names) = unpacked(argument, &used) {
             text += &format!("    let [{}] = *{};\n", names.join(", "), argument.name);
         }
     }

@@ -105,9 +105,9 @@ fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<Str
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let mut names = vec![];
     for at in 0..words.len() {
-        let before = contexts.iter().any(|context| follows(tokens, at, context))
-            || owned(tokens, at, lexicon);
-        if before {
+        let before = words_before(tokens, at);
+        let context = contexts.iter().any(|context| before.ends_with(context));
+        if context || owned(&before, lexicon) {
             listed(tokens, at, lexicon, &mut names);
         } else if let Some((name, end)) = name(tokens, at, lexicon)
             && begins(tokens, at)
@@ -119,30 +119,22 @@ fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<Str
     names
 }
 
-/// Whether some words stand before a place; letters between them only name what they say: "the tension `$T$` of the wire".
-fn follows(tokens: &[Token], at: usize, context: &[&str]) -> bool {
+/// The last words before a place; letters between them only name what they say: "the tension `$T$` of the wire".
+fn words_before(tokens: &[Token], at: usize) -> Vec<&str> {
     let letter = |t: &&Token| matches!(t.kind, Kind::Formula | Kind::Plain);
-    let mut before = tokens[..at].iter().rev().filter(|t| !letter(t));
-    let words = context.iter().rev();
-    let same = words
-        .zip(before.by_ref())
-        .filter(|(word, t)| t.lower == **word);
-    same.count() == context.len()
+    let words = tokens[..at].iter().rev().filter(|t| !letter(t));
+    let words = words.take(LONGEST_NAME + 1).map(|t| t.lower.as_str());
+    let mut before: Vec<&str> = words.collect();
+    before.reverse();
+    before
 }
 
-/// Whether a noun stands before a place of which bodies have something, or on bodies: "the mass of", "the lift on".
-fn owned(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
-    let letter = |t: &&Token| !matches!(t.kind, Kind::Formula | Kind::Plain);
-    let before: Vec<&str> = tokens[..at]
-        .iter()
-        .filter(letter)
-        .map(|t| t.lower.as_str())
-        .collect();
+/// Whether the last words before a place say something that bodies have, or that is on bodies: "the mass of", "the lift on".
+fn owned(before: &[&str], lexicon: &Lexicon) -> bool {
     let Some((preposition, before)) = before.split_last() else {
         return false;
     };
-    let starts = before.len().saturating_sub(LONGEST_NAME)..before.len();
-    let noun = starts.into_iter().find_map(|start| {
+    let noun = (0..before.len()).find_map(|start| {
         let noun = lexicon.find(&before[start..], &[Class::Noun, Class::Place])?;
         (start + noun.length == before.len()).then_some(noun.entry)
     });

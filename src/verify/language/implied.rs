@@ -100,75 +100,74 @@ impl Reader<'_> {
     }
 }
 
-/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`", "the angular momenta of the body about O and about G": what hangs on
-/// a noun as often as there are subjects is said of each in turn.
+/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`", "the angular momenta of the body about O and about G", "the moments of
+/// inertia about the axes through O along `$x$` and `$z$`": what hangs on a noun, or on the axes that it is about, as often
+/// as there are subjects is said of each in turn.
 pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
-    let alike = |terms: &[&Term]| terms.iter().all(|t| matches!(t, Term::Formula(_)));
-    let things = |terms: &[&Term]| terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
-    let letters: Vec<&Term> = subjects.iter().collect();
-    let parted = |slot: Slot| {
-        let terms: Vec<&Term> = what.all(slot).collect();
-        let several = terms.len() > 1 && terms.len() == subjects.len() && alike(&letters);
-        several && (slot != Slot::Of || alike(&terms) || things(&terms))
-    };
-    let slots: Vec<Slot> = PARTED.into_iter().filter(|slot| parted(*slot)).collect();
-    if let Some(several) = about_axes(&subjects, &what) {
-        return several;
-    }
-    if slots.is_empty() {
+    let letters = subjects.iter().all(|t| matches!(t, Term::Formula(_)));
+    let count = subjects.len();
+    if count < 2 || !letters || !is_parted(&what, count) {
         return vec![Statement::Is { subjects, what }];
     }
-    let one = |(number, subject): (usize, Term)| {
-        let mut own = what.clone();
-        for slot in &slots {
-            let term = what.all(*slot).nth(number).cloned();
-            let at = own.slots.iter().position(|(s, _)| s == slot);
-            own.slots.retain(|(s, _)| s != slot);
-            if let (Some(at), Some(term)) = (at, term) {
-                own.slots.insert(at.min(own.slots.len()), (*slot, term));
-            }
-        }
-        Statement::Is {
-            subjects: vec![subject],
-            what: own,
-        }
+    let one = |(number, subject): (usize, Term)| Statement::Is {
+        subjects: vec![subject],
+        what: in_turn(&what, number, count),
     };
     subjects.into_iter().enumerate().map(one).collect()
 }
 
-/// "the moments of inertia of the body about the axes through O along `$x$` and `$z$`": each about one axis.
-fn about_axes(subjects: &[Term], what: &NounPhrase) -> Option<Vec<Statement>> {
-    let at = what
-        .slots
-        .iter()
-        .position(|(slot, _)| *slot == Slot::About)?;
-    let Term::Phrase(axes) = &what.slots[at].1 else {
-        return None;
-    };
-    let along: Vec<&Term> = axes.all(Slot::Along).collect();
-    if axes.head != "axes" || along.len() < 2 || along.len() != subjects.len() {
-        return None;
+/// Whether something hangs on a noun, or on its axes, so many times.
+fn is_parted(what: &NounPhrase, count: usize) -> bool {
+    PARTED.iter().any(|&slot| hangs_in_turn(what, slot, count))
+        || axes_of(what).is_some_and(|axes| is_parted(axes, count))
+}
+
+/// Whether a slot has so many terms, one for each subject.
+fn hangs_in_turn(what: &NounPhrase, slot: Slot, count: usize) -> bool {
+    let terms: Vec<&Term> = what.all(slot).collect();
+    let letters = terms.iter().all(|t| matches!(t, Term::Formula(_)));
+    let things = terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
+    terms.len() == count && (slot != Slot::Of || letters || things)
+}
+
+/// The axes that something is about.
+fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
+    match what.slot(Slot::About)? {
+        Term::Phrase(axes) if axes.head == "axes" => Some(axes),
+        _ => None,
     }
-    let one = |(subject, along): (&Term, &Term)| {
-        let mut axis = NounPhrase::new("axis", vec![(Slot::Along, along.clone())]);
-        let others = axes.slots.iter().filter(|(slot, _)| *slot != Slot::Along);
-        axis.slots.extend(others.cloned());
-        let mut own = what.clone();
-        own.slots[at].1 = Term::Phrase(Box::new(axis));
-        Statement::Is {
-            subjects: vec![subject.clone()],
-            what: own,
+}
+
+/// What is said of one of the subjects.
+fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
+    let mut own = what.clone();
+    for slot in PARTED {
+        if hangs_in_turn(what, slot, count) {
+            let mut place = 0..count;
+            own.slots
+                .retain(|(s, _)| *s != slot || place.next() == Some(number));
         }
-    };
-    Some(subjects.iter().zip(along).map(one).collect())
+    }
+    if let Some(axes) = axes_of(what).filter(|axes| is_parted(axes, count)) {
+        let axis = NounPhrase {
+            head: "axis",
+            ..in_turn(axes, number, count)
+        };
+        let about = own.slots.iter_mut().find(|(slot, _)| *slot == Slot::About);
+        about
+            .into_iter()
+            .for_each(|(_, term)| *term = Term::Phrase(Box::new(axis.clone())));
+    }
+    own
 }
 
 /// What may be of each subject in turn.
-const PARTED: [Slot; 6] = [
+const PARTED: [Slot; 7] = [
     Slot::Of,
     Slot::About,
     Slot::RelativeTo,
     Slot::On,
     Slot::Along,
+    Slot::Through,
     Slot::From,
 ];

@@ -250,21 +250,11 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
                 Some((used, bound))
             })
         }
-        Piece::Formulas(c) => {
-            // A list is taken whole, unless its last letter is what another clause is about.
-            let whole = formulas(tokens);
-            let clause = |&end: &usize| {
-                let behind = end + 1 + formulas(tokens.get(end + 1..).unwrap_or_default());
-                let verb = tokens.get(behind).map(|t| t.lower.as_str());
-                behind > end + 1 && verb.is_some_and(|verb| COPULAS.contains(&verb))
-            };
-            let lengths = std::iter::once(whole).chain((1..whole).filter(clause));
-            lengths.filter(|length| *length > 0).find_map(|length| {
-                let (used, mut bound) = behind(length)?;
-                bound.push((*c, &tokens[..length]));
-                Some((used, bound))
-            })
-        }
+        Piece::Formulas(c) => list_lengths(tokens).find_map(|length| {
+            let (used, mut bound) = behind(length)?;
+            bound.push((*c, &tokens[..length]));
+            Some((used, bound))
+        }),
     }
 }
 
@@ -272,6 +262,18 @@ fn begins_phrase(token: &Token) -> bool {
     token.kind == Kind::Word
         && (ARTICLES.contains(&token.lower.as_str()) || token.lower.ends_with("'s"))
         && !COPULAS.contains(&token.lower.as_str())
+}
+
+/// How many pieces a list may be taken to have: all of them, or fewer where its last letter is what another clause is about.
+fn list_lengths(tokens: &[Token]) -> impl Iterator<Item = usize> {
+    let whole = formulas(tokens);
+    let clause = move |&end: &usize| {
+        let behind = end + 1 + formulas(tokens.get(end + 1..).unwrap_or_default());
+        let verb = tokens.get(behind).map(|t| t.lower.as_str());
+        behind > end + 1 && verb.is_some_and(|verb| COPULAS.contains(&verb))
+    };
+    let lengths = std::iter::once(whole).chain((1..whole).filter(clause));
+    lengths.filter(|length| *length > 0)
 }
 
 /// How many pieces a list of formulas takes.

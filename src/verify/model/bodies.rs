@@ -87,48 +87,49 @@ impl System {
         of.map(|entry| self.over_members(part, entry))
     }
 
-    /// The inertia tensor of a whole body about its mass centre.
-    fn central_inertia(&mut self, body: BodyId) -> Matrix {
+    /// The inertia tensor of a whole body about its base point: its mass centre where it has no other.
+    fn told_inertia(&mut self, body: BodyId) -> Matrix {
         if let Some(known) = &self.bodies[body].inertia {
             return known.clone();
         }
         let tensor = match self.bodies[body].frame {
             None => Matrix::zeros(),
             Some(frame) => {
-                let text = self.tensor_name(body);
+                let text = match body {
+                    0 => "I".to_owned(),
+                    _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
+                };
                 self.carried_tensor(&text, frame)
             }
-        };
-        let tensor = match self.bodies[body].base {
-            // Steiner's law the other way round.
-            Some(base) => {
-                let way = self.position(self.bodies[body].centre, base);
-                mechanics::parallel_axis(&tensor, &-self.bodies[body].mass.clone(), &way)
-            }
-            None => tensor,
         };
         self.bodies[body].inertia = Some(tensor.clone());
         tensor
     }
 
-    /// Whether a whole body is one whose tensor is written about this point.
-    fn has_base(&self, body: BodyId, about: PointId) -> bool {
-        self.bodies[body].base == Some(about) && self.bodies[body].members.is_none()
+    /// The inertia tensor of a whole body about its mass centre.
+    fn central_inertia(&mut self, body: BodyId) -> Matrix {
+        let tensor = self.told_inertia(body);
+        let Some(base) = self.bodies[body].base else {
+            return tensor;
+        };
+        // Steiner's law the other way round.
+        let way = self.position(self.bodies[body].centre, base);
+        mechanics::parallel_axis(&tensor, &-self.bodies[body].mass.clone(), &way)
     }
 
-    /// The tensor of a body about its base point, and its angular velocity.
-    fn spin_about_base(&mut self, body: BodyId, relative: FrameId) -> Option<(Matrix, Vector)> {
+    /// The tensor about its base point and the angular velocity of a whole body that has this one.
+    fn spin_about(
+        &mut self,
+        body: BodyId,
+        base: PointId,
+        relative: FrameId,
+    ) -> Option<(Matrix, Vector)> {
         let frame = self.bodies[body].frame?;
-        let name = self.tensor_name(body);
-        let omega = self.angular_velocity(frame, relative);
-        Some((self.carried_tensor(&name, frame), omega))
-    }
-
-    fn tensor_name(&self, body: BodyId) -> String {
-        match body {
-            0 => "I".to_owned(),
-            _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
+        if self.bodies[body].base != Some(base) {
+            return None;
         }
+        let omega = self.angular_velocity(frame, relative);
+        Some((self.told_inertia(body), omega))
     }
 
     /// A symmetric tensor that does not change as seen from a frame.
@@ -159,10 +160,8 @@ impl System {
     pub(crate) fn inertia(&mut self, body: BodyId, about: PointId) -> Matrix {
         let mut sum = Matrix::zeros();
         for part in self.wholes(body) {
-            if self.has_base(part, about)
-                && let Some((tensor, _)) = self.spin_about_base(part, self.ground)
-            {
-                sum += tensor;
+            if self.bodies[part].base == Some(about) {
+                sum += self.told_inertia(part);
                 continue;
             }
             let central = self.central_inertia(part);
@@ -205,9 +204,7 @@ impl System {
         let mut sum = Vector::zeros();
         for part in self.wholes(body) {
             let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
-            if self.has_base(part, about)
-                && let Some((inertia, omega)) = self.spin_about_base(part, frame)
-            {
+            if let Some((inertia, omega)) = self.spin_about(part, about, frame) {
                 // L_P = I_P ω + m r × v_P, r from P to the mass centre
                 let velocity = self.velocity(about, frame) - base.clone();
                 let way = self.position(centre, about);
@@ -251,9 +248,8 @@ impl System {
             let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
             if let Some(base) = self.bodies[part].base
                 && !rotation_alone
-                && self.has_base(part, base)
                 && self.velocity(base, frame).iter().all(Zero::is_zero)
-                && let Some((inertia, omega)) = self.spin_about_base(part, frame)
+                && let Some((inertia, omega)) = self.spin_about(part, base, frame)
             {
                 sum += mechanics::kinetic_energy(&inertia, &omega);
                 continue;

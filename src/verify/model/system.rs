@@ -92,9 +92,9 @@ pub(crate) struct Body {
     pub(crate) centre: PointId,
     /// Its mass.
     pub(crate) mass: Fraction,
-    /// Its inertia tensor about the mass centre, once it was asked for.
+    /// Its inertia tensor about the base point, once it was asked for.
     pub(crate) inertia: Option<Matrix>,
-    /// A point of it about which its tensor is written in variables of its own, where that is not the mass centre.
+    /// The point of it about which its tensor is told, where that is not the mass centre.
     pub(crate) base: Option<PointId>,
     /// The bodies that it is made of; empty for one that is a whole.
     pub(crate) parts: Vec<BodyId>,

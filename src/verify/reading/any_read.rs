@@ -4,7 +4,9 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, print, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::reading::names::{ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, node_of};
+use crate::verify::reading::names::{
+    ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, letter_of, node_of,
+};
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
@@ -98,14 +100,6 @@ fn of_any_angle(declaration: &Declaration, angles: &[Formula]) -> Option<Vec<Dec
 
 /// The letters of angles: those that sentences call so, or by which something turns.
 fn angles(declarations: &[Declaration]) -> Vec<Formula> {
-    let letter = |term: &Term| match term {
-        Term::Formula(formula) => Some(formula.clone()),
-        Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
-            Some(Term::Formula(formula)) => Some(formula.clone()),
-            _ => None,
-        },
-        _ => None,
-    };
     let mut found: Vec<Formula> = vec![];
     for declaration in declarations {
         let terms: Vec<&Term> = match &declaration.statement {
@@ -125,9 +119,9 @@ fn angles(declarations: &[Declaration]) -> Vec<Formula> {
                 .collect(),
             _ => vec![],
         };
-        for angle in terms.into_iter().filter_map(letter) {
+        for angle in terms.into_iter().filter_map(letter_of) {
             if !found.iter().any(|known| known.source == angle.source) {
-                found.push(angle);
+                found.push(angle.clone());
             }
         }
     }

@@ -2,8 +2,7 @@
 //! tensor is written about that one.
 
 use crate::verify::language::heads::{INERTIA_TENSOR, MOMENT_OF_INERTIA};
-use crate::verify::language::is_bodily;
-use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Slot, Statement};
 use crate::verify::model::system::{BodyId, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, PRODUCTS};
@@ -36,50 +35,24 @@ impl Builder<'_> {
     fn told_base(&self, body: BodyId) -> Option<PointId> {
         let known = &self.reading.system.bodies[body];
         let frame = known.frame?;
-        let whole = known.parts.is_empty() && known.members.is_none() && known.inertia.is_none();
-        let points: Option<Vec<PointId>> = self
-            .declarations
-            .iter()
-            .filter_map(|declaration| match &declaration.statement {
-                Statement::Is { what, .. } => self.inertia_about(what, body),
-                _ => None,
-            })
+        if !known.parts.is_empty() || known.members.is_some() || known.inertia.is_some() {
+            return None;
+        }
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { what, .. } if INERTIAS.contains(&what.head) => Some(what),
+            _ => None,
+        });
+        let own = said.filter(|what| {
+            let of = what.slot(Slot::Of).and_then(|term| self.body(term));
+            of == Some(body)
+        });
+        let points: Option<Vec<PointId>> = own
+            .map(|what| self.about(what, &Whole::Body(body)))
             .collect();
         let points = points?;
         let (first, others) = points.split_first()?;
         let one = others.iter().all(|other| other == first) && *first != known.centre;
         let fixed = self.reading.system.points[*first].fixed_in.contains(&frame);
-        (whole && one && fixed && !self.has_shape(body)).then_some(*first)
-    }
-
-    /// About which point a phrase speaks of the inertia of a body: `None` if it does not, `Some(None)` if the point is not
-    /// told.
-    fn inertia_about(&self, phrase: &NounPhrase, body: BodyId) -> Option<Option<PointId>> {
-        if !INERTIAS.contains(&phrase.head) || !(is_bodily(phrase.head) || phrase.head == PRODUCTS)
-        {
-            return None;
-        }
-        let of = phrase.slot(Slot::Of).and_then(|term| self.body(term));
-        if of != Some(body) {
-            return None;
-        }
-        let about = phrase.slot(Slot::About);
-        let point = about.and_then(|about| match about {
-            Term::Phrase(axis) if axis.slot(Slot::Through).is_some() => {
-                self.point(axis.slot(Slot::Through)?)
-            }
-            term => self.point(term),
-        });
-        Some(point)
-    }
-
-    /// Whether a sentence says that a body has a shape.
-    fn has_shape(&self, body: BodyId) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                self.is_shape(what.head) && subjects.iter().any(|s| self.body(s) == Some(body))
-            }
-            _ => false,
-        })
+        (one && fixed).then_some(*first)
     }
 }

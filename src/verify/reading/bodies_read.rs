@@ -325,7 +325,6 @@ impl Builder<'_> {
             self.reading.system.bodies[own].mass = self.reading.system.bodies[of].mass.clone();
         }
         self.read_rotors();
-        self.find_bases();
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
@@ -351,6 +350,7 @@ impl Builder<'_> {
                 }
             }
         }
+        self.find_bases();
     }
 
     fn name_mass(

@@ -10,7 +10,9 @@ use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::any_read::instances;
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::loads_read::{acting_force, rests_before};
-use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::names::{
+    MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
+};
 use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
@@ -216,14 +218,7 @@ impl Builder<'_> {
         term: &Term,
         declaration: &Declaration,
     ) -> Option<Fraction> {
-        match term {
-            Term::Formula(formula) => self.scalar(formula, declaration),
-            Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
-                Some(Term::Formula(formula)) => self.scalar(&formula.clone(), declaration),
-                _ => None,
-            },
-            _ => None,
-        }
+        self.scalar(letter_of(term)?, declaration)
     }
 
     /// The frame that a term names.

@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::name_of;
+use crate::verify::reading::names::{letter_of, name_of};
 
 impl Builder<'_> {
     /// The vertical where a plane falls along one axis of the inertial frame and another one stands on it. The vertical is
@@ -16,19 +16,19 @@ impl Builder<'_> {
         let Some((angle, declaration)) = declarations.iter().find_map(angle_of_incline) else {
             return;
         };
-        let down = self.axis_that_is(DOWNHILL, &[0]);
-        let taken = down.map_or(3, |down| down);
-        let free: Vec<usize> = [1, 2].into_iter().filter(|axis| *axis != taken).collect();
-        let (Some(down), Some(normal)) = (down, self.axis_that_is(NORMAL, &free)) else {
+        let Some(down) = self.axis_that_is(DOWNHILL, &[0]) else {
             return;
         };
-        self.read_size(&[Term::Formula(angle.clone())], declaration);
-        let Some(angle) = self.scalar_term(&Term::Formula(angle), declaration) else {
+        let free: Vec<usize> = (1..3).filter(|axis| *axis != down).collect();
+        let normal = self.axis_that_is(NORMAL, &free);
+        let Some(normal) = normal.filter(|normal| *normal != down) else {
             return;
         };
-        if down == normal {
+        let letter = Term::Formula(angle.clone());
+        self.read_size(std::slice::from_ref(&letter), declaration);
+        let Some(angle) = self.scalar_term(&letter, declaration) else {
             return;
-        }
+        };
         let turned = match (normal + 3 - down) % 3 {
             1 => angle,
             _ => -angle,
@@ -96,15 +96,7 @@ pub(super) fn is_incline(term: &Term) -> bool {
 }
 
 /// The angle of an inclined plane with the horizontal, and the sentence that gives it.
-pub(super) fn angle_of_incline(declaration: &Declaration) -> Option<(Formula, &Declaration)> {
-    let letter = |term: &Term| match term {
-        Term::Formula(formula) => Some(formula.clone()),
-        Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
-            Some(Term::Formula(formula)) => Some(formula.clone()),
-            _ => None,
-        },
-        _ => None,
-    };
+pub(super) fn angle_of_incline(declaration: &Declaration) -> Option<(&Formula, &Declaration)> {
     let found = match &declaration.statement {
         Statement::Is { subjects, what } if matches!(what.head, "angle" | "inclination") => {
             let between: Vec<&Term> = what.all(Slot::Between).collect();
@@ -127,5 +119,5 @@ pub(super) fn angle_of_incline(declaration: &Declaration) -> Option<(Formula, &D
         }
         _ => None,
     }?;
-    Some((letter(found)?, declaration))
+    Some((letter_of(found)?, declaration))
 }

@@ -72,6 +72,18 @@ pub(crate) fn name_of_formula(formula: &Formula) -> String {
     }
 }
 
+/// The letter of a quantity, alone or behind its noun: "`$\\theta$`", "the angle `$\\theta$`".
+pub(crate) fn letter_of(term: &Term) -> Option<&Formula> {
+    match term {
+        Term::Formula(formula) => Some(formula),
+        Term::Phrase(phrase) => match phrase.slot(Slot::Which)? {
+            Term::Formula(formula) => Some(formula),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// What an axis is along: z for "the axis through G along z".
 pub(crate) fn along_of(axis: &Term) -> &Term {
     match axis {

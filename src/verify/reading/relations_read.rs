@@ -30,11 +30,7 @@ impl Builder<'_> {
         let [one, other] = ends.as_slice() else {
             return None;
         };
-        let told = ends
-            .iter()
-            .any(is_incline)
-            .then(|| self.normal_of_incline());
-        if let Some(Some(_)) = told {
+        if ends.iter().any(is_incline) && self.normal_of_incline().is_some() {
             return Some(());
         }
         let Some(Term::Formula(letter)) = subjects.first() else {

@@ -6,7 +6,7 @@ use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statemen
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::name_of;
+use crate::verify::reading::names::{letter_of, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeSet;
@@ -110,10 +110,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<Fraction> {
         let told = what.all(Slot::Of).find_map(|term| match term {
-            Term::Phrase(size) if size.head == wanted => match size.slot(Slot::Which) {
-                Some(Term::Formula(formula)) => Some(formula.clone()),
-                _ => None,
-            },
+            Term::Phrase(size) if size.head == wanted => letter_of(term).cloned(),
             _ => None,
         });
         let name = &self.reading.system.bodies[body].name;

@@ -24,6 +24,7 @@ impl Letters {
         let mut reaches = letters.chain(rules);
         self.means.is_empty()
             && self.customs.dimensions.is_empty()
+            && self.customs.summed.iter().all(|reach| *reach == Reach::All)
             && !self.letters.iter().any(|l| l.besides)
             && reaches.all(|reach| *reach == Reach::All)
     }
