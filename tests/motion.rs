@@ -1,8 +1,6 @@
 //! How bodies move: each step and each exact motion, their derivatives, and what they keep.
 
 mod motion {
-    #[cfg(feature = "batch")]
-    mod batch;
     mod cases;
     mod dop853;
     mod double_double;
