@@ -76,9 +76,18 @@ impl Held {
 impl Judge<'_> {
     /// What one link is worth.
     pub(super) fn hold(&mut self, link: &Link) -> Held {
-        if let Some(sentence) = self.unread_of([&link.left, &link.right]) {
+        if let Some(sentence) = self.unread_rule() {
             return Held::open(nothing_made_of(sentence));
         }
+        let held = self.hold_told(link);
+        match self.unread_of([&link.left, &link.right], &held.unknown) {
+            Some(sentence) => Held::open(nothing_made_of(sentence)),
+            None => held,
+        }
+    }
+
+    /// The same by the sentences that are understood.
+    fn hold_told(&mut self, link: &Link) -> Held {
         if let Some(bound) = self.other_bound(link) {
             return Held::open(messages::unknown_bound(&bound));
         }
