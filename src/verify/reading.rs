@@ -20,6 +20,7 @@ pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod shapes_read;
 pub(crate) mod turns_read;
+pub(crate) mod unused;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
 
@@ -28,6 +29,7 @@ use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
 use crate::verify::model::system::System;
+use crate::verify::reading::unused::Unused;
 use crate::verify::term::letters::{At, Letters, Reach};
 use crate::verify::term::value::Shape;
 use std::collections::{BTreeSet, HashMap};
@@ -100,32 +102,6 @@ pub(crate) struct Start {
     pub(crate) tries: usize,
 }
 
-/// A sentence that nothing was made of.
-#[derive(Clone, Debug)]
-pub(crate) struct Unused {
-    pub(crate) sentence: String,
-    pub(crate) understood: bool,
-    /// What it says makes the model larger than what is worked out.
-    pub(crate) beyond: bool,
-    pub(crate) reach: Reach,
-    /// The letters that it says something of, without marks and labels, where it says no more than what these are.
-    pub(crate) letters: Option<BTreeSet<String>>,
-    /// The letters whose meaning it may change; `None` for those of all lines that it reaches.
-    pub(crate) mentions: Option<BTreeSet<String>>,
-}
-
-impl Unused {
-    fn may_change(&self, letters: &BTreeSet<String>) -> bool {
-        let own = self.mentions.as_ref();
-        self.may_tell_of(letters) && own.is_none_or(|own| !own.is_disjoint(letters))
-    }
-
-    fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
-        let own = self.letters.as_ref();
-        own.is_none_or(|own| !own.is_disjoint(letters))
-    }
-}
-
 /// What is said of sizes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sizes {
@@ -155,32 +131,6 @@ impl Reading {
                 .flat_map(|(_, variables)| variables.clone())
                 .collect(),
         )
-    }
-
-    /// The sentences of which nothing was made, and that speak of a place.
-    fn unused_at(&self, at: &At) -> impl Iterator<Item = &Unused> {
-        let all = self.unused.iter();
-        all.filter(move |unused| unused.reach.covers(at, 0))
-    }
-
-    /// A sentence of which nothing was made, and which may tell something of these letters at a place.
-    pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let tells = |unused: &&Unused| !unused.understood || unused.may_tell_of(letters);
-        let found = self.unused_at(at).find(tells);
-        found.map(|unused| unused.sentence.as_str())
-    }
-
-    /// Whether a sentence of which nothing was made tells of one of these letters.
-    pub(crate) fn tells_unused(&self, letters: &BTreeSet<String>, at: &At) -> bool {
-        let mut all = self.unused_at(at);
-        all.any(|unused| unused.letters.is_some() && unused.may_tell_of(letters))
-    }
-
-    /// A sentence that was not understood, without which nothing can be said of these letters at a place.
-    pub(crate) fn unread_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let tells = |unused: &&Unused| !unused.understood && unused.may_change(letters);
-        let found = self.unused_at(at).find(tells);
-        found.map(|unused| unused.sentence.as_str())
     }
 
     /// The role that is declared of a line.

@@ -12,21 +12,28 @@ mod textbook;
 use polhode::notation::sentences;
 use polhode::notation::{document::Format, read};
 use polhode::source::Source;
-use polhode::verify::{Sheet, check_declared, declarations};
+use polhode::verify::{Misunderstood, Sheet, check_declared, declarations};
 
-/// The verdicts of the lines, a letter each.
+/// The verdicts of the lines, a letter each. All sentences have to be understood.
 fn judged(said: &str, text: &str) -> String {
+    let (verdicts, misread) = verdicts(said, text);
+    assert!(misread.is_empty(), "{misread:?}");
+    verdicts
+}
+
+/// The verdicts of the lines, a letter each, and the sentences that are not understood.
+fn verdicts(said: &str, text: &str) -> (String, Vec<Misunderstood>) {
     let (document, _) = read("a document", text, Format::Markdown);
     let sheet = Sheet {
         sentences: sentences(said),
         source: Source::new("what is declared", said),
     };
     let declared = declarations(&document, &[sheet]);
-    assert!(declared.misunderstood.is_empty(), "{declared:?}");
     let report = check_declared(&document, &declared);
     let letter = |name: &str| name.chars().next().unwrap_or('?');
     let findings = report.findings.iter();
-    findings.map(|f| letter(f.verdict.name())).collect()
+    let verdicts = findings.map(|f| letter(f.verdict.name())).collect();
+    (verdicts, declared.misunderstood)
 }
 
 const BODY: &str = "N is an inertial frame.

@@ -150,14 +150,11 @@ fn unread(
         Ok([extent]) => extent,
         Err(_) => Extent::Document,
     };
-    let mentions = match extent {
-        Extent::Document => reader.mentioned(),
-        _ => None,
-    };
+    let touched = reader.touched(extent != Extent::Document);
     Declaration {
         statement: Statement::Unread {
             letters: reader.letters_told().unwrap_or_default(),
-            mentions,
+            touched,
         },
         extent,
         text: sentence.trim().to_owned(),

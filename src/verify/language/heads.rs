@@ -23,6 +23,9 @@ pub(crate) const DOWNHILL: &str = "downhill direction";
 /// A frame that is written as a label above.
 pub(crate) const FRAME_ABOVE: &str = "frame at the upper right";
 
+/// How customs of a frame before or behind a letter begin.
+pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
+
 #[cfg(test)]
 mod tests {
     use super::*;

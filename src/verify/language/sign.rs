@@ -16,7 +16,7 @@ const MEANS: [&str; 19] = [
 ];
 
 /// How a label is called.
-const LABELS: [&str; 6] = [
+pub(crate) const LABELS: [&str; 6] = [
     "label",
     "labels",
     "subscript",
@@ -79,13 +79,13 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether the word for a mark is one for a body here: "the bar is a uniform rod".
-    fn speaks_of_body(&self, length: usize) -> bool {
+    pub(crate) fn speaks_of_body(&self, length: usize) -> bool {
         let thing = self.find(&[Class::Thing]);
         let means = ["means", "mean", "denotes", "denote"].contains(&self.word_at(length));
         thing.is_some_and(|thing| thing.length == length) && !means
     }
 
-    fn labels(&mut self) -> Read<Sign> {
+    pub(crate) fn labels(&mut self) -> Read<Sign> {
         let mut labels = vec![];
         loop {
             match self

@@ -25,7 +25,7 @@ impl Declaration {
         Self {
             statement: Statement::Unread {
                 letters: vec![],
-                mentions: None,
+                touched: Touched::Everything,
             },
             extent: Extent::Document,
             text,
@@ -241,10 +241,25 @@ pub enum Statement {
     Unread {
         /// The letters that it says something of, where it says no more than what these are; else none.
         letters: Vec<Formula>,
-        /// All formulas in it, where it can change the meaning of their letters alone; `None` where it may be a rule for
-        /// all letters.
-        mentions: Option<Vec<Formula>>,
+        /// What it may change the meaning of.
+        touched: Touched,
     },
+}
+
+/// What a sentence that was not understood may change the meaning of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Touched {
+    /// The letters of its formulas.
+    Letters {
+        /// The formulas.
+        formulas: Vec<Formula>,
+        /// Whether they may mean something else than other sentences tell: for any labels, or in a part of the document.
+        anew: bool,
+    },
+    /// What carries one of these signs.
+    Signs(Vec<Sign>),
+    /// It may be a rule for all that is written.
+    Everything,
 }
 
 /// What carries a meaning by a rule.

@@ -1,9 +1,23 @@
-//! What can be told of a sentence that is not understood: of which letters it speaks.
+//! What can be told of a sentence that is not understood: of which letters it speaks, and what it may change.
 
 use super::clause::as_formula;
+use super::lexicon::Class;
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
-use super::statement::Formula;
+use super::sign::LABELS;
+use super::statement::{Formula, Sign, Touched};
+use crate::notation::ast::{Kind as Tree, Node, Operator};
+use crate::notation::document::Row;
+
+/// Words that say something of a letter with any labels.
+const FOR_ALL: [&str; 4] = ["any", "every", "each", "all"];
+
+/// The signs that a sentence speaks of, and whether it may be a rule beside them.
+#[derive(Default)]
+struct Signs {
+    found: Vec<Sign>,
+    other_rule: bool,
+}
 
 impl Reader<'_> {
     /// The letters of a sentence that only says what quantities they are: "`$s$` and `$t$` are … rates …".
@@ -21,23 +35,114 @@ impl Reader<'_> {
         Ok(formulas.filter(|_| names).unwrap_or_default())
     }
 
-    /// The formulas of a sentence; `None` if it may be a rule of notation, which any letter may obey.
-    pub(crate) fn mentioned(&mut self) -> Option<Vec<Formula>> {
+    /// What a sentence may change, from behind the part of the document that it is said of: one that is said of a part may
+    /// tell there of anything anew.
+    pub(crate) fn touched(&mut self, of_a_part: bool) -> Touched {
         let start = self.at;
-        let mut formulas = vec![];
-        let mut rule = false;
+        let subjects = self.subjects();
+        self.at = start;
+        let sign_first = self.at_sign_with_article();
+        let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
+        self.at = start;
+        let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
+        let operator = subjects
+            .iter()
+            .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
+        let any = self
+            .tokens
+            .iter()
+            .any(|t| FOR_ALL.contains(&t.lower.as_str()));
+        let whole = !signs.other_rule && !of_a_part;
+        match signs.found.is_empty() {
+            _ if letters => Touched::Letters {
+                formulas,
+                anew: any || of_a_part,
+            },
+            _ if operator => Touched::Signs(subjects.into_iter().map(Sign::Operator).collect()),
+            false if sign_first || whole => Touched::Signs(signs.found),
+            true if whole => Touched::Letters {
+                formulas,
+                anew: any,
+            },
+            _ => Touched::Everything,
+        }
+    }
+
+    /// The formulas that a sentence is about.
+    fn subjects(&mut self) -> Vec<Formula> {
+        let mut subjects = self.formulas();
+        while !subjects.is_empty() && self.take_separator() && self.at_formula() {
+            subjects.extend(self.formulas());
+        }
+        subjects
+    }
+
+    /// Whether the name of a sign comes next.
+    fn at_sign_with_article(&mut self) -> bool {
+        self.take_any(&["a", "an", "the"]);
+        let sign = self.find(&[Class::Mark, Class::Custom]);
+        LABELS.contains(&self.word()) || sign.is_some_and(|sign| !self.speaks_of_body(sign.length))
+    }
+
+    /// All formulas of a sentence, and all signs; a sentence whose subject is a formula makes no convention of it.
+    fn formulas_and_signs(&mut self, by_formula: bool) -> (Vec<Formula>, Signs) {
+        let (mut formulas, mut signs) = (vec![], Signs::default());
         self.at = 0;
-        let told = self.at_formula();
         while !self.done() {
-            match self.at_formula() {
-                true => formulas.extend(self.formulas()),
-                false => {
-                    rule |= self.at_rule(told);
+            if self.at_formula() {
+                formulas.extend(self.formulas());
+                continue;
+            }
+            let sign = self.find(&[Class::Mark, Class::Custom]);
+            match sign.filter(|sign| !self.speaks_of_body(sign.length)) {
+                Some(sign) => {
+                    signs.found.push(match sign.entry.class {
+                        Class::Mark => Sign::Mark(sign.entry.name),
+                        _ => Sign::Custom(sign.entry.name),
+                    });
+                    self.at += sign.length;
+                }
+                None if LABELS.contains(&self.word()) => {
+                    self.at += 1;
+                    match self.named_labels() {
+                        Some(labels) => signs.found.push(labels),
+                        None => signs.other_rule = true,
+                    }
+                }
+                None => {
+                    signs.other_rule |= self.at_rule(by_formula);
                     self.at += 1;
                 }
             }
         }
-        self.at = start;
-        (!rule).then_some(formulas)
+        (formulas, signs)
+    }
+
+    /// The labels that follow the word for them, if some do.
+    fn named_labels(&mut self) -> Option<Sign> {
+        let hangs = self.find(&[Class::Preposition, Class::Verb]).is_some();
+        match hangs || self.is_glue() {
+            true => None,
+            false => self.labels().ok(),
+        }
+    }
+}
+
+/// Whether a formula writes one thing, and is no way to write things: a letter with its labels, letters side by side or in
+/// brackets.
+fn is_of_one_thing(formula: &Formula) -> bool {
+    matches!(&formula.row, Row::Expression(node) if has_letters_alone(node))
+}
+
+fn has_letters_alone(node: &Node) -> bool {
+    match &node.kind {
+        Tree::Symbol(_) | Tree::Bold(_) => true,
+        Tree::Group(..) | Tree::Norm(_) | Tree::InFrame(..) | Tree::Power(..) => {
+            node.children().all(has_letters_alone)
+        }
+        Tree::Product(factors) => factors
+            .iter()
+            .all(|f| f.operator == Operator::Juxtaposed && has_letters_alone(&f.node)),
+        _ => false,
     }
 }

@@ -31,6 +31,13 @@ impl NamedAxes {
         all.flat_map(|(name, axes)| axes.iter().map(move |axis| (name, axis)))
     }
 
+    /// The names of axes that only one frame has.
+    fn of_one_frame(&self) -> BTreeMap<String, (FrameId, usize)> {
+        let named = self.0.iter();
+        let single = named.filter(|(_, axes)| axes.iter().all(|axis| *axis == axes[0]));
+        single.map(|(name, axes)| (name.clone(), axes[0])).collect()
+    }
+
     fn insert(&mut self, name: String, frame: FrameId, axis: usize) {
         self.0.entry(name).or_default().push((frame, axis));
     }
@@ -59,6 +66,7 @@ impl Builder<'_> {
             }
         }
         self.read_incline();
+        self.reading.letters.customs.named_axes = self.axes.of_one_frame();
     }
 
     pub(super) fn read_triad(

@@ -211,7 +211,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
 }
 
 /// Whether a derivative is one in time, with d or with ∂.
-fn rate_in_time(written: &str) -> Option<Mark> {
+pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
     let plain: String = written
         .chars()
         .filter(|c| !c.is_whitespace() && !"\\{}_".contains(*c))

@@ -1,12 +1,12 @@
 //! Sentences of which nothing was made, and what they keep from being denied.
 
-use crate::notation::ast::Node;
+use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::verify::language::only_names;
-use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
-use crate::verify::reading::Unused;
+use crate::verify::language::statement::{Declaration, Formula, Statement, Term, Touched};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::unused::{Touches, Unused, carries};
 use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
 
@@ -58,7 +58,7 @@ impl Builder<'_> {
                 beyond: false,
                 reach,
                 letters,
-                mentions: letters_mentioned_by(&declaration.statement),
+                touches: touched_by(&declaration.statement, self.declarations),
             });
         }
     }
@@ -104,18 +104,64 @@ fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
     formulas.into_iter().map(node_of).collect()
 }
 
-/// The letters whose meaning a sentence that was not read may change; `None` for all.
-fn letters_mentioned_by(statement: &Statement) -> Option<BTreeSet<String>> {
-    let Statement::Unread { mentions, .. } = statement else {
-        return None;
+/// What a sentence that was not read may change. What a rule for a sign changes in the formulas of other sentences reaches
+/// all lines.
+fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
+    let Statement::Unread { touched, .. } = statement else {
+        return Touches::Everything;
     };
-    let in_row = |formula: &Formula| match &formula.row {
-        Row::Expression(node) => Some(letter_names(node)),
-        Row::Line(line) => Some(line.sides.iter().flat_map(letter_names).collect()),
-        Row::Unreadable { .. } => None,
-    };
-    let each: Option<Vec<BTreeSet<String>>> = mentions.as_ref()?.iter().map(in_row).collect();
-    Some(each?.into_iter().flatten().collect())
+    match touched {
+        Touched::Letters { formulas, anew } => {
+            let each: Option<Vec<BTreeSet<String>>> = formulas.iter().map(letters_in).collect();
+            each.map_or(Touches::Everything, |each| {
+                // A letter alone has no parts that could tell what it is.
+                let wholes = formulas.iter().filter_map(node_of);
+                let wholes = wholes.filter(|node| !is_bare(node));
+                Touches::Letters {
+                    names: each.into_iter().flatten().collect(),
+                    wholes: wholes.map(spelled).collect(),
+                    anew: *anew,
+                }
+            })
+        }
+        Touched::Signs(signs) => {
+            let holding = others.iter().filter_map(|other| match &other.statement {
+                Statement::Holds(formula) => Some(formula),
+                _ => None,
+            });
+            let mut sides = holding.flat_map(sides_of);
+            match sides.any(|side| signs.iter().any(|sign| carries(side, sign))) {
+                true => Touches::Everything,
+                false => Touches::Signs(signs.clone()),
+            }
+        }
+        Touched::Everything => Touches::Everything,
+    }
+}
+
+/// Whether a formula is a letter without labels and marks.
+fn is_bare(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Symbol(symbol) => {
+            let scripts = symbol.subscripts.len() + symbol.superscripts.len();
+            scripts == 0 && symbol.primes == 0 && !symbol.style.tilde && !symbol.style.hat
+        }
+        _ => false,
+    }
+}
+
+/// The sides of a formula, or the formula.
+fn sides_of(formula: &Formula) -> &[Node] {
+    match &formula.row {
+        Row::Expression(node) => std::slice::from_ref(node),
+        Row::Line(line) => &line.sides,
+        Row::Unreadable { .. } => &[],
+    }
+}
+
+fn letters_in(formula: &Formula) -> Option<BTreeSet<String>> {
+    let readable = !matches!(formula.row, Row::Unreadable { .. });
+    readable.then(|| sides_of(formula).iter().flat_map(letter_names).collect())
 }
 
 fn in_formula(subject: &Term) -> Option<&Formula> {

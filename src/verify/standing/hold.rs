@@ -80,7 +80,7 @@ impl Judge<'_> {
             return Held::open(nothing_made_of(sentence));
         }
         let held = self.hold_told(link);
-        match self.unread_of([&link.left, &link.right], &held.unknown) {
+        match self.unread_of(&[&link.left, &link.right], &held.unknown) {
             Some(sentence) => Held::open(nothing_made_of(sentence)),
             None => held,
         }

@@ -338,6 +338,10 @@ impl<'a> Judge<'a> {
     fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
         let derived = purpose.derived || self.unused_of(&line.sides).is_some();
         let standing = |h: &Held| match (h.standing, purpose.role) {
+            // What an author declares to be a definition is assumed: it may fix what sentences leave free.
+            (Standing::Denied, Role::Define) if purpose.declared && !h.sides.is_empty() => {
+                Standing::Free
+            }
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
             (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
             (Standing::Settles, _) if self.defines_by_another_line(h) => Standing::Open,

@@ -235,6 +235,8 @@ pub(crate) struct Customs {
     pub(crate) integrals: bool,
     /// Square brackets around a vector make its cross-product matrix.
     pub(crate) crossing_brackets: bool,
+    /// The names of axes that only one frame has.
+    pub(crate) named_axes: BTreeMap<String, (FrameId, usize)>,
     /// How many dimensions space has, where.
     pub(crate) dimensions: Vec<(Reach, usize)>,
 }

@@ -286,13 +286,15 @@ impl Lowering<'_> {
         if letters.is_empty() || letters.len() > 2 {
             return None;
         }
+        let named = &self.letters.customs.named_axes;
         let axes: Option<Vec<usize>> = letters
             .iter()
             .map(|l| {
                 let numbered = NUMBERED
                     .iter()
                     .find_map(|names| names.iter().position(|n| n == l));
-                self.axis_of_letter(l).or(numbered)
+                let named = named.get(l).map(|(_, axis)| *axis);
+                self.axis_of_letter(l).or(named).or(numbered)
             })
             .collect();
         let rule = self.letters.label(&letters[0], false, self.at);
@@ -300,6 +302,7 @@ impl Lowering<'_> {
             (Some(_), Effect::ComponentsOn(frame)) => Some(*frame),
             _ => None,
         });
+        let frame = frame.or_else(|| named.get(&letters[0]).map(|(frame, _)| *frame));
         axes.map(|axes| (axes, frame))
     }
 

@@ -1,7 +1,7 @@
 //! What is false does not pass: under a brace, as a definition of what is defined elsewhere, by a bound that nothing
 //! else has, and by a sentence that ended.
 
-use super::{BODY, judged};
+use super::{BODY, judged, verdicts};
 use polhode::notation::{document::Format, read, sentences};
 use polhode::source::Source;
 use polhode::verify::{Sheet, check_declared, declarations};
@@ -229,4 +229,83 @@ $$ \vec L = \sum_i m_i\vec r_i\times\dot{\vec r}_i $$
 $$ \vec L = -\sum_i m_i\vec r_i\times\dot{\vec r}_i $$
 ";
     assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_sentence_that_is_not_understood_takes_nothing_back_of_what_others_tell() {
+    let sentences = |last: &str| {
+        format!(
+            "N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of N.
+$e_1$, $e_2$, $e_3$ are the axes of B.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\vec\\omega$ on B.
+$\\vec u$ is a vector fixed in N.
+{last}
+"
+        )
+    };
+    let text = r"
+$$ \vec\omega\times\vec\omega = 0 $$
+$$ \vec\omega = \omega_1 e_1 + \omega_2 e_2 + \omega_3 e_3 $$
+$$ \omega_z = \vec\omega\cdot e_3 $$
+$$ \vec\omega\times\vec\omega = \vec\omega $$
+$$ \dot{\vec u} = 0 $$
+$$ \vec v\times\vec v = 0 $$
+";
+    for (last, wanted) in [
+        ("$\\vec\\omega$ blorps.", "ppuupp"),
+        // The letter of which nothing else is told.
+        ("$\\vec v$ blorps.", "ppuupu"),
+        // What the letter and its label mean apart is not what both mean.
+        ("$\\omega_z$ blorps.", "ppuupp"),
+        // A rule for a sign holds what carries it.
+        ("A dot on a vector blorps.", "ppuuup"),
+        ("Vectors blorp on every component.", "uuuuuu"),
+        // For any labels, or in a part of the document, a letter may mean something else.
+        (
+            "$\\vec\\omega_{X/Y}$ blorps, for any frames X and Y.",
+            "uuuupp",
+        ),
+        ("On lines 1 to 3 $\\vec\\omega$ blorps.", "uurrpp"),
+    ] {
+        let (found, misread) = verdicts(&sentences(last), text);
+        assert_eq!((found.as_str(), misread.len()), (wanted, 1), "{last}");
+    }
+}
+
+#[test]
+fn a_label_that_names_an_axis_of_one_frame_is_a_component_on_it() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of N.
+$\\phi$, $\\theta$, $\\psi$ are the Euler angles of B relative to N in the order z, x, z.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\vec\\omega$ on B.
+";
+    let text = r"
+$$ \omega_3 = \dot\phi\cos\theta + \dot\psi $$
+$$ \omega_z = \dot\psi\cos\theta + \dot\phi $$
+$$ \omega_z = \omega_3 $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn what_is_declared_to_be_a_definition_may_fix_what_sentences_leave_free() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$e_1$, $e_2$, $e_3$ are the axes of B.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\vec\\omega$ on B.
+Line 1 is a definition.
+Line 4 is a definition.
+";
+    let text = r"$$ \vec\omega = \omega_1 e_1 $$
+$$ \omega_2 = 0 $$
+$$ \omega_1 = 0 $$
+$$ \omega_1 + 1 = \omega_1 $$
+";
+    assert_eq!(judged(sentences, text), "aprr");
 }

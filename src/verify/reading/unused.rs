@@ -1,0 +1,232 @@
+//! Sentences of which nothing was made: which lines they keep from being proved or denied.
+
+use crate::notation::ast::{DerivativeStyle, Kind, Node, Symbol};
+use crate::notation::print;
+use crate::verify::language::heads::FRAME_AT_UPPER;
+use crate::verify::language::statement::{Formula, Sign};
+use crate::verify::reading::Reading;
+use crate::verify::reading::names::node_of;
+use crate::verify::reading::notation_read::rate_in_time;
+use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Letters that mean what they do by custom, where no sentence says otherwise.
+const BY_CUSTOM: [&str; 5] = ["t", "pi", "delta", "epsilon", "varepsilon"];
+
+/// A sentence that nothing was made of.
+#[derive(Clone, Debug)]
+pub(crate) struct Unused {
+    pub(crate) sentence: String,
+    pub(crate) understood: bool,
+    /// What it says makes the model larger than what is worked out.
+    pub(crate) beyond: bool,
+    pub(crate) reach: Reach,
+    /// The letters that it says something of, without marks and labels, where it says no more than what these are.
+    pub(crate) letters: Option<BTreeSet<String>>,
+    pub(crate) touches: Touches,
+}
+
+/// Of what a sentence that was not understood may change the meaning.
+#[derive(Clone, Debug)]
+pub(crate) enum Touches {
+    Letters {
+        /// Of these letters without their marks and labels.
+        names: BTreeSet<String>,
+        /// Of these formulas as they are written.
+        wholes: Vec<String>,
+        /// Whatever other sentences tell of them.
+        anew: bool,
+    },
+    /// Of what carries one of these signs.
+    Signs(Vec<Sign>),
+    Everything,
+}
+
+/// Formulas, and the letters in them of which nothing is told.
+#[derive(Clone, Copy)]
+pub(crate) struct Written<'n> {
+    pub(crate) nodes: &'n [&'n Node],
+    pub(crate) unknown: &'n [String],
+}
+
+impl Unused {
+    /// Whether formulas may mean something else by it. What other sentences tell of a letter it does not take back, unless it
+    /// is said of any labels or of a part of the document.
+    fn may_change(&self, written: Written<'_>, letters: &Letters) -> bool {
+        let mut nodes = written.nodes.iter();
+        match &self.touches {
+            Touches::Everything => true,
+            Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
+            Touches::Letters { names, anew, .. } if *anew => {
+                nodes.any(|node| names_one(node, names))
+            }
+            Touches::Letters { names, wholes, .. } => {
+                let names = self.letters.as_ref().unwrap_or(names);
+                has_untold(written, wholes, letters) || !names.is_disjoint(&untold_in(written))
+            }
+        }
+    }
+
+    fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
+        let own = self.letters.as_ref();
+        own.is_none_or(|own| !own.is_disjoint(letters))
+    }
+}
+
+impl Reading {
+    /// The sentences of which nothing was made, and that speak of a place.
+    fn unused_at(&self, at: &At) -> impl Iterator<Item = &Unused> {
+        let all = self.unused.iter();
+        all.filter(move |unused| unused.reach.covers(at, 0))
+    }
+
+    /// A sentence of which nothing was made, and which may tell something of these letters at a place.
+    pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
+        let tells = |unused: &&Unused| !unused.understood || unused.may_tell_of(letters);
+        let found = self.unused_at(at).find(tells);
+        found.map(|unused| unused.sentence.as_str())
+    }
+
+    /// Whether a sentence of which nothing was made tells of one of these letters.
+    pub(crate) fn tells_unused(&self, letters: &BTreeSet<String>, at: &At) -> bool {
+        let mut all = self.unused_at(at);
+        all.any(|unused| unused.letters.is_some() && unused.may_tell_of(letters))
+    }
+
+    /// A sentence that was not understood, without which nothing can be said of formulas at a place.
+    pub(crate) fn unread_of(&self, written: Written<'_>, at: &At) -> Option<&str> {
+        let tells =
+            |unused: &&Unused| !unused.understood && unused.may_change(written, &self.letters);
+        let found = self.unused_at(at).find(tells);
+        found.map(|unused| unused.sentence.as_str())
+    }
+}
+
+/// Whether formulas have one of some symbols that no sentence tells as it is written: what its letter and its labels mean
+/// apart is not what it means.
+fn has_untold(written: Written<'_>, symbols: &[String], letters: &Letters) -> bool {
+    fn stands_in(node: &Node, symbol: &str) -> bool {
+        spelled(node) == symbol || node.children().any(|child| stands_in(child, symbol))
+    }
+    let told = |symbol: &str| {
+        letters
+            .letters
+            .iter()
+            .any(|letter| letter.spelled == symbol)
+    };
+    let mut untold = symbols.iter().filter(|symbol| !told(symbol));
+    untold.any(|symbol| written.nodes.iter().any(|node| stands_in(node, symbol)))
+}
+
+/// Whether a formula has one of some names, as a letter or in a label.
+fn names_one(node: &Node, names: &BTreeSet<String>) -> bool {
+    let in_label = |label: &str| names.iter().any(|name| label.contains(name.as_str()));
+    let own = match &node.kind {
+        Kind::Symbol(symbol) => names.contains(&symbol.name) || scripts(symbol).any(in_label),
+        _ => frame_label(node).is_some_and(in_label),
+    };
+    own || node.children().any(|child| names_one(child, names))
+}
+
+fn scripts(symbol: &Symbol) -> impl Iterator<Item = &str> {
+    let all = symbol.subscripts.iter().chain(&symbol.superscripts);
+    all.map(String::as_str)
+}
+
+/// The frame that is written beside a derivative or a bracket.
+fn frame_label(node: &Node) -> Option<&str> {
+    match &node.kind {
+        Kind::TimeDerivative { frame, .. } => frame.as_ref().map(|label| label.text.as_str()),
+        Kind::InFrame(_, label) => Some(label.text.as_str()),
+        _ => None,
+    }
+}
+
+/// Whether a sign stands anywhere in a formula, or may; of a sign that is not looked for it may.
+pub(super) fn carries(node: &Node, sign: &Sign) -> bool {
+    let own = match sign {
+        _ if matches!(node.kind, Kind::Error(_)) => true,
+        Sign::Mark(mark) => carries_mark(node, mark),
+        Sign::Label { labels, .. } => labels.iter().any(|label| {
+            let name = label.trim_matches(['$', '"', '\\', '{', '}']);
+            names_one(node, &BTreeSet::from([name.to_owned()]))
+        }),
+        Sign::Custom(custom) => carries_custom(node, custom),
+        Sign::Operator(operator) => match (style_of_rate(operator), &node.kind) {
+            (Some(written), Kind::TimeDerivative { style, .. }) => *style == written,
+            (written, _) => written.is_none(),
+        },
+    };
+    own || node.children().any(|child| carries(child, sign))
+}
+
+/// How a formula writes a rate in time, if it is one or the operator of one.
+fn style_of_rate(formula: &Formula) -> Option<DerivativeStyle> {
+    match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::TimeDerivative { style, .. }) => Some(*style),
+        _ if rate_in_time(&formula.source) == Some(Mark::Leibniz) => Some(DerivativeStyle::Leibniz),
+        _ => None,
+    }
+}
+
+fn carries_mark(node: &Node, mark: &str) -> bool {
+    let symbol = match &node.kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        _ => None,
+    };
+    let style = symbol.map(|symbol| symbol.style).unwrap_or_default();
+    let is_matrix = matches!(node.kind, Kind::Skew(_));
+    match mark.split(' ').next().unwrap_or_default() {
+        "dot" | "two" => match &node.kind {
+            Kind::TimeDerivative { style, .. } => *style == DerivativeStyle::Dots,
+            _ => false,
+        },
+        "tilde" => style.tilde || is_matrix,
+        "hat" | "wide" => style.hat || is_matrix,
+        "underline" | "arrow" => style.vector || style.tensor,
+        "prime" => symbol.is_some_and(|s| s.primes > 0) || matches!(node.kind, Kind::Transpose(_)),
+        _ => true,
+    }
+}
+
+fn carries_custom(node: &Node, custom: &str) -> bool {
+    let at_upper = custom.starts_with(FRAME_AT_UPPER);
+    match &node.kind {
+        Kind::Symbol(symbol) if at_upper => !symbol.superscripts.is_empty(),
+        Kind::Power(..) if at_upper => true,
+        _ if at_upper => frame_label(node).is_some(),
+        Kind::Group(..) | Kind::Tuple(_) | Kind::Matrix(_) | Kind::Call(..) => true,
+        Kind::InFrame(..) | Kind::Skew(_) | Kind::Norm(_) => true,
+        _ => !custom.contains("brackets") && custom != "braces",
+    }
+}
+
+/// The letters of formulas that are unknown or mean what they do by custom, without marks and labels.
+fn untold_in(written: Written<'_>) -> BTreeSet<String> {
+    fn collect(node: &Node, unknown: &mut BTreeMap<&str, bool>, names: &mut BTreeSet<String>) {
+        if let Kind::Symbol(symbol) = &node.kind {
+            let found = unknown.get_mut(print::latex(node).as_str());
+            if found.map(|found| *found = true).is_some()
+                || BY_CUSTOM.contains(&symbol.name.as_str())
+            {
+                names.insert(symbol.name.clone());
+            }
+        }
+        node.children()
+            .for_each(|child| collect(child, unknown, names));
+    }
+    let unknown = written.unknown.iter().map(|u| (u.as_str(), false));
+    let mut unknown: BTreeMap<&str, bool> = unknown.collect();
+    let (nodes, mut names) = (written.nodes.iter(), BTreeSet::new());
+    nodes.for_each(|node| collect(node, &mut unknown, &mut names));
+    match unknown.values().all(|found| *found) {
+        true => names,
+        // One that is written otherwise, as a function of some letters is, may be any of them.
+        false => written
+            .nodes
+            .iter()
+            .copied()
+            .flat_map(letter_names)
+            .collect(),
+    }
+}
