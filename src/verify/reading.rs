@@ -16,6 +16,7 @@ pub(crate) mod notation_read;
 pub(crate) mod points_read;
 pub(crate) mod premises_read;
 pub(crate) mod quantities_read;
+pub(crate) mod quaternions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod shapes_read;

@@ -1,5 +1,6 @@
 //! From the tree of a formula to a value with its basis.
 
+pub(crate) mod customs;
 pub(crate) mod dimensions;
 pub(crate) mod evaluate;
 pub(crate) mod functions;
@@ -13,6 +14,7 @@ pub(crate) mod members;
 pub(crate) mod operations;
 pub(crate) mod products;
 pub(crate) mod quantity;
+pub(crate) mod quaternions;
 pub(crate) mod rates;
 pub(crate) mod symbols;
 pub(crate) mod unknown;

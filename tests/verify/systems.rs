@@ -4,6 +4,7 @@ mod incline;
 mod loads;
 mod members;
 mod parts;
+mod quaternions;
 mod rolling;
 mod sound;
 mod start;

@@ -20,6 +20,22 @@ pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 pub(crate) const NORMAL: &str = "normal vector";
 /// The direction in which a plane falls most steeply.
 pub(crate) const DOWNHILL: &str = "downhill direction";
+/// The rate of a rate.
+pub(crate) const SECOND_RATE: &str = "second rate";
+/// The mark of a second rate.
+pub(crate) const TWO_DOTS: &str = "two dots";
+/// The conjugate of a quaternion.
+pub(crate) const CONJUGATE: &str = "conjugate quaternion";
+/// Hamilton's product.
+pub(crate) const QUATERNION_PRODUCT: &str = "quaternion product";
+/// The scalar part of a quaternion.
+pub(crate) const SCALAR_PART: &str = "scalar part";
+/// Its vector part.
+pub(crate) const VECTOR_PART: &str = "vector part";
+/// A quaternion whose scalar part is written first.
+pub(crate) const SCALAR_FIRST: &str = "scalar first";
+/// A quaternion whose scalar part is written last.
+pub(crate) const SCALAR_LAST: &str = "scalar last";
 /// A frame that is written as a label above.
 pub(crate) const FRAME_ABOVE: &str = "frame at the upper right";
 
@@ -53,9 +69,26 @@ mod tests {
             NORMAL,
             DOWNHILL,
             FRAME_ABOVE,
+            SECOND_RATE,
+            TWO_DOTS,
+            CONJUGATE,
+            QUATERNION_PRODUCT,
+            SCALAR_PART,
+            VECTOR_PART,
+            SCALAR_FIRST,
+            SCALAR_LAST,
         ];
         for head in heads {
-            let entry = Lexicon::shared().entry(head, &[Class::Noun, Class::Place, Class::Custom]);
+            let entry = Lexicon::shared().entry(
+                head,
+                &[
+                    Class::Noun,
+                    Class::Place,
+                    Class::Custom,
+                    Class::Adverb,
+                    Class::Mark,
+                ],
+            );
             assert!(entry.is_some(), "{head}");
         }
     }

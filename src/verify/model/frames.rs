@@ -9,6 +9,7 @@ use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Key, Motion, fraction, whole};
 use crate::verify::model::system::{Axis, Frame, FrameId, Matrix, System, Turn, Vector, unit};
+use nalgebra::Vector4;
 use num_traits::{One, Zero};
 
 /// Through more frames that turn freely one on the other no rotation is worked out: each makes the entries ten times as long.
@@ -21,6 +22,7 @@ impl System {
             name: name.to_owned(),
             parent,
             turn,
+            by_quaternion: false,
         });
         self.frames.len() - 1
     }
@@ -159,19 +161,97 @@ impl System {
         }
     }
 
-    /// The rotation by Gibbs' vector, whose rate follows the angular velocity.
-    fn free_rotation(&mut self, frame: FrameId) -> Matrix {
+    /// The unit quaternion, scalar first, by which q v q* takes components on one frame to components on another, where one
+    /// of them turns freely against the other.
+    pub(crate) fn unit_quaternion(
+        &mut self,
+        to: FrameId,
+        from: FrameId,
+    ) -> Option<Vector4<Fraction>> {
+        let is_turned = |frame: FrameId, parent: FrameId| {
+            let own = &self.frames[frame];
+            own.parent == Some(parent) && own.turn == Turn::Free
+        };
+        let turned = match (is_turned(from, to), is_turned(to, from)) {
+            (true, _) => from,
+            (false, true) => to,
+            (false, false) => return None,
+        };
+        // A rotation that was worked out already has its own variables.
+        self.frames[turned].by_quaternion |= !self.has_gibbs_vector(turned);
+        let q = match self.frames[turned].by_quaternion {
+            true => self.quaternion_of_turn(turned),
+            false => {
+                let g = self.gibbs_vector(turned);
+                let root = self.atoms.root(&(Fraction::one() + g.dot(&g)))?;
+                self.atoms.set_positive(&root);
+                quaternion_of(&(Fraction::one() / root.clone()), &(g / root))
+            }
+        };
+        Some(match turned == from {
+            true => q,
+            false => mechanics::quaternion_conjugate(&q),
+        })
+    }
+
+    fn has_gibbs_vector(&self, frame: FrameId) -> bool {
         let text = format!("g^{{{}}}", self.frames[frame].name);
+        let first = Key::new(super::system::component_text(&text, 0));
+        self.atoms.find(&first).is_some()
+    }
+
+    /// The unit quaternion of a frame that turns freely, by modified Rodrigues parameters σ, which leave no root:
+    /// (1 − σ², 2 σ)/(1 + σ²), with σ̇ = ((1 − σ²) ω ± 2 σ × ω + 2 σ (σ·ω))/4 (Schaub and Junkins, Analytical Mechanics of
+    /// Space Systems, 3.5).
+    fn quaternion_of_turn(&mut self, frame: FrameId) -> Vector4<Fraction> {
+        let (sigma, new) = self.parameters_of_turn("\\sigma", frame);
+        let square = sigma.dot(&sigma);
+        let rest = Fraction::one() - square.clone();
+        if new {
+            let (omega, turned) = self.turn_on_its_side(frame);
+            let cross = mechanics::cross(&sigma, &omega) * whole(2);
+            let along = sigma.clone() * sigma.dot(&omega) * whole(2);
+            let others = if turned { along + cross } else { along - cross };
+            let rate = (omega * rest.clone() + others) * Fraction::from_ratio(1, 4);
+            self.set_rates(&sigma, &rate);
+        }
+        let below = Fraction::one() + square;
+        quaternion_of(&(rest / below.clone()), &(sigma * (whole(2) / below)))
+    }
+
+    /// Three variables by which a frame is turned, and whether they are new.
+    fn parameters_of_turn(&mut self, letter: &str, frame: FrameId) -> (Vector, bool) {
+        let text = format!("{letter}^{{{}}}", self.frames[frame].name);
         let keys = [0, 1, 2].map(|k| Key::new(super::system::component_text(&text, k)));
         let known = self.atoms.find(&keys[0]).is_some();
         let variables = keys.map(|key| self.atoms.variable(key, Place::Coordinate, Motion::Free));
-        let g = Vector::from(variables.map(fraction));
-        if !known {
-            let rates = self.rate_of_free_rotation(frame, &g);
-            for (variable, rate) in variables.into_iter().zip(rates.iter()) {
+        (Vector::from(variables.map(fraction)), !known)
+    }
+
+    fn set_rates(&mut self, variables: &Vector, rates: &Vector) {
+        for (variable, rate) in variables.iter().zip(rates.iter()) {
+            if let Some(variable) = variable.as_variable() {
                 self.atoms.atom_mut(variable).motion = Motion::Rate(rate.clone());
             }
         }
+    }
+
+    /// Gibbs' vector of a frame that turns freely, whose rate follows the angular velocity.
+    fn gibbs_vector(&mut self, frame: FrameId) -> Vector {
+        let (g, new) = self.parameters_of_turn("g", frame);
+        if new {
+            let rate = self.rate_of_free_rotation(frame, &g);
+            self.set_rates(&g, &rate);
+        }
+        g
+    }
+
+    /// The rotation by Gibbs' vector, or by the quaternion of which a sentence speaks.
+    fn free_rotation(&mut self, frame: FrameId) -> Matrix {
+        if self.frames[frame].by_quaternion {
+            return mechanics::rotation(&self.quaternion_of_turn(frame));
+        }
+        let g = self.gibbs_vector(frame);
         let square = g.dot(&g);
         let below = Fraction::one() + square.clone();
         let cross = mechanics::skew(&g);
@@ -186,15 +266,9 @@ impl System {
         })
     }
 
-    /// ġ, with the angular velocity on the side of the link on which the work frame stands.
+    /// ġ = (ω ± g × ω + g (g·ω))/2.
     fn rate_of_free_rotation(&mut self, frame: FrameId, g: &Vector) -> Vector {
-        let omega = self.link_velocity(frame);
-        let turned = self.stands_on(self.work, frame);
-        let side = match (turned, self.frames[frame].parent) {
-            (false, Some(parent)) => parent,
-            _ => frame,
-        };
-        let omega = mechanics::apply(&self.rotation(side, self.work), &omega);
+        let (omega, turned) = self.turn_on_its_side(frame);
         let cross = mechanics::cross(g, &omega);
         let along = g.clone() * g.dot(&omega);
         let sum = if turned {
@@ -204,6 +278,30 @@ impl System {
         };
         sum * Fraction::from_ratio(1, 2)
     }
+
+    /// The angular velocity of a frame relative to its parent by its components on the side on which the work frame stands,
+    /// and whether that is the side of the frame.
+    fn turn_on_its_side(&mut self, frame: FrameId) -> (Vector, bool) {
+        let omega = self.link_velocity(frame);
+        let turned = self.stands_on(self.work, frame);
+        let side = match (turned, self.frames[frame].parent) {
+            (false, Some(parent)) => parent,
+            _ => frame,
+        };
+        (
+            mechanics::apply(&self.rotation(side, self.work), &omega),
+            turned,
+        )
+    }
+}
+
+fn quaternion_of(scalar: &Fraction, vector: &Vector) -> Vector4<Fraction> {
+    Vector4::new(
+        scalar.clone(),
+        vector[0].clone(),
+        vector[1].clone(),
+        vector[2].clone(),
+    )
 }
 
 /// The matrix that takes components on a frame that is turned about an axis to components on its parent.

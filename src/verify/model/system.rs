@@ -68,6 +68,8 @@ pub(crate) struct Frame {
     pub(crate) parent: Option<FrameId>,
     /// How.
     pub(crate) turn: Turn,
+    /// Whether a sentence speaks of the quaternion of its turn.
+    pub(crate) by_quaternion: bool,
 }
 
 /// A point.

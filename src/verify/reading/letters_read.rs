@@ -1,7 +1,9 @@
 //! What letters denote.
 
 use crate::notation::ast::Kind;
-use crate::verify::language::heads::{DOWNHILL, NORMAL};
+use crate::verify::language::heads::{
+    CONJUGATE, DOWNHILL, NORMAL, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
@@ -12,6 +14,7 @@ use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,
     UNIT_VECTOR, node_of, reach_of,
 };
+use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -78,7 +81,14 @@ impl Builder<'_> {
                 else {
                     return self.say_unused(declaration);
                 };
-                self.denote_matrix(formula, Quantity::Rotation { from, to }, declaration);
+                match layout(slots) {
+                    Some(layout) => {
+                        self.denote_quaternion(formula, (from, to), layout, declaration)
+                    }
+                    None => {
+                        self.denote_matrix(formula, Quantity::Rotation { from, to }, declaration);
+                    }
+                }
             }
             Statement::Does {
                 subjects,
@@ -321,6 +331,11 @@ impl Builder<'_> {
         let Some(of) = of.filter(|of| !self.is_scalar(of)) else {
             return self.say_unused(declaration);
         };
+        if let Quantity::Known(value) = &of
+            && value.is_quaternion()
+        {
+            return self.read_entries_of_quaternion(subjects, value, declaration);
+        }
         let frame = frame
             .or(of.frame())
             .unwrap_or(self.reading.letters.component_frame);
@@ -341,6 +356,12 @@ impl Builder<'_> {
                 axis: axis.boxed(),
             };
             return self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+        if let (None, [Term::Formula(formula)]) = (single, subjects)
+            && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
+        {
+            let array = Quantity::On(of.boxed(), frame);
+            return self.denote(formula, Meaning::Quantity(array), declaration);
         }
         for (place, subject) in subjects.iter().take(3).enumerate() {
             let axis = single.unwrap_or(place);
@@ -388,7 +409,7 @@ fn order_of(statement: &Statement) -> usize {
             "acceleration of gravity" | "vector" | UNIT_VECTOR | "mass" | "position" => 0,
             "constant" => 3,
             "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
-            | "entry" => 2,
+            | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,
             "angle" | "total energy" => 2,
             _ => 1,
         },

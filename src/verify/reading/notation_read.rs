@@ -1,6 +1,8 @@
 //! Rules for marks, labels and operators.
 
-use crate::verify::language::heads::FRAME_ABOVE;
+use crate::verify::language::heads::{
+    CONJUGATE, FRAME_ABOVE, QUATERNION_PRODUCT, SECOND_RATE, TWO_DOTS,
+};
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
@@ -75,13 +77,8 @@ impl Builder<'_> {
         };
         match sign {
             Sign::Mark(mark) => {
-                let mark = match *mark {
-                    "tilde" => Mark::Tilde,
-                    "hat" | "wide hat" => Mark::Hat,
-                    "bar" | "underline" => Mark::Bar,
-                    "prime" => Mark::Prime,
-                    "dot" => Mark::Dot,
-                    _ => Mark::NoLabel,
+                let Some(mark) = mark_of(mark) else {
+                    return self.say_unused(declaration);
                 };
                 self.reading.letters.marks.push(MarkRule {
                     mark,
@@ -202,12 +199,43 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         return false;
     };
     match sign {
-        Sign::Operator(_) => matches!(phrase.head, "function" | "cross product" | "dot product"),
+        Sign::Operator(_) => matches!(
+            phrase.head,
+            "function"
+                | "cross product"
+                | "dot product"
+                | "trace"
+                | "determinant"
+                | QUATERNION_PRODUCT
+                | "transpose"
+        ),
+        Sign::Mark(_) if phrase.head == CONJUGATE => true,
+        Sign::Mark("wedge") => phrase.head == CROSS_PRODUCT_MATRIX,
+        Sign::Label { labels, .. } => phrase.head == "transpose" && labels.iter().all(|l| is_t(l)),
+        Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),
         Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {
             phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()
         }
         _ => false,
     }
+}
+
+/// A mark by its name: "dot on a vector".
+fn mark_of(name: &str) -> Option<Mark> {
+    match name.split(' ').next()? {
+        "tilde" => Some(Mark::Tilde),
+        "hat" | "wide" => Some(Mark::Hat),
+        "bar" | "underline" => Some(Mark::Bar),
+        "prime" => Some(Mark::Prime),
+        "dot" => Some(Mark::Dot),
+        "no" => Some(Mark::NoLabel),
+        _ => None,
+    }
+}
+
+/// Whether a superscript is that of a transpose.
+fn is_t(label: &str) -> bool {
+    matches!(plain_label(label).as_str(), "T" | "top" | "intercal")
 }
 
 /// Whether a derivative is one in time, with d or with ∂.

@@ -1,5 +1,6 @@
 //! From a noun with its slots to a quantity of the model.
 
+use crate::verify::language::heads::{CONJUGATE, SCALAR_PART, SECOND_RATE, VECTOR_PART};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
@@ -92,13 +93,7 @@ impl Builder<'_> {
                     seen: relative,
                 }
             }
-            "rate" => {
-                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-                Quantity::Rate {
-                    of: of.boxed(),
-                    seen: told(phrase.slot(Slot::SeenFrom), ground, |t| self.frame(t))?,
-                }
-            }
+            "rate" | SECOND_RATE => self.rate(phrase, declaration)?,
             "magnitude" => {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
@@ -107,9 +102,26 @@ impl Builder<'_> {
             CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
                 self.operand(phrase.slot(Slot::Of)?, declaration)?.boxed(),
             ),
+            CONJUGATE | SCALAR_PART | VECTOR_PART => {
+                self.part_of_quaternion(phrase, declaration)?
+            }
             "identity matrix" => Quantity::Identity,
             "mass" => Quantity::Mass(self.whole_of(phrase)?),
             _ => return self.dynamic_quantity(phrase, declaration, relative),
+        })
+    }
+
+    fn rate(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        let ground = self.reading.system.ground;
+        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+        let seen = told(phrase.slot(Slot::SeenFrom), ground, |t| self.frame(t))?;
+        let rate = |of: Quantity| Quantity::Rate {
+            of: of.boxed(),
+            seen,
+        };
+        Some(match phrase.head == SECOND_RATE {
+            true => rate(rate(of)),
+            false => rate(of),
         })
     }
 

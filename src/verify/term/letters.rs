@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
 use crate::verify::model::system::FrameId;
+use crate::verify::term::customs::Customs;
 use crate::verify::term::labels::plain;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::written::WrittenSymbols;
@@ -222,23 +223,6 @@ pub(crate) struct Letters {
     pub(crate) arguments: Vec<Vec<Node>>,
     /// Writings that stand for other formulas.
     pub(crate) means: Vec<(String, Node, Reach)>,
-}
-
-/// How the author writes all letters.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Customs {
-    /// A repeated axis index is summed.
-    pub(crate) summed: Vec<Reach>,
-    /// A frame written above a letter takes components on it.
-    pub(crate) raised_frames: bool,
-    /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
-    pub(crate) integrals: bool,
-    /// Square brackets around a vector make its cross-product matrix.
-    pub(crate) crossing_brackets: bool,
-    /// The names of axes that only one frame has.
-    pub(crate) named_axes: BTreeMap<String, (FrameId, usize)>,
-    /// How many dimensions space has, where.
-    pub(crate) dimensions: Vec<(Reach, usize)>,
 }
 
 impl Letters {

@@ -287,6 +287,9 @@ impl<'a> Lowering<'a> {
 
     fn whole_power(&mut self, value: &Value, power: i64) -> Valued {
         if power < 0 {
+            if value.is_quaternion() && power == -1 {
+                return self.inverse_quaternion(value);
+            }
             let inverse = self.system.inverse(value)?;
             return self.whole_power(&inverse, -power);
         }

@@ -236,6 +236,14 @@ impl Lowering<'_> {
         right: &Value,
         custom: FrameId,
     ) -> Valued {
+        let quaternions = left.is_quaternion() || right.is_quaternion();
+        let factors = [left, right]
+            .iter()
+            .all(|v| v.is_quaternion() || v.is_vector());
+        if quaternions && factors && matches!(sign, Sign::Tensor | Sign::Juxtaposed) {
+            let layout = self.letters.customs.layout;
+            return self.system.quaternion_product(left, right, layout);
+        }
         match sign {
             Sign::Juxtaposed => self.system.times(left, right, custom),
             Sign::Dot => self.system.dot(left, right, custom),

@@ -48,6 +48,9 @@ impl Lowering<'_> {
         if let Some(value) = self.by_mark(symbol)? {
             return Ok(value);
         }
+        if let Some(value) = self.conjugate(symbol)? {
+            return Ok(value);
+        }
         if let Some(value) = self.by_custom(symbol) {
             return value;
         }
@@ -226,7 +229,7 @@ impl Lowering<'_> {
         let Some((value, own)) = self.known(base)? else {
             return Ok(None);
         };
-        if value.is_scalar() {
+        if value.is_scalar() || value.is_quaternion() {
             return Ok(None);
         }
         let frame = own.or(frame).unwrap_or(self.letters.component_frame);

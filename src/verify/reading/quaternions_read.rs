@@ -1,0 +1,77 @@
+//! Sentences about quaternions.
+
+use crate::verify::language::heads::{CONJUGATE, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::quaternions::Layout;
+use crate::verify::term::value::Value;
+
+/// The layout that a sentence gives a quaternion: "scalar first".
+pub(super) fn layout(slots: &[(Slot, Term)]) -> Option<Layout> {
+    slots.iter().find_map(|(_, term)| match term {
+        Term::Phrase(adverb) if adverb.head == SCALAR_FIRST => Some(Layout::ScalarFirst),
+        Term::Phrase(adverb) if adverb.head == SCALAR_LAST => Some(Layout::ScalarLast),
+        _ => None,
+    })
+}
+
+impl Builder<'_> {
+    /// "`$q$` takes components on B to components on N, scalar first." All quaternions of a text have one layout.
+    pub(super) fn denote_quaternion(
+        &mut self,
+        formula: &Formula,
+        (from, to): (FrameId, FrameId),
+        layout: Layout,
+        declaration: &Declaration,
+    ) {
+        self.reading.letters.customs.layout = layout;
+        match self.system().quaternion(to, from, layout) {
+            Some(value) => {
+                let known = Meaning::Quantity(Quantity::Known(value));
+                self.denote(formula, known, declaration);
+            }
+            None => self.say_unused(declaration),
+        }
+    }
+
+    /// "`$q_0$`, `$q_1$`, `$q_2$`, `$q_3$` are the components of `$q$`", in the order of its layout.
+    pub(super) fn read_entries_of_quaternion(
+        &mut self,
+        subjects: &[Term],
+        of: &Value,
+        declaration: &Declaration,
+    ) {
+        if formulas(subjects).count() != of.entries.len() {
+            return self.say_unused(declaration);
+        }
+        for (formula, entry) in formulas(subjects).zip(&of.entries) {
+            let entry = Quantity::Known(Value::scalar(entry.clone()));
+            self.denote(formula, Meaning::Quantity(entry), declaration);
+        }
+    }
+
+    /// The conjugate of a quaternion, its scalar part or its vector part.
+    pub(super) fn part_of_quaternion(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let Quantity::Known(of) = self.operand(phrase.slot(Slot::Of)?, declaration)? else {
+            return None;
+        };
+        if !of.is_quaternion() {
+            return None;
+        }
+        let layout = self.reading.letters.customs.layout;
+        let (scalar, vector) = layout.places();
+        Some(Quantity::Known(match phrase.head {
+            CONJUGATE => of.conjugate(layout),
+            SCALAR_PART => Value::scalar(of.entries[scalar].clone()),
+            _ => Value::written(3, 1, of.entries[vector..vector + 3].to_vec()),
+        }))
+    }
+}

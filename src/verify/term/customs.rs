@@ -1,0 +1,25 @@
+//! How the author writes all letters.
+
+use crate::verify::model::system::FrameId;
+use crate::verify::term::letters::Reach;
+use crate::verify::term::quaternions::Layout;
+use std::collections::BTreeMap;
+
+/// Customs of writing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Customs {
+    /// A repeated axis index is summed.
+    pub(crate) summed: Vec<Reach>,
+    /// A frame written above a letter takes components on it.
+    pub(crate) raised_frames: bool,
+    /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
+    pub(crate) integrals: bool,
+    /// Square brackets around a vector make its cross-product matrix.
+    pub(crate) crossing_brackets: bool,
+    /// Where the scalar stands in a quaternion.
+    pub(crate) layout: Layout,
+    /// The names of axes that only one frame has.
+    pub(crate) named_axes: BTreeMap<String, (FrameId, usize)>,
+    /// How many dimensions space has, where.
+    pub(crate) dimensions: Vec<(Reach, usize)>,
+}

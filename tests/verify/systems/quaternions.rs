@@ -1,0 +1,66 @@
+//! Attitudes by quaternions: their products, their rates and the matrix that they make.
+
+use super::judged;
+
+const ATTITUDE: &str = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\vec\\omega$ is the angular velocity of B relative to N in components on B.
+$\\omega_1$, $\\omega_2$ and $\\omega_3$ are the components of $\\vec\\omega$ on B.
+$R$ takes components on B to components on N.
+$\\vec v$ is any vector in components on B.
+";
+
+const SCALAR_FIRST: &str = "$\\mathbf q$ takes components on B to components on N, scalar first.
+$q_0$, $q_1$, $q_2$, $q_3$ are the components of $\\mathbf q$.
+$\\vec p$ is the vector part of $\\mathbf q$.
+$\\otimes$ is the quaternion product.
+";
+
+#[test]
+fn the_rate_of_a_quaternion_follows_the_angular_velocity() {
+    let text = r"
+$$ \dot{\mathbf q} = \frac12\mathbf q\otimes\begin{bmatrix} 0 \\ \vec\omega\end{bmatrix} $$
+$$ \dot{\mathbf q} = \frac12\begin{bmatrix} 0 \\ \vec\omega\end{bmatrix}\otimes\mathbf q $$
+$$ \dot{\mathbf q} = \mathbf q\otimes\vec\omega $$
+$$ \vec\omega = 2\mathbf q^*\otimes\dot{\mathbf q} $$
+$$ \dot q_1 = \frac12(q_0\omega_1 + q_2\omega_3 - q_3\omega_2) $$
+$$ \dot q_1 = \frac12(q_0\omega_1 - q_2\omega_3 + q_3\omega_2) $$
+$$ \dot{\vec p} = \frac12(q_0\vec\omega + \vec p\times\vec\omega) $$
+$$ \dot{\vec p} = \frac12(q_0\vec\omega - \vec p\times\vec\omega) $$
+$$ \dot{\mathbf q} = \frac12\begin{bmatrix} 0 & -\omega_1 & -\omega_2 & -\omega_3 \\
+  \omega_1 & 0 & \omega_3 & -\omega_2 \\ \omega_2 & -\omega_3 & 0 & \omega_1 \\
+  \omega_3 & \omega_2 & -\omega_1 & 0\end{bmatrix}\mathbf q $$
+";
+    let sentences = format!("{ATTITUDE}{SCALAR_FIRST}");
+    assert_eq!(judged(&sentences, text), "prrpprprp");
+}
+
+#[test]
+fn a_unit_quaternion_makes_the_matrix_of_its_rotation() {
+    let text = r"
+$$ \mathbf q\otimes\mathbf q^{-1} = \begin{bmatrix} 1 \\ 0 \\ 0 \\ 0\end{bmatrix} $$
+$$ |\mathbf q| = 1 $$
+$$ q_0^2 + q_1^2 + q_2^2 - q_3^2 = 1 $$
+$$ R = (q_0^2 - \vec p\cdot\vec p)\mathbf 1 + 2\vec p\vec p^T + 2q_0[\vec p]_\times $$
+$$ R = (q_0^2 - \vec p\cdot\vec p)\mathbf 1 + 2\vec p\vec p^T - 2q_0[\vec p]_\times $$
+$$ \begin{bmatrix} 0 \\ R\vec v\end{bmatrix} = \mathbf q\otimes\vec v\otimes\mathbf q^* $$
+$$ \begin{bmatrix} 0 \\ R\vec v\end{bmatrix} = \mathbf q^*\otimes\vec v\otimes\mathbf q $$
+";
+    let sentences = format!("{ATTITUDE}{SCALAR_FIRST}$\\mathbf 1$ is the identity matrix.\n");
+    assert_eq!(judged(&sentences, text), "pprprpr");
+}
+
+#[test]
+fn the_scalar_may_stand_last_and_the_matrix_may_go_the_other_way() {
+    let sentences = format!(
+        "{ATTITUDE}$\\mathbf q$ takes components on N to components on B, scalar last.
+$q_1$, $q_2$, $q_3$, $q_4$ are the components of $\\mathbf q$.
+"
+    );
+    let text = r"
+$$ \dot q_4 = \frac12(q_1\omega_1 + q_2\omega_2 + q_3\omega_3) $$
+$$ \dot q_4 = -\frac12(q_1\omega_1 + q_2\omega_2 + q_3\omega_3) $$
+$$ \dot{\mathbf q} = -\frac12\begin{bmatrix} \vec\omega \\ 0\end{bmatrix}\otimes\mathbf q $$
+";
+    assert_eq!(judged(&sentences, text), "prp");
+}
