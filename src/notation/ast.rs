@@ -261,6 +261,7 @@ pub enum Function {
     Sqrt,
     Det,
     Trace,
+    Vee,
     Diag,
     Skew,
     Sign,

@@ -315,6 +315,7 @@ impl Form {
         let name = match function {
             Function::Sqrt => return format!("\\sqrt{{{}}}", self.sum(argument)),
             Function::Trace => "\\operatorname{tr}".to_owned(),
+            Function::Vee => "\\operatorname{vee}".to_owned(),
             Function::Diag => "\\operatorname{diag}".to_owned(),
             Function::Skew => "\\operatorname{skew}".to_owned(),
             Function::Sign => "\\operatorname{sgn}".to_owned(),

@@ -172,6 +172,7 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         '⊗' => Command("otimes"),
         '∘' => Command("circ"),
         '∧' => Command("wedge"),
+        '∨' => Command("vee"),
         '±' => Command("pm"),
         '∓' => Command("mp"),
         '…' | '⋯' => Command("dots"),

@@ -2,6 +2,7 @@
 
 mod incline;
 mod loads;
+mod matrices;
 mod members;
 mod parts;
 mod quaternions;

@@ -26,6 +26,7 @@ pub(super) fn named(name: &str) -> Option<Function> {
         "sqrt" => Function::Sqrt,
         "det" => Function::Det,
         "tr" | "trace" | "Tr" => Function::Trace,
+        "vee" => Function::Vee,
         "diag" => Function::Diag,
         "skew" => Function::Skew,
         "sgn" | "sign" => Function::Sign,

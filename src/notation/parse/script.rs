@@ -114,6 +114,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             .collect();
         match kinds.as_slice() {
             [Lexeme::Command("times" | "wedge")] => return skew(node),
+            [Lexeme::Command("vee")] => return vee(node),
             [Lexeme::Command("prime")] => {
                 match symbol_of(&mut node) {
                     Some(symbol) => symbol.primes = symbol.primes.saturating_add(1),
@@ -303,13 +304,25 @@ fn wrap(node: Node, kind: impl FnOnce(Box<Node>) -> Kind) -> Node {
 /// `[a]_\times`: the skew matrix of a, the bracket being part of the mark.
 fn skew(node: Node) -> Node {
     let span = node.span;
-    let inner = match node.kind {
-        Kind::Group(_, inner) => inner,
-        kind => Box::new(Node { kind, span }),
-    };
     Node {
-        kind: Kind::Skew(inner),
+        kind: Kind::Skew(without_brackets(node)),
         span,
+    }
+}
+
+/// `(R^T \dot R)^\vee`: the vector of a cross-product matrix.
+fn vee(node: Node) -> Node {
+    let span = node.span;
+    Node {
+        kind: Kind::Function(Function::Vee, without_brackets(node)),
+        span,
+    }
+}
+
+fn without_brackets(node: Node) -> Box<Node> {
+    match node.kind {
+        Kind::Group(_, inner) => inner,
+        kind => Box::new(Node { kind, ..node }),
     }
 }
 

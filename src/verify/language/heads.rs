@@ -20,6 +20,8 @@ pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 pub(crate) const NORMAL: &str = "normal vector";
 /// The direction in which a plane falls most steeply.
 pub(crate) const DOWNHILL: &str = "downhill direction";
+/// The vector of a cross-product matrix, as its operator.
+pub(crate) const INVERSE_MAP: &str = "inverse map";
 /// The rate of a rate.
 pub(crate) const SECOND_RATE: &str = "second rate";
 /// The mark of a second rate.
@@ -69,6 +71,7 @@ mod tests {
             NORMAL,
             DOWNHILL,
             FRAME_ABOVE,
+            INVERSE_MAP,
             SECOND_RATE,
             TWO_DOTS,
             CONJUGATE,

@@ -9,7 +9,7 @@ use super::statement::{Formula, Sign, Touched};
 use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
 
-/// Words that say something of a letter with any labels.
+/// Words that behind "for" say something of a letter with any labels.
 const FOR_ALL: [&str; 4] = ["any", "every", "each", "all"];
 
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
@@ -48,10 +48,10 @@ impl Reader<'_> {
         let operator = subjects
             .iter()
             .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
-        let any = self
-            .tokens
-            .iter()
-            .any(|t| FOR_ALL.contains(&t.lower.as_str()));
+        let for_all = |at: usize| {
+            FOR_ALL.contains(&self.tokens[at].lower.as_str()) && self.tokens[at - 1].lower == "for"
+        };
+        let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
         match signs.found.is_empty() {
             _ if letters => Touched::Letters {
@@ -128,21 +128,19 @@ impl Reader<'_> {
     }
 }
 
-/// Whether a formula writes one thing, and is no way to write things: a letter with its labels, letters side by side or in
-/// brackets.
+/// Whether a formula writes one thing, and is no way to write things: letters and numbers, and what is made of them.
 fn is_of_one_thing(formula: &Formula) -> bool {
-    matches!(&formula.row, Row::Expression(node) if has_letters_alone(node))
+    matches!(&formula.row, Row::Expression(node) if is_made_of_letters(node))
 }
 
-fn has_letters_alone(node: &Node) -> bool {
-    match &node.kind {
-        Tree::Symbol(_) | Tree::Bold(_) => true,
-        Tree::Group(..) | Tree::Norm(_) | Tree::InFrame(..) | Tree::Power(..) => {
-            node.children().all(has_letters_alone)
+fn is_made_of_letters(node: &Node) -> bool {
+    let own = match &node.kind {
+        Tree::Product(factors) => factors.iter().all(|f| f.operator == Operator::Juxtaposed),
+        Tree::TimeDerivative { .. } | Tree::Derivative { .. } | Tree::Skew(_) | Tree::Error(_) => {
+            false
         }
-        Tree::Product(factors) => factors
-            .iter()
-            .all(|f| f.operator == Operator::Juxtaposed && has_letters_alone(&f.node)),
-        _ => false,
-    }
+        Tree::Function(..) | Tree::Integral { .. } | Tree::IndexedSum { .. } => false,
+        _ => true,
+    };
+    own && node.children().all(is_made_of_letters)
 }

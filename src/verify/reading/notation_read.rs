@@ -1,7 +1,7 @@
 //! Rules for marks, labels and operators.
 
 use crate::verify::language::heads::{
-    CONJUGATE, FRAME_ABOVE, QUATERNION_PRODUCT, SECOND_RATE, TWO_DOTS,
+    CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -210,6 +210,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
                 | "transpose"
         ),
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
+        Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge") => phrase.head == CROSS_PRODUCT_MATRIX,
         Sign::Label { labels, .. } => phrase.head == "transpose" && labels.iter().all(|l| is_t(l)),
         Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),

@@ -357,9 +357,13 @@ impl Builder<'_> {
             let Statement::Role { lines, role } = &declaration.statement else {
                 continue;
             };
-            let reach = match lines {
-                Extent::Document => Reach::All,
-                lines => reach_of(lines),
+            let there = reach_of(&declaration.extent);
+            let reach = match (lines, &declaration.extent) {
+                (Extent::Document, _) => there,
+                (lines, Extent::Cells(_)) => {
+                    Reach::Both(Box::new(there), Box::new(reach_of(lines)))
+                }
+                (lines, _) => reach_of(lines),
             };
             let defines = match role {
                 DeclaredRole::Define(formula) => formula.as_ref().and_then(node_of).map(latex),

@@ -1,6 +1,6 @@
 //! Sentences of which nothing was made: which lines they keep from being proved or denied.
 
-use crate::notation::ast::{DerivativeStyle, Kind, Node, Symbol};
+use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
 use crate::notation::print;
 use crate::verify::language::heads::FRAME_AT_UPPER;
 use crate::verify::language::statement::{Formula, Sign};
@@ -184,6 +184,14 @@ fn carries_mark(node: &Node, mark: &str) -> bool {
         "tilde" => style.tilde || is_matrix,
         "hat" | "wide" => style.hat || is_matrix,
         "underline" | "arrow" => style.vector || style.tensor,
+        script @ ("wedge" | "vee" | "star" | "dagger") => {
+            let written = if script == "star" { "*" } else { script };
+            let stands = |name: &str| name == written || name == script;
+            let is_vector = matches!(node.kind, Kind::Function(Function::Vee, _));
+            is_matrix
+                || is_vector
+                || symbol.is_some_and(|s| stands(&s.name) || scripts(s).any(stands))
+        }
         "prime" => symbol.is_some_and(|s| s.primes > 0) || matches!(node.kind, Kind::Transpose(_)),
         _ => true,
     }

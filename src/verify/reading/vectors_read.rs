@@ -51,6 +51,11 @@ impl Builder<'_> {
                 }
                 _ => Quantity::UnitVector { text, carried },
             };
+            let on = what.slot(Slot::On).and_then(|term| self.frame(term));
+            let quantity = match on {
+                Some(frame) => Quantity::On(quantity.boxed(), frame),
+                None => quantity,
+            };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
     }

@@ -6,7 +6,7 @@ use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
 
 impl Lowering<'_> {
@@ -18,6 +18,7 @@ impl Lowering<'_> {
         let value = self.value(inner)?;
         match function {
             Function::Det => Ok(Value::scalar(mechanics::determinant(&value.to_matrix()?))),
+            Function::Vee => value.vector_of_cross_product_matrix(),
             Function::Trace => Ok(Value::scalar(value.to_matrix()?.trace())),
             Function::Sqrt => {
                 let inside = value.to_scalar()?;
@@ -40,7 +41,7 @@ impl Lowering<'_> {
 
     pub(super) fn trigonometric(&mut self, function: Function, angle: &Fraction) -> Valued {
         let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
-            return beyond("this function of this argument");
+            return beyond(OTHER_ARGUMENT);
         };
         let one = Fraction::one();
         let value = match function {

@@ -77,6 +77,9 @@ pub(crate) fn ill_typed<T>(message: impl Into<String>) -> Result<T, Trouble> {
 /// Why something is not worked out that has too many terms.
 pub(crate) const GROWN: &str = "this grew beyond what is worked out";
 
+/// Why a function has no value.
+pub(crate) const OTHER_ARGUMENT: &str = "this function of this argument";
+
 /// An answer that says what is not worked out.
 pub(crate) fn beyond<T>(message: impl Into<String>) -> Result<T, Trouble> {
     Err(Trouble::Beyond(message.into()))
@@ -259,6 +262,21 @@ impl Value {
     pub(crate) fn cross_product_matrix(&self) -> Valued {
         let skew = mechanics::skew(&self.to_vector()?);
         Ok(Self::matrix(&skew, [self.vector_basis(); 2]))
+    }
+
+    /// The v of v×: the inverse of [`cross_product_matrix`](Self::cross_product_matrix).
+    pub(crate) fn vector_of_cross_product_matrix(&self) -> Valued {
+        let m = self.to_matrix()?;
+        let [rows, columns] = self.basis;
+        let skew = m
+            .iter()
+            .zip(m.transpose().iter())
+            .all(|(a, b)| (a.clone() + b.clone()).is_zero());
+        if !skew || rows != columns {
+            return beyond(OTHER_ARGUMENT);
+        }
+        let vector = Vector::new(m[(2, 1)].clone(), m[(0, 2)].clone(), m[(1, 0)].clone());
+        Ok(Self::vector(&vector, rows))
     }
 
     fn has_written(&self) -> bool {

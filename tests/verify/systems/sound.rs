@@ -309,3 +309,14 @@ $$ \omega_1 + 1 = \omega_1 $$
 ";
     assert_eq!(judged(sentences, text), "aprr");
 }
+
+#[test]
+fn everything_on_some_lines_is_no_more_than_that() {
+    let sentences = format!("{BODY}On lines 1 to 2 everything is given.\n");
+    let text = r"$$ \vec M = \dot{\vec L} $$
+$$ \vec L = \mathbf J\vec\omega $$
+$$ \vec M = 2\dot{\vec L} $$
+$$ \vec M = \dot{\vec L} $$
+";
+    assert_eq!(judged(&sentences, text), "aarp");
+}

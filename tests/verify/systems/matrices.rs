@@ -1,0 +1,48 @@
+//! Attitudes by matrices, arrays of components, and the vector of a cross-product matrix.
+
+use super::judged;
+
+#[test]
+fn the_vee_takes_the_vector_out_of_a_cross_product_matrix() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+D is a frame which turns relative to N.
+$R$ takes components on B to components on N.
+$R_d$ takes components on D to components on N.
+The angular velocity of B relative to N, in components on B, is $\\Omega$.
+A wedge at the upper right means the cross-product matrix.
+A vee at the upper right means the vector of which the matrix is the cross-product matrix.
+";
+    let text = r"
+$$ \Omega = (R^T\dot R)^\vee $$
+$$ \Omega = (\dot R^T R)^\vee $$
+$$ (\Omega^\wedge)^\vee = \Omega $$
+$$ (R_d^T R)^\vee = 0 $$
+";
+    assert_eq!(judged(sentences, text), "prpu");
+}
+
+#[test]
+fn an_array_is_a_vector_in_components_on_a_frame() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+The body turns relative to N with the angular velocity $\\vec\\omega$.
+$C$ takes components on N to components on B.
+$\\vec v$ is a vector fixed in N.
+$\\vec v_B$ is $\\vec v$ in components on B.
+$\\vec v_N$ is $\\vec v$ in components on N.
+$\\vec u$ is any vector in components on B.
+$\\vec\\omega_B$ is $\\vec\\omega$ in components on B.
+A dot means the rate, entry by entry.
+A superscript $T$ means the transpose.
+";
+    let text = r"
+$$ \vec v_B = C\vec v_N $$
+$$ \vec v_N = C\vec v_B $$
+$$ \dot{\vec v}_N = 0 $$
+$$ \dot{\vec v}_B = -\vec\omega_B\times\vec v_B $$
+$$ \dot{\vec v}_B = \vec\omega_B\times\vec v_B $$
+$$ (C^T\vec u)^T(C^T\vec u) = \vec u^T\vec u $$
+";
+    assert_eq!(judged(sentences, text), "prpprp");
+}
