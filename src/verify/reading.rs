@@ -5,6 +5,7 @@ pub(crate) mod axes_read;
 pub(crate) mod bases_read;
 pub(crate) mod bodies_read;
 pub(crate) mod builder;
+pub(crate) mod components_read;
 pub(crate) mod contact_read;
 pub(crate) mod frames_read;
 pub(crate) mod incline_read;

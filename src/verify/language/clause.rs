@@ -360,12 +360,41 @@ impl<'a> Reader<'a> {
         }
         self.slots(verb.entry, &mut slots)?;
         self.tail(verb.entry, &mut slots)?;
+        if verb.entry.name == "have"
+            && let Some(said) = possessions(subjects, &slots)
+        {
+            return Ok(said);
+        }
         Ok(vec![Statement::Does {
             subjects: subjects.to_vec(),
             verb: verb.entry.name,
             slots,
         }])
     }
+}
+
+/// "The rod has the length `$l$` and the mass `$m$`": `$l$` is its length, and `$m$` its mass.
+fn possessions(subjects: &[Term], slots: &[(Slot, Term)]) -> Option<Vec<Statement>> {
+    let mut said = vec![];
+    for subject in subjects {
+        for (_, term) in slots {
+            let Term::Phrase(phrase) = term else {
+                return None;
+            };
+            let letters: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
+            if letters.is_empty() || !letters.iter().all(|l| matches!(l, Term::Formula(_))) {
+                return None;
+            }
+            let mut what = (**phrase).clone();
+            what.slots.retain(|(slot, _)| *slot != Slot::Which);
+            what.slots.insert(0, (Slot::Of, subject.clone()));
+            said.push(Statement::Is {
+                subjects: letters,
+                what,
+            });
+        }
+    }
+    Some(said)
 }
 
 /// The thing whose quantity a statement says a letter to be.

@@ -318,64 +318,12 @@ impl Builder<'_> {
         }
     }
 
-    fn is_scalar(&mut self, quantity: &Quantity) -> bool {
+    pub(super) fn is_scalar(&mut self, quantity: &Quantity) -> bool {
         let value = self.system().value_of(quantity);
         value.is_ok_and(|value| value.is_scalar())
     }
 
     /// "P, Q, R are the components of ω on B."
-    fn read_components(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
-        let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
-        let of = what.slot(Slot::Of).cloned();
-        let of = of.and_then(|term| self.operand(&term, declaration));
-        let Some(of) = of.filter(|of| !self.is_scalar(of)) else {
-            return self.say_unused(declaration);
-        };
-        if let Quantity::Known(value) = &of
-            && value.is_quaternion()
-        {
-            return self.read_entries_of_quaternion(subjects, value, declaration);
-        }
-        let frame = frame
-            .or(of.frame())
-            .unwrap_or(self.reading.letters.component_frame);
-        let which = what.slot(Slot::Which);
-        if let Some(Term::Formula(_)) = which {
-            // An index letter: the label itself says which component it is.
-            return;
-        }
-        let single = which.and_then(|term| self.number_of_axis(term));
-        if let (Some(along), [Term::Formula(formula)]) = (what.slot(Slot::Along).cloned(), subjects)
-        {
-            let Some(axis) = self.axis_quantity(&along, declaration) else {
-                return self.say_unused(declaration);
-            };
-            let of = of.boxed();
-            let quantity = Quantity::Along {
-                of,
-                axis: axis.boxed(),
-            };
-            return self.denote(formula, Meaning::Quantity(quantity), declaration);
-        }
-        if let (None, [Term::Formula(formula)]) = (single, subjects)
-            && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
-        {
-            let array = Quantity::On(of.boxed(), frame);
-            return self.denote(formula, Meaning::Quantity(array), declaration);
-        }
-        for (place, subject) in subjects.iter().take(3).enumerate() {
-            let axis = single.unwrap_or(place);
-            if let Term::Formula(formula) = subject {
-                let quantity = Quantity::Component {
-                    of: of.clone().boxed(),
-                    axis,
-                    on: frame,
-                };
-                self.denote(formula, Meaning::Quantity(quantity), declaration);
-            }
-        }
-    }
-
     pub(super) fn hold_quantities(
         &mut self,
         left: &Quantity,

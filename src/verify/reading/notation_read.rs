@@ -211,7 +211,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         ),
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
-        Sign::Mark("wedge") => phrase.head == CROSS_PRODUCT_MATRIX,
+        Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,
         Sign::Label { labels, .. } => phrase.head == "transpose" && labels.iter().all(|l| is_t(l)),
         Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),
         Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {

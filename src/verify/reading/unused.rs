@@ -181,6 +181,7 @@ fn carries_mark(node: &Node, mark: &str) -> bool {
             Kind::TimeDerivative { style, .. } => *style == DerivativeStyle::Dots,
             _ => false,
         },
+        "cross" => is_matrix,
         "tilde" => style.tilde || is_matrix,
         "hat" | "wide" => style.hat || is_matrix,
         "underline" | "arrow" => style.vector || style.tensor,

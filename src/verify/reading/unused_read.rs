@@ -81,6 +81,10 @@ impl Builder<'_> {
             let Some(nodes) = letters_named_by(&declaration.statement) else {
                 continue;
             };
+            // That a letter is small matters where it stands, whatever it is.
+            if is_small(&declaration.statement) {
+                continue;
+            }
             let mut known = self.reading.letters.letters.iter();
             if known.any(|letter| nodes.iter().any(|node| spelled(node) == letter.spelled)) {
                 let sentence = declaration.text.trim_end_matches('.');
@@ -92,10 +96,15 @@ impl Builder<'_> {
     }
 }
 
+/// "`$\lambda$` is small."
+fn is_small(statement: &Statement) -> bool {
+    matches!(statement, Statement::Is { what, .. } if what.head == "small" && what.slots.is_empty())
+}
+
 /// The letters of a sentence that says what quantities letters are, and no more.
 fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
     let formulas: Vec<&Formula> = match statement {
-        Statement::Is { subjects, what } if only_names(what.head) => {
+        Statement::Is { subjects, what } if only_names(what.head) || is_small(statement) => {
             subjects.iter().map(in_formula).collect::<Option<_>>()?
         }
         Statement::Unread { letters, .. } if !letters.is_empty() => letters.iter().collect(),

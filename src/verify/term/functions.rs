@@ -19,7 +19,10 @@ impl Lowering<'_> {
         match function {
             Function::Det => Ok(Value::scalar(mechanics::determinant(&value.to_matrix()?))),
             Function::Vee => value.vector_of_cross_product_matrix(),
-            Function::Trace => Ok(Value::scalar(value.to_matrix()?.trace())),
+            Function::Trace => {
+                let custom = self.custom();
+                self.system.trace(&value, custom)
+            }
             Function::Sqrt => {
                 let inside = value.to_scalar()?;
                 self.system.root(&inside)

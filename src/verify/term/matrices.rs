@@ -57,7 +57,7 @@ impl Lowering<'_> {
             let entries = out.iter().flat_map(|v| v.entries.clone()).collect();
             return Ok(Value::written(values.len(), 3, entries));
         }
-        if width == 1 && all.iter().all(|v| v.columns == 1) {
+        if (column || width == 1) && all.iter().all(|v| v.columns == 1) {
             // Numbers and arrays below one another, as in a quaternion.
             let mut entries = vec![];
             for value in all {

@@ -303,6 +303,15 @@ impl System {
         Ok(value.turned(&turns, [Basis::Written; 2]))
     }
 
+    /// The trace. Of a matrix between two frames it is that of its entries.
+    pub(crate) fn trace(&mut self, value: &Value, custom: FrameId) -> Valued {
+        let value = match value.basis[0] == value.basis[1] {
+            true => value.clone(),
+            false => self.written_out(value, custom)?,
+        };
+        Ok(Value::scalar(value.to_matrix()?.trace()))
+    }
+
     /// The entries of the matrix between two frames, if they are two; only a space of three dimensions has them.
     fn entries_turned(&mut self, to: FrameId, from: FrameId) -> Result<Option<Matrix>, Trouble> {
         match self.dimensions() {

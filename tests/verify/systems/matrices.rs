@@ -23,6 +23,27 @@ $$ (R_d^T R)^\vee = 0 $$
 }
 
 #[test]
+fn the_trace_of_a_matrix_between_two_frames_is_that_of_its_entries() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$R$ takes components on B to components on N.
+$J$ is the inertia tensor of the body about its mass centre in components on B.
+$\\psi$ is an angle.
+A is turned relative to N about z by the angle $\\psi$.
+$C$ takes components on A to components on N.
+";
+    let text = r"
+$$ \operatorname{tr}(R) = 3 $$
+$$ \operatorname{tr}(R^T R) = 3 $$
+$$ \operatorname{tr}(R J R^T) = \operatorname{tr}(J) $$
+$$ \operatorname{tr}(R J) = \operatorname{tr}(J) $$
+$$ \operatorname{tr}(C) = 1 + 2\cos\psi $$
+$$ \det(R) = 1 $$
+";
+    assert_eq!(judged(sentences, text), "rpprpp");
+}
+
+#[test]
 fn an_array_is_a_vector_in_components_on_a_frame() {
     let sentences = "N is an inertial frame.
 B is a frame fixed in the body.

@@ -14,6 +14,7 @@ const SCALAR_FIRST: &str = "$\\mathbf q$ takes components on B to components on 
 $q_0$, $q_1$, $q_2$, $q_3$ are the components of $\\mathbf q$.
 $\\vec p$ is the vector part of $\\mathbf q$.
 $\\otimes$ is the quaternion product.
+A scalar and a vector in brackets make a quaternion, scalar first.
 ";
 
 #[test]
@@ -22,6 +23,7 @@ fn the_rate_of_a_quaternion_follows_the_angular_velocity() {
 $$ \dot{\mathbf q} = \frac12\mathbf q\otimes\begin{bmatrix} 0 \\ \vec\omega\end{bmatrix} $$
 $$ \dot{\mathbf q} = \frac12\begin{bmatrix} 0 \\ \vec\omega\end{bmatrix}\otimes\mathbf q $$
 $$ \dot{\mathbf q} = \mathbf q\otimes\vec\omega $$
+$$ \dot{\mathbf q} = \frac12\mathbf q\otimes(0, \vec\omega) $$
 $$ \vec\omega = 2\mathbf q^*\otimes\dot{\mathbf q} $$
 $$ \dot q_1 = \frac12(q_0\omega_1 + q_2\omega_3 - q_3\omega_2) $$
 $$ \dot q_1 = \frac12(q_0\omega_1 - q_2\omega_3 + q_3\omega_2) $$
@@ -32,7 +34,7 @@ $$ \dot{\mathbf q} = \frac12\begin{bmatrix} 0 & -\omega_1 & -\omega_2 & -\omega_
   \omega_3 & \omega_2 & -\omega_1 & 0\end{bmatrix}\mathbf q $$
 ";
     let sentences = format!("{ATTITUDE}{SCALAR_FIRST}");
-    assert_eq!(judged(&sentences, text), "prrpprprp");
+    assert_eq!(judged(&sentences, text), "prrppprprp");
 }
 
 #[test]
