@@ -6,6 +6,7 @@ use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
 use super::statement::{Formula, Sign, Touched};
+use super::words::Kind;
 use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
 
@@ -40,11 +41,13 @@ impl Reader<'_> {
     pub(crate) fn touched(&mut self, of_a_part: bool) -> Touched {
         let start = self.at;
         let subjects = self.subjects();
+        let joined = self.joins_more();
         self.at = start;
         let sign_first = self.at_sign_with_article();
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
+        let rule_behind = letters && joined && (signs.other_rule || !signs.found.is_empty());
         let operator = subjects
             .iter()
             .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
@@ -54,6 +57,7 @@ impl Reader<'_> {
         let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
         match signs.found.is_empty() {
+            _ if rule_behind => Touched::Everything,
             _ if letters => Touched::Letters {
                 formulas,
                 anew: any || of_a_part,
@@ -68,13 +72,23 @@ impl Reader<'_> {
         }
     }
 
-    /// The formulas that a sentence is about.
+    /// The formulas that a sentence is about; none if it is about something else as well.
     fn subjects(&mut self) -> Vec<Formula> {
         let mut subjects = self.formulas();
-        while !subjects.is_empty() && self.take_separator() && self.at_formula() {
-            subjects.extend(self.formulas());
+        while !subjects.is_empty() && self.take_separator() {
+            match self.at_formula() {
+                true => subjects.extend(self.formulas()),
+                false => return vec![],
+            }
         }
         subjects
+    }
+
+    /// Whether something is joined to what is said of the subject: another clause may be a rule.
+    fn joins_more(&self) -> bool {
+        let rest = self.tokens.iter().skip(self.at);
+        let mut behind = rest.skip_while(|t| t.kind != Kind::Word);
+        behind.any(|t| matches!(t.kind, Kind::Semicolon | Kind::Comma) || t.lower == "and")
     }
 
     /// Whether the name of a sign comes next.

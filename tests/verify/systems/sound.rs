@@ -263,6 +263,11 @@ $$ \vec v\times\vec v = 0 $$
         // A rule for a sign holds what carries it.
         ("A dot on a vector blorps.", "ppuuup"),
         ("Vectors blorp on every component.", "uuuuuu"),
+        (
+            "$\\vec u$ and every vector blorp on their components.",
+            "uuuuuu",
+        ),
+        ("$\\vec u$ blorps, and a dot on a vector blurps.", "uuuuuu"),
         // For any labels, or in a part of the document, a letter may mean something else.
         (
             "$\\vec\\omega_{X/Y}$ blorps, for any frames X and Y.",
