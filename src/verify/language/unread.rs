@@ -56,19 +56,17 @@ impl Reader<'_> {
         };
         let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
-        match signs.found.is_empty() {
-            _ if rule_behind => Touched::Everything,
-            _ if letters => Touched::Letters {
-                formulas,
-                anew: any || of_a_part,
-            },
-            _ if operator => Touched::Signs(subjects.into_iter().map(Sign::Operator).collect()),
-            false if sign_first || whole => Touched::Signs(signs.found),
-            true if whole => Touched::Letters {
-                formulas,
-                anew: any,
-            },
-            _ => Touched::Everything,
+        if rule_behind {
+            Touched::Everything
+        } else if letters || whole && signs.found.is_empty() && !operator {
+            let anew = any || of_a_part;
+            Touched::Letters { formulas, anew }
+        } else if operator {
+            Touched::Signs(subjects.into_iter().map(Sign::Operator).collect())
+        } else if !signs.found.is_empty() && (sign_first || whole) {
+            Touched::Signs(signs.found)
+        } else {
+            Touched::Everything
         }
     }
 

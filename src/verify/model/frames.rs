@@ -161,43 +161,34 @@ impl System {
         }
     }
 
+    /// Which of two frames turns freely against the other.
+    fn turned_freely(&self, one: FrameId, other: FrameId) -> Option<FrameId> {
+        let against = |frame: FrameId, parent: FrameId| {
+            let own = &self.frames[frame];
+            own.parent == Some(parent) && own.turn == Turn::Free
+        };
+        let mut either = [(one, other), (other, one)].into_iter();
+        either
+            .find(|&(frame, parent)| against(frame, parent))
+            .map(|(frame, _)| frame)
+    }
+
     /// The unit quaternion, scalar first, by which q v q* takes components on one frame to components on another, where one
-    /// of them turns freely against the other.
+    /// of them turns by a quaternion against the other.
     pub(crate) fn unit_quaternion(
         &mut self,
         to: FrameId,
         from: FrameId,
     ) -> Option<Vector4<Fraction>> {
-        let is_turned = |frame: FrameId, parent: FrameId| {
-            let own = &self.frames[frame];
-            own.parent == Some(parent) && own.turn == Turn::Free
-        };
-        let turned = match (is_turned(from, to), is_turned(to, from)) {
-            (true, _) => from,
-            (false, true) => to,
-            (false, false) => return None,
-        };
-        // A rotation that was worked out already has its own variables.
-        self.frames[turned].by_quaternion |= !self.has_gibbs_vector(turned);
-        let q = match self.frames[turned].by_quaternion {
-            true => self.quaternion_of_turn(turned),
-            false => {
-                let g = self.gibbs_vector(turned);
-                let root = self.atoms.root(&(Fraction::one() + g.dot(&g)))?;
-                self.atoms.set_positive(&root);
-                quaternion_of(&(Fraction::one() / root.clone()), &(g / root))
-            }
-        };
+        let turned = self.turned_freely(from, to)?;
+        if !self.frames[turned].by_quaternion {
+            return None;
+        }
+        let q = self.quaternion_of_turn(turned);
         Some(match turned == from {
             true => q,
             false => mechanics::quaternion_conjugate(&q),
         })
-    }
-
-    fn has_gibbs_vector(&self, frame: FrameId) -> bool {
-        let text = format!("g^{{{}}}", self.frames[frame].name);
-        let first = Key::new(super::system::component_text(&text, 0));
-        self.atoms.find(&first).is_some()
     }
 
     /// The unit quaternion of a frame that turns freely, by modified Rodrigues parameters σ, which leave no root:
@@ -216,7 +207,9 @@ impl System {
             self.set_rates(&sigma, &rate);
         }
         let below = Fraction::one() + square;
-        quaternion_of(&(rest / below.clone()), &(sigma * (whole(2) / below)))
+        let vector = sigma * (whole(2) / below.clone());
+        let [x, y, z] = [0, 1, 2].map(|k| vector[k].clone());
+        Vector4::new(rest / below, x, y, z)
     }
 
     /// Three variables by which a frame is turned, and whether they are new.
@@ -236,22 +229,16 @@ impl System {
         }
     }
 
-    /// Gibbs' vector of a frame that turns freely, whose rate follows the angular velocity.
-    fn gibbs_vector(&mut self, frame: FrameId) -> Vector {
+    /// The rotation by Gibbs' vector, whose rate follows the angular velocity, or by the quaternion of which a sentence speaks.
+    fn free_rotation(&mut self, frame: FrameId) -> Matrix {
+        if self.frames[frame].by_quaternion {
+            return mechanics::rotation(&self.quaternion_of_turn(frame));
+        }
         let (g, new) = self.parameters_of_turn("g", frame);
         if new {
             let rate = self.rate_of_free_rotation(frame, &g);
             self.set_rates(&g, &rate);
         }
-        g
-    }
-
-    /// The rotation by Gibbs' vector, or by the quaternion of which a sentence speaks.
-    fn free_rotation(&mut self, frame: FrameId) -> Matrix {
-        if self.frames[frame].by_quaternion {
-            return mechanics::rotation(&self.quaternion_of_turn(frame));
-        }
-        let g = self.gibbs_vector(frame);
         let square = g.dot(&g);
         let below = Fraction::one() + square.clone();
         let cross = mechanics::skew(&g);
@@ -293,15 +280,6 @@ impl System {
             turned,
         )
     }
-}
-
-fn quaternion_of(scalar: &Fraction, vector: &Vector) -> Vector4<Fraction> {
-    Vector4::new(
-        scalar.clone(),
-        vector[0].clone(),
-        vector[1].clone(),
-        vector[2].clone(),
-    )
 }
 
 /// The matrix that takes components on a frame that is turned about an axis to components on its parent.

@@ -75,6 +75,7 @@ pub(crate) fn build(
     builder.name_frames();
     builder.name_bodies();
     builder.read_notation();
+    builder.turn_by_quaternions();
     builder.turn_frames();
     builder.place_points();
     builder.finish_bodies();

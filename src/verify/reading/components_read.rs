@@ -14,6 +14,7 @@ use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 
 impl Builder<'_> {
+    /// "P, Q, R are the components of ω on B."
     pub(super) fn read_components(
         &mut self,
         subjects: &[Term],
@@ -70,7 +71,7 @@ impl Builder<'_> {
         }
     }
 
-    /// "`$L_i$` is the component `$i$` of `$\\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.
+    /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.
     fn read_indexed_component(
         &mut self,
         subjects: &[Term],

@@ -323,7 +323,6 @@ impl Builder<'_> {
         value.is_ok_and(|value| value.is_scalar())
     }
 
-    /// "P, Q, R are the components of ω on B."
     pub(super) fn hold_quantities(
         &mut self,
         left: &Quantity,

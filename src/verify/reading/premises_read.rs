@@ -359,9 +359,9 @@ impl Builder<'_> {
             };
             let there = reach_of(&declaration.extent);
             let reach = match (lines, &declaration.extent) {
-                (Extent::Document, _) => there,
+                (Extent::Document, _) => there.clone(),
                 (lines, Extent::Cells(_)) => {
-                    Reach::Both(Box::new(there), Box::new(reach_of(lines)))
+                    Reach::Both(Box::new(there.clone()), Box::new(reach_of(lines)))
                 }
                 (lines, _) => reach_of(lines),
             };
@@ -371,7 +371,6 @@ impl Builder<'_> {
             };
             // "On lines 4 to 9 line 3 is assumed": it holds there alone.
             if matches!(role, DeclaredRole::Assume) && declaration.extent != Extent::Document {
-                let there = reach_of(&declaration.extent);
                 match self
                     .reading
                     .held

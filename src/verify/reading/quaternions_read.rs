@@ -1,9 +1,10 @@
 //! Sentences about quaternions.
 
 use crate::verify::language::heads::{CONJUGATE, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -20,6 +21,28 @@ pub(super) fn layout(slots: &[(Slot, Term)]) -> Option<Layout> {
 }
 
 impl Builder<'_> {
+    /// Frames of whose quaternion a sentence speaks, which has to be known before any rotation is worked out.
+    pub(super) fn turn_by_quaternions(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Does {
+                verb: "take",
+                slots,
+                ..
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            if layout(slots).is_none() {
+                continue;
+            }
+            for end in [Slot::From, Slot::To] {
+                if let Some(frame) = slot(slots, end).and_then(|term| self.frame(term)) {
+                    self.system().frames[frame].by_quaternion = true;
+                }
+            }
+        }
+    }
+
     /// "`$q$` takes components on B to components on N, scalar first." All quaternions of a text have one layout.
     pub(super) fn denote_quaternion(
         &mut self,

@@ -102,20 +102,15 @@ impl Reading {
     }
 }
 
-/// Whether formulas have one of some symbols that no sentence tells as it is written: what its letter and its labels mean
-/// apart is not what it means.
-fn has_untold(written: Written<'_>, symbols: &[String], letters: &Letters) -> bool {
-    fn stands_in(node: &Node, symbol: &str) -> bool {
-        spelled(node) == symbol || node.children().any(|child| stands_in(child, symbol))
+/// Whether formulas have one of some writings of which no sentence tells as a whole: what its letter and its labels mean apart
+/// is not what it means.
+fn has_untold(written: Written<'_>, wholes: &[String], letters: &Letters) -> bool {
+    fn stands_in(node: &Node, whole: &str) -> bool {
+        spelled(node) == whole || node.children().any(|child| stands_in(child, whole))
     }
-    let told = |symbol: &str| {
-        letters
-            .letters
-            .iter()
-            .any(|letter| letter.spelled == symbol)
-    };
-    let mut untold = symbols.iter().filter(|symbol| !told(symbol));
-    untold.any(|symbol| written.nodes.iter().any(|node| stands_in(node, symbol)))
+    let told = |whole: &str| letters.letters.iter().any(|l| l.spelled == whole);
+    let mut untold = wholes.iter().filter(|whole| !told(whole));
+    untold.any(|whole| written.nodes.iter().any(|node| stands_in(node, whole)))
 }
 
 /// Whether a formula has one of some names, as a letter or in a label.

@@ -1,7 +1,7 @@
 //! How the author writes all letters.
 
 use crate::verify::model::system::FrameId;
-use crate::verify::term::letters::Reach;
+use crate::verify::term::letters::{At, Reach};
 use crate::verify::term::quaternions::Layout;
 use std::collections::BTreeMap;
 
@@ -22,4 +22,11 @@ pub(crate) struct Customs {
     pub(crate) named_axes: BTreeMap<String, (FrameId, usize)>,
     /// How many dimensions space has, where.
     pub(crate) dimensions: Vec<(Reach, usize)>,
+}
+
+impl Customs {
+    /// Whether an index that stands twice is summed over at a place.
+    pub(crate) fn sums_at(&self, at: &At) -> bool {
+        self.summed.iter().any(|reach| reach.covers(at, 0))
+    }
 }

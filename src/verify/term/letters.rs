@@ -42,13 +42,6 @@ pub(crate) enum Reach {
     Any(Vec<Reach>),
 }
 
-impl Customs {
-    /// Whether an index that stands twice is summed over at a place.
-    pub(crate) fn sums_at(&self, at: &At) -> bool {
-        self.summed.iter().any(|reach| reach.covers(at, 0))
-    }
-}
-
 impl Reach {
     /// Whether a place belongs to it; an occurrence is asked for by its number.
     pub(crate) fn covers(&self, at: &At, number: usize) -> bool {

@@ -14,7 +14,6 @@ const SCALAR_FIRST: &str = "$\\mathbf q$ takes components on B to components on 
 $q_0$, $q_1$, $q_2$, $q_3$ are the components of $\\mathbf q$.
 $\\vec p$ is the vector part of $\\mathbf q$.
 $\\otimes$ is the quaternion product.
-A scalar and a vector in brackets make a quaternion, scalar first.
 ";
 
 #[test]
