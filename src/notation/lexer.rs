@@ -30,7 +30,23 @@ pub(crate) fn tokens(
         out: Vec::with_capacity(text.len() / 2),
     };
     while lexer.step() {}
-    lexer.out
+    without_empty_scripts(lexer.out)
+}
+
+/// The tokens without `^{}` and `_{}`, which macros leave where an argument is empty.
+fn without_empty_scripts(tokens: Vec<Token<'_>>) -> Vec<Token<'_>> {
+    let mut kept: Vec<Token<'_>> = Vec::with_capacity(tokens.len());
+    for token in tokens {
+        kept.push(token);
+        if let [.., script, open, close] = kept.as_slice()
+            && matches!(script.kind, Lexeme::Superscript | Lexeme::Subscript)
+            && open.kind == Lexeme::Open
+            && close.kind == Lexeme::Close
+        {
+            kept.truncate(kept.len() - 3);
+        }
+    }
+    kept
 }
 
 struct Lexer<'a> {

@@ -18,6 +18,7 @@ mod number;
 mod physics;
 mod pieces;
 mod product;
+mod raised;
 mod range;
 pub(crate) mod rows;
 mod script;

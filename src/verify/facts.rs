@@ -4,6 +4,7 @@ pub(crate) mod images;
 pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod proof;
+pub(crate) mod relevant;
 pub(crate) mod small;
 pub(crate) mod squares;
 pub(crate) mod world;

@@ -10,6 +10,7 @@ mod anaphora;
 mod bodies;
 mod clause;
 pub(crate) mod cues;
+mod decide;
 mod declare;
 mod ellipsis;
 mod extent;
@@ -32,6 +33,8 @@ mod roles;
 mod sentence_parts;
 mod sign;
 pub mod statement;
+mod subjects;
+mod terms;
 mod unread;
 mod words;
 

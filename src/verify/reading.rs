@@ -14,6 +14,7 @@ pub(crate) mod load_quantities_read;
 pub(crate) mod loads_read;
 pub(crate) mod names;
 pub(crate) mod notation_read;
+pub(crate) mod order;
 pub(crate) mod points_read;
 pub(crate) mod premises_read;
 pub(crate) mod quantities_read;
@@ -21,12 +22,13 @@ pub(crate) mod quaternions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod shapes_read;
+pub(crate) mod symmetry_read;
 pub(crate) mod turns_read;
 pub(crate) mod unused;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::Fraction;
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
@@ -110,7 +112,7 @@ pub(crate) struct Sizes {
     /// What is greater than zero, and where: sides of inequalities, the greater less the smaller.
     pub(crate) orders: Vec<(Reach, Fraction)>,
     /// Lines that hold to first order in these variables.
-    pub(crate) first_order: Vec<(Reach, Vec<Variable>)>,
+    pub(crate) small: Vec<(Reach, Small)>,
 }
 
 impl Reading {
@@ -123,16 +125,9 @@ impl Reading {
 
     /// What is small at a place.
     pub(crate) fn small_at(&self, at: &At) -> Small {
-        let reaching = self
-            .sizes
-            .first_order
-            .iter()
-            .filter(|(lines, _)| lines.covers(at, 0));
-        Small::new(
-            reaching
-                .flat_map(|(_, variables)| variables.clone())
-                .collect(),
-        )
+        let reaching = self.sizes.small.iter();
+        let reaching = reaching.filter(|(lines, _)| lines.covers(at, 0));
+        reaching.fold(Small::default(), |all, (_, small)| all.and(small))
     }
 
     /// The role that is declared of a line.

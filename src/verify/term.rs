@@ -1,5 +1,6 @@
 //! From the tree of a formula to a value with its basis.
 
+pub(crate) mod as_a_whole;
 pub(crate) mod customs;
 pub(crate) mod dimensions;
 pub(crate) mod evaluate;

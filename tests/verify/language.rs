@@ -448,7 +448,40 @@ fn clauses_leave_out_what_the_one_before_says() {
         ),
         (
             "$a$, $b$, $c$ are the components of $u$ on B, $d$, $e$, $f$ those of $v$.",
-            "$a$, $b$, $c$ are the components of $u$ on B; $d$, $e$, $f$ are the components of $v$.",
+            "$a$, $b$, $c$ are the components of $u$ on B; $d$, $e$, $f$ are the components of $v$ on B.",
+        ),
+        (
+            "$A$ and $C$ are the moments of inertia of the hub and of the wheel about $n$; $I$ is that of the spacecraft.",
+            "$A$ is the moment of inertia of the hub about $n$; $C$ is the moment of inertia of the wheel about $n$; \
+             $I$ is the moment of inertia of the spacecraft about $n$.",
+        ),
+        (
+            "The inertial frame N is fixed in the ground.",
+            "N is an inertial frame; N is a frame fixed in the ground.",
+        ),
+        (
+            "The ground is an inertial frame N.",
+            "N is an inertial frame; the ground is the same as N.",
+        ),
+        (
+            "The axes of B are principal axes of the rotor, and the third of them is $e$.",
+            "The axes of B are principal axes of the rotor; $e$ is the third axis of B.",
+        ),
+        (
+            "$n$ is the symmetry axis of the hub and of the wheel.",
+            "The hub and the wheel are symmetric about $n$.",
+        ),
+        (
+            "$m$ is the mass of the top and does not change.",
+            "$m$ is the mass of the top; $m$ is constant.",
+        ),
+        (
+            "The body is free: no moment acts on it about G.",
+            "The body is free; no moment acts on the body about G.",
+        ),
+        (
+            "$L$ on line 3 is the length of the rod.",
+            "On line 3 $L$ is the length of the rod.",
         ),
         (
             "$J$ is the inertia tensor of the hub about G, with the entries $J_{jk}$.",
@@ -485,4 +518,45 @@ fn what_a_sentence_says_first_is_kept_where_the_rest_is_not_understood() {
     let read = |d: &&Declaration| !matches!(d.statement, Statement::Unread { .. });
     let kept: Vec<usize> = declarations.iter().filter(read).map(|d| d.line).collect();
     assert_eq!(kept, [1], "what goes on may change what is said of things");
+}
+
+#[test]
+fn what_something_is_stays_so_unless_it_is_taken_back() {
+    for (text, wanted) in [
+        ("N is an inertial frame, with a gribble.", 1),
+        ("A is a frame that follows the gribble of the top.", 1),
+        ("N is an inertial frame, but not for a gribble.", 0),
+        ("The top turns about $n$, with a gribble.", 0),
+    ] {
+        let (declarations, misread) =
+            read_declarations(text, &Macros::default(), &Lexicon::default());
+        let read = |d: &&Declaration| !matches!(d.statement, Statement::Unread { .. });
+        assert_eq!(declarations.iter().filter(read).count(), wanted, "{text}");
+        assert_eq!(misread.len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn what_is_said_to_follow_says_nothing_new() {
+    let text = "The products of inertia are integrals, so the gribbles are their negatives.";
+    let (declarations, misread) = read_declarations(text, &Macros::default(), &Lexicon::default());
+    assert!(misread.is_empty(), "{misread:?}");
+    assert_eq!(declarations.len(), 1, "{declarations:?}");
+}
+
+#[test]
+fn one_body_has_one_name_and_its_mass_centre_too() {
+    let text = "The top is a rigid body.\nNo moment acts on the body about its mass centre G.";
+    let (declarations, misread) = read_declarations(text, &Macros::default(), &Lexicon::default());
+    assert!(misread.is_empty(), "{misread:?}");
+    let said: Vec<String> = declarations
+        .iter()
+        .map(|d| sentence(d, &Lexicon::default()))
+        .collect();
+    let wanted = [
+        "The top is a rigid body.",
+        "No moment acts on the top about the mass centre G of the top.",
+        "G is the mass centre of the top.",
+    ];
+    assert_eq!(said, wanted);
 }

@@ -6,6 +6,7 @@ mod matrices;
 mod members;
 mod parts;
 mod quaternions;
+mod reading;
 mod rolling;
 mod sound;
 mod start;

@@ -22,6 +22,15 @@ impl<'a> Lexer<'a> {
         &inner[..length]
     }
 
+    /// Whether a relation stands in the braces that follow: what marks it as a whole marks no letter.
+    pub(super) fn holds_relation(&self) -> bool {
+        let inner = self.rest().trim_start().strip_prefix('{');
+        inner.is_some_and(|inner| {
+            let length = matching_brace(inner).unwrap_or(inner.len());
+            inner[..length].contains('=') || inner[..length].contains("\\begin")
+        })
+    }
+
     /// `[b]`, which says how tall something is made.
     pub(super) fn option(&mut self) {
         let rest = self.rest();

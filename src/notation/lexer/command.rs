@@ -1,7 +1,7 @@
 //! Commands: which of them are tokens, which say nothing, which take a text.
 
 use super::Lexer;
-use crate::notation::token::{Lexeme, beginning};
+use crate::notation::token::{Lexeme, Token, beginning};
 
 /// Whether a command gives the bracket behind it its size.
 fn is_size(name: &str) -> bool {
@@ -105,6 +105,10 @@ fn says_nothing(name: &str) -> bool {
     )
 }
 
+fn is_script(token: &Token<'_>) -> bool {
+    matches!(token.kind, Lexeme::Subscript | Lexeme::Superscript)
+}
+
 /// Whether the argument of a command is a text.
 fn is_text(name: &str) -> bool {
     matches!(
@@ -138,6 +142,11 @@ impl<'a> Lexer<'a> {
         let name = &self.rest()[..length];
         self.at += length;
         match name {
+            "underline" if self.holds_relation() => {}
+            // A reference mark, and no label.
+            "#" if self.out.last().is_some_and(is_script) => {
+                self.out.pop();
+            }
             "\\" | "cr" | "newline" | "tabularnewline" => self.row(start),
             "," | "thinspace" => self.push(Lexeme::Space(3), start),
             ":" | ">" | "medspace" => self.push(Lexeme::Space(4), start),

@@ -227,7 +227,10 @@ impl<'a> Parser<'_, 'a> {
             "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac" => {
                 self.fraction(start)
             }
-            "dv" | "pdv" | "odv" | "derivative" => self.physics_derivative(name == "pdv", start),
+            "dv" | "odv" | "od" | "td" | "diff" | "derivative" => {
+                self.physics_derivative(false, start)
+            }
+            "pdv" | "pd" | "pdiff" | "diffp" => self.physics_derivative(true, start),
             "sqrt" => self.root(start),
             "sum" => self.sum_sign(true, start),
             "Sigma" => self.sum_sign(false, start),

@@ -204,7 +204,8 @@ pub(super) fn is_sign(kind: Lexeme<'_>) -> bool {
 fn arguments(name: &str) -> u8 {
     match name {
         "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac" | "dv" | "pdv"
-        | "odv" | "derivative" | "stackrel" | "overset" | "underset" | "binom" => 2,
+        | "odv" | "od" | "td" | "diff" | "pd" | "pdiff" | "diffp" | "derivative" | "stackrel"
+        | "overset" | "underset" | "binom" => 2,
         "quad" | "qquad" | "displaystyle" => 0,
         _ if is_operator(name) => 0,
         _ if letter::greek(name).is_some() => 0,

@@ -56,9 +56,10 @@ pub(super) fn is_mark(name: &str) -> bool {
 
 fn mark(name: &str) -> Option<Mark> {
     Some(match name {
-        "vec" | "overrightarrow" | "va" | "vv" => Mark::Arrow,
+        "vec" | "overrightarrow" | "va" | "vv" | "Vec" | "vect" => Mark::Arrow,
+        // The last ones are names by which authors define it, where the text does not hold the definition.
         "mathbf" | "boldsymbol" | "bm" | "pmb" | "bf" | "mathbfit" | "vb" | "vectorbold"
-        | "symbf" | "mathbold" => Mark::Bold,
+        | "symbf" | "mathbold" | "mbf" | "bvec" | "bmat" => Mark::Bold,
         "bar" | "overline" => Mark::Bar,
         "underline" | "undertilde" | "utilde" => Mark::Underline,
         "hat" | "widehat" | "vu" => Mark::Hat,

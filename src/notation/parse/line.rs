@@ -171,6 +171,9 @@ pub(super) fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
         Lexeme::Char(':') if kind(1) == Some(Lexeme::Char('=')) => (Relation::Defined, 2),
         Lexeme::Char('<') if kind(1) == Some(Lexeme::Char('=')) => (Relation::LessOrEqual, 2),
         Lexeme::Char('>') if kind(1) == Some(Lexeme::Char('=')) => (Relation::GreaterOrEqual, 2),
+        Lexeme::Char(sign @ ('<' | '>')) if kind(1) == Some(Lexeme::Char(sign)) => {
+            (Relation::Other, 2)
+        }
         Lexeme::Char('<') => (Relation::Less, 1),
         Lexeme::Char('>') => (Relation::Greater, 1),
         Lexeme::Char('!') if kind(1) == Some(Lexeme::Char('=')) => (Relation::NotEqual, 2),

@@ -1,5 +1,6 @@
 //! Subscripts, superscripts and primes, and what they mean on what they hang on.
 
+use super::raised::{skew, tensor_square, vee, wrap};
 use super::{Parser, text};
 use crate::notation::ast::{Bracket, FrameLabel, Function, Kind, Node, Symbol};
 use crate::notation::token::{Lexeme, Token};
@@ -28,6 +29,10 @@ impl<'t, 'a> Parser<'t, 'a> {
                     self.at += 1;
                     let tokens = self.argument();
                     node = self.superscript(node, tokens);
+                }
+                Some(Lexeme::Command("degree" | "textdegree")) => {
+                    self.at += 1;
+                    node = wrap(node, |number| Kind::WithUnit(number, "deg".into()));
                 }
                 Some(Lexeme::Char('\'')) => {
                     self.at += 1;
@@ -115,6 +120,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         match kinds.as_slice() {
             [Lexeme::Command("times" | "wedge")] => return skew(node),
             [Lexeme::Command("vee")] => return vee(node),
+            [Lexeme::Command("otimes"), Lexeme::Number("2")] => return tensor_square(node),
             [Lexeme::Command("prime")] => {
                 match symbol_of(&mut node) {
                     Some(symbol) => symbol.primes = symbol.primes.saturating_add(1),
@@ -291,39 +297,6 @@ fn is_set_in_fonts(kinds: &[Lexeme<'_>]) -> bool {
         };
     }
     true
-}
-
-fn wrap(node: Node, kind: impl FnOnce(Box<Node>) -> Kind) -> Node {
-    let span = node.span;
-    Node {
-        kind: kind(Box::new(node)),
-        span,
-    }
-}
-
-/// `[a]_\times`: the skew matrix of a, the bracket being part of the mark.
-fn skew(node: Node) -> Node {
-    let span = node.span;
-    Node {
-        kind: Kind::Skew(without_brackets(node)),
-        span,
-    }
-}
-
-/// `(R^T \dot R)^\vee`: the vector of a cross-product matrix.
-fn vee(node: Node) -> Node {
-    let span = node.span;
-    Node {
-        kind: Kind::Function(Function::Vee, without_brackets(node)),
-        span,
-    }
-}
-
-fn without_brackets(node: Node) -> Box<Node> {
-    match node.kind {
-        Kind::Group(_, inner) => inner,
-        kind => Box::new(Node { kind, ..node }),
-    }
 }
 
 /// A label of a frame on a bracket or a derivative. A derivative takes the label as its own.

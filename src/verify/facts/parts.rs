@@ -20,6 +20,11 @@ impl Part {
         }
     }
 
+    /// Whether it is made of these premises.
+    pub(crate) fn is_of(&self, premises: &[(Fraction, Source)]) -> bool {
+        self.premises == premises
+    }
+
     /// Takes out what they say.
     pub(crate) fn take(&mut self, atoms: &mut Atoms) -> Facts {
         self.facts.take().unwrap_or_else(|| {

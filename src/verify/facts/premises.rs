@@ -79,6 +79,8 @@ pub(crate) struct Facts {
     pub(super) images: HashMap<Variable, Image>,
     /// Parts of the premises, where they were asked for since the last one was put in.
     parts: Vec<Part>,
+    /// The premises that goals need, where all of them grew too large.
+    needed: Vec<Part>,
     /// How many rules were put in so far.
     time: usize,
     /// How much was worked out so far to put in premises.
@@ -232,6 +234,7 @@ impl Facts {
         source: &Source,
     ) -> Result<Extended, OutOfBudget> {
         self.parts.clear();
+        self.needed.clear();
         let normal = self.normal(atoms, equation)?;
         let value = normal.numerator().clone();
         if value.is_zero() {
@@ -274,6 +277,11 @@ impl Facts {
             }
         }
         Ok(Extended::Solved(variable))
+    }
+
+    /// The premises that goals needed so far.
+    pub(crate) fn needed_mut(&mut self) -> &mut Vec<Part> {
+        &mut self.needed
     }
 
     /// The parts of the premises that were asked for.

@@ -59,12 +59,13 @@ pub(crate) fn prove(
     }
     let mut argument = prover.argument;
     argument.conditions = factors(&argument.divisors());
-    // A proof that divides by what vanishes is none.
+    // A proof that divides by what vanishes is none, and neither is one to first order that divides by what is small:
+    // that makes a first order of a second one.
     for condition in &argument.conditions {
         let condition = Fraction::from(condition.clone());
         if facts
             .normal(atoms, &condition)
-            .is_ok_and(|value| value.is_zero())
+            .is_ok_and(|value| value.is_zero() || small.is_factor(atoms, value.numerator()))
         {
             return None;
         }
@@ -272,9 +273,9 @@ impl Prover<'_> {
         }
     }
 
-    /// Drops what is of second order, and puts in what kernels of small angles are.
+    /// Drops what is of a higher order, and puts in what kernels of small angles are.
     fn drop_small(&mut self, reduced: &mut Reduced) {
-        let name = || Reason::Premise("to first order".into());
+        let name = || Reason::Premise(self.small.premise().into());
         for (variable, value) in self.small.kernels(self.atoms, &reduced.value) {
             let fact = self.push(Polynomial::variable(variable) - value.clone(), name());
             let division = reduced
@@ -283,7 +284,7 @@ impl Prover<'_> {
             reduced.add(fact, division.quotient);
             reduced.value = division.remainder;
         }
-        for (product, cofactor) in self.small.second_order(self.atoms, &reduced.value) {
+        for (product, cofactor) in self.small.dropped(self.atoms, &reduced.value) {
             reduced.value -= product.clone() * cofactor.clone();
             let fact = self.push(product, name());
             reduced.add(fact, cofactor);

@@ -1,29 +1,49 @@
-//! What is small: products of it are dropped, where an author takes a line to first order.
+//! What is small: products of it are dropped, where an author takes a line to an order.
 
-use crate::algebra::{Monomial, Polynomial, Variable};
+use crate::algebra::{Monomial, Polynomial, Rational, Variable};
 use crate::verify::model::atoms::{Atoms, Nature};
 use num_traits::One;
 
-/// Variables of which only the first order counts, and their rates.
+/// Variables of which only so many powers count, those of their rates among them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Small(Vec<Variable>);
+pub(crate) struct Small {
+    variables: Vec<Variable>,
+    /// The order up to which products count: the first, or the second.
+    order: u32,
+}
 
 impl Small {
-    pub(crate) fn new(mut variables: Vec<Variable>) -> Self {
+    pub(crate) fn new(mut variables: Vec<Variable>, order: u32) -> Self {
         variables.sort_unstable();
         variables.dedup();
-        Self(variables)
+        Self { variables, order }
+    }
+
+    /// All that is small by two sentences, to the higher of their orders.
+    pub(crate) fn and(self, other: &Self) -> Self {
+        Self::new(
+            [self.variables, other.variables.clone()].concat(),
+            self.order.max(other.order),
+        )
     }
 
     pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.variables.is_empty()
+    }
+
+    /// The premise that says so.
+    pub(crate) fn premise(&self) -> &'static str {
+        match self.order {
+            2 => "to second order",
+            _ => "to first order",
+        }
     }
 
     /// Whether a variable is small: one of these, or a rate of one.
     fn holds(&self, atoms: &Atoms, variable: Variable) -> bool {
         let mut at = Some(variable);
         while let Some(variable) = at {
-            if self.0.contains(&variable) {
+            if self.variables.contains(&variable) {
                 return true;
             }
             at = atoms.atom(variable).rate_of;
@@ -31,41 +51,56 @@ impl Small {
         false
     }
 
-    /// The sines and cosines of small angles in a polynomial, with what they are to first order.
-    pub(crate) fn kernels(&self, atoms: &Atoms, of: &Polynomial) -> Vec<(Variable, Polynomial)> {
-        let small = |angle: &crate::algebra::Fraction| {
-            let variables = angle.variables();
-            angle.is_polynomial() && variables.iter().any(|&v| self.holds(atoms, v))
+    /// Whether a polynomial vanishes with what is small.
+    pub(crate) fn is_factor(&self, atoms: &Atoms, of: &Polynomial) -> bool {
+        let mut terms = of.terms().iter();
+        let small = |(monomial, _): &(Monomial, _)| {
+            let mut factors = monomial.factors();
+            factors.any(|(variable, _)| self.holds(atoms, variable))
         };
-        let first = |variable: Variable| match &atoms.atom(variable).nature {
-            Nature::Sine(angle) if small(angle) => Some((variable, angle.numerator().clone())),
-            Nature::Cosine(angle) if small(angle) => Some((variable, Polynomial::one())),
-            _ => None,
-        };
-        of.variables().into_iter().filter_map(first).collect()
+        !self.is_empty() && terms.all(small)
     }
 
-    /// Products of two small variables with what they are multiplied by in a polynomial.
-    pub(crate) fn second_order(
-        &self,
-        atoms: &Atoms,
-        of: &Polynomial,
-    ) -> Vec<(Polynomial, Polynomial)> {
+    /// The sines and cosines of small angles in a polynomial, with what they are to this order.
+    pub(crate) fn kernels(&self, atoms: &Atoms, of: &Polynomial) -> Vec<(Variable, Polynomial)> {
+        let half = Rational::from((1, 2));
+        let value = |variable: Variable| {
+            let (angle, sine) = match &atoms.atom(variable).nature {
+                Nature::Sine(angle) => (angle, true),
+                Nature::Cosine(angle) => (angle, false),
+                _ => return None,
+            };
+            let angle = angle.is_polynomial().then(|| angle.numerator().clone());
+            let angle = angle.filter(|angle| self.is_factor(atoms, angle))?;
+            let value = match (sine, self.order) {
+                (true, _) => angle,
+                (false, 2) => {
+                    let square = angle.clone() * angle;
+                    Polynomial::one() - square * Polynomial::constant(half.clone())
+                }
+                (false, _) => Polynomial::one(),
+            };
+            Some((variable, value))
+        };
+        of.variables().into_iter().filter_map(value).collect()
+    }
+
+    /// Products of more small variables than count, with what they are multiplied by in a polynomial.
+    pub(crate) fn dropped(&self, atoms: &Atoms, of: &Polynomial) -> Vec<(Polynomial, Polynomial)> {
         let mut found: Vec<(Monomial, Polynomial)> = vec![];
         for (monomial, coefficient) in of.terms() {
-            let mut pair = vec![];
+            let (mut product, mut left) = (vec![], self.order + 1);
             for (variable, power) in monomial.factors() {
-                if self.holds(atoms, variable) {
-                    pair.extend(std::iter::repeat_n(variable, power as usize));
+                if left > 0 && self.holds(atoms, variable) {
+                    let power = power.min(left);
+                    product.push((variable, power));
+                    left -= power;
                 }
             }
-            let [first, second, ..] = pair[..] else {
+            if left > 0 || self.is_empty() {
                 continue;
-            };
-            let product = match first == second {
-                true => Monomial::from_powers([(first, 2)]),
-                false => Monomial::from_powers([(first, 1), (second, 1)]),
-            };
+            }
+            let product = Monomial::from_powers(product);
             let Some(rest) = monomial.quotient(&product) else {
                 continue;
             };
@@ -79,13 +114,13 @@ impl Small {
         found.into_iter().map(whole).collect()
     }
 
-    /// A polynomial to first order.
+    /// A polynomial to this order.
     pub(crate) fn truncated(&self, atoms: &Atoms, of: &Polynomial) -> Polynomial {
         let mut value = of.clone();
-        for (variable, first) in self.kernels(atoms, of) {
-            value = value.substitute(variable, &first);
+        for (variable, kernel) in self.kernels(atoms, of) {
+            value = value.substitute(variable, &kernel);
         }
-        for (product, cofactor) in self.second_order(atoms, &value) {
+        for (product, cofactor) in self.dropped(atoms, &value) {
             value -= product * cofactor;
         }
         value

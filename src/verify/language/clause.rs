@@ -2,16 +2,13 @@
 
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
-use super::reader::{ARTICLES, COPULAS, Read, Reader};
+use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
 
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
-
-/// Things that are called by what they are before their name.
-const KINDS: [&str; 2] = ["frame", "point"];
 
 /// The subject of a clause behind another has no more words than this.
 const LONGEST_SUBJECT: usize = 12;
@@ -35,12 +32,11 @@ impl<'a> Reader<'a> {
                 Some(several) => statements.extend(several),
                 None => {
                     let thing = said.last().and_then(|(_, said)| owner_in(said));
-                    self.thing = thing.or(self.thing.take());
-                    let kind = self.kind_of_subject();
-                    let subjects = match self.occurrence(&mut extents)? {
-                        Some(formula) => vec![Term::Formula(formula)],
-                        None => self.terms()?,
-                    };
+                    self.before.thing = thing.or(self.before.thing.take());
+                    self.before.what = said.last().and_then(|(_, said)| said.noun_phrase());
+                    let subject = self.subject(&mut extents)?;
+                    let (subjects, kind) = (subject.terms, subject.kind);
+                    statements.extend(subject.said);
                     self.owner = match said.is_empty() {
                         true => subjects.clone(),
                         false => spoken_of,
@@ -76,15 +72,6 @@ impl<'a> Reader<'a> {
                 &[Class::Preposition],
             )),
         }
-    }
-
-    /// What the subject is called before its name: "the frame B", "point C".
-    fn kind_of_subject(&self) -> Option<&'static str> {
-        let article = usize::from(ARTICLES.contains(&self.word()));
-        let noun = self
-            .lexicon
-            .find(self.following(article), &[Class::Place])?;
-        KINDS.contains(&noun.entry.name).then_some(noun.entry.name)
     }
 
     /// Sentences of a form of their own.
@@ -215,7 +202,7 @@ impl<'a> Reader<'a> {
         let start = self.at;
         let next = self.take_separator() && {
             self.take("where");
-            self.at_clause()
+            self.at_clause() || self.word() == "no"
         };
         if !next {
             self.at = start;
@@ -360,6 +347,13 @@ impl<'a> Reader<'a> {
         }
         self.slots(verb.entry, &mut slots)?;
         self.tail(verb.entry, &mut slots)?;
+        if verb.entry.name == "stay constant" && slots.is_empty() {
+            let constant = NounPhrase::new("constant", vec![]);
+            return Ok(vec![Statement::Is {
+                subjects: subjects.to_vec(),
+                what: constant,
+            }]);
+        }
         if verb.entry.name == "have"
             && let Some(said) = possessions(subjects, &slots)
         {

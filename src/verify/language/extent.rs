@@ -30,11 +30,10 @@ impl Reader<'_> {
         }
         loop {
             let start = self.at;
+            let lines = LINES.contains(&self.word()) || self.at_label();
             let found = self.extent(extents == [Extent::Document])?;
-            let subject = matches!(
-                self.word(),
-                "is" | "are" | "hold" | "holds" | "defines" | "define"
-            );
+            let verbs = ["is", "are", "hold", "holds", "defines", "define"];
+            let subject = lines && verbs.contains(&self.word());
             if found.is_empty() || subject {
                 self.at = start;
                 return Ok(extents);
@@ -55,6 +54,7 @@ impl Reader<'_> {
             "on" | "in" if LINES.contains(&next) => number(2),
             "in" if matches!(next, "cell" | "cells") => number(2),
             "in" | "on" if EQUATIONS.contains(&next) => true,
+            "between" => LINES.contains(&next),
             "in" if UNITS.contains(&next) => self.numbered(2),
             "in" => next == "section" || next == "the" && self.word_at(2) == "section",
             "from" | "until" => next == "line" && number(2),
@@ -110,6 +110,9 @@ impl Reader<'_> {
                 self.at += 1;
                 return self.labels_from_to();
             }
+            if self.at != start && self.at_label() {
+                return self.labels_from_to();
+            }
             if UNITS.contains(&self.word()) && self.numbered(1) {
                 let title = format!("{} {}", self.word(), self.word_or_number(1));
                 self.at += 2;
@@ -140,13 +143,8 @@ impl Reader<'_> {
         if self.take("up to line") || self.take("until line") {
             return Ok(vec![lines(1, Some(self.number()?))]);
         }
-        if self.word() == "between" && self.opens(1) {
-            self.at += 1;
-            let from = self.label()?;
-            if !self.take("and") {
-                return Err(self.unexpected("second label", "say `between (4) and (9)`", &[]));
-            }
-            return Ok(vec![Extent::Between(from, self.label()?)]);
+        if self.word() == "between" {
+            return self.between();
         }
         Ok(vec![])
     }
@@ -155,6 +153,30 @@ impl Reader<'_> {
     fn opens(&self, ahead: usize) -> bool {
         let token = self.tokens.get(self.at + ahead);
         token.is_some_and(|token| token.kind == Kind::Open)
+    }
+
+    /// "between lines 27 and 48", "between (4) and (9)".
+    fn between(&mut self) -> Read<Vec<Extent>> {
+        let start = self.at;
+        self.at += 1;
+        let parted = "say `between lines 4 and 9` or `between (4) and (9)`";
+        if self.take_any(&LINES) {
+            let first = self.number()?;
+            if !self.take("and") {
+                return Err(self.unexpected("second line", parted, &[]));
+            }
+            self.take_any(&LINES);
+            return Ok(vec![lines(first, Some(self.number()?))]);
+        }
+        if !self.opens(0) {
+            self.at = start;
+            return Ok(vec![]);
+        }
+        let from = self.label()?;
+        if !self.take("and") {
+            return Err(self.unexpected("second label", parted, &[]));
+        }
+        Ok(vec![Extent::Between(from, self.label()?)])
     }
 
     /// "from (4) on".
@@ -184,7 +206,11 @@ impl Reader<'_> {
             }
             ranges.push((first, last));
             let start = self.at;
-            if !self.take_separator() || self.kind() != Some(Kind::Number) {
+            let goes_on = self.take_separator() && {
+                self.take_any(&LINES);
+                self.kind() == Some(Kind::Number)
+            };
+            if !goes_on {
                 self.at = start;
                 break;
             }
@@ -296,6 +322,12 @@ impl Reader<'_> {
                 return Ok(extents);
             }
         }
+    }
+
+    /// Whether a label in brackets comes next.
+    pub(crate) fn at_label(&self) -> bool {
+        let closes = self.tokens.get(self.at + 2);
+        self.opens(0) && closes.is_some_and(|token| token.kind == Kind::Close)
     }
 
     /// A label in brackets: "(4)", "(eq:spin)".

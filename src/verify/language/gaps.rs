@@ -1,10 +1,10 @@
 //! What a clause leaves out or only points at: the verb of the one before, "it", a description behind a name.
 
 use super::implied::of_letters;
-use super::phrase::NOUNS;
+use super::phrase::{NOUNS, ORDINALS};
 use super::reader::{Read, Reader};
-use super::statement::{Slot, Statement, Term};
-use super::words::Kind;
+use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::words::{Kind, Token};
 
 impl Reader<'_> {
     /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
@@ -30,8 +30,15 @@ impl Reader<'_> {
         let owner = what.slot(Slot::Of).cloned();
         let mut subjects = vec![];
         self.term(&mut subjects)?;
+        while self.those_behind() && self.take_separator() {
+            self.term(&mut subjects)?;
+        }
         let its = self.take_any(&["its"]);
-        let mut what = self.phrase()?;
+        let what = what.clone();
+        let mut what = match self.that_of(&what)? {
+            Some(phrase) => phrase,
+            None => self.phrase()?,
+        };
         if its {
             let owner = match of_letters(what.head) {
                 true => letter,
@@ -56,20 +63,79 @@ impl Reader<'_> {
         Ok(true)
     }
 
+    /// "that of the rotor", "those about G": what the noun before says, with other things hanging on it.
+    pub(crate) fn that_of(&mut self, before: &NounPhrase) -> Read<Option<NounPhrase>> {
+        let start = self.at;
+        let entry = self.lexicon.entry(before.head, &NOUNS);
+        let (true, Some(entry)) = (self.take_any(&["that", "those"]), entry) else {
+            self.at = start;
+            return Ok(None);
+        };
+        let mut slots = vec![];
+        self.slots(entry, &mut slots)?;
+        if slots.is_empty() {
+            self.at = start;
+            return Ok(None);
+        }
+        for (slot, term) in &before.slots {
+            let said = slots.iter().any(|(said, _)| said == slot);
+            if !said && *slot != Slot::Which {
+                slots.push((*slot, term.clone()));
+            }
+        }
+        Ok(Some(NounPhrase {
+            slots,
+            ..before.clone()
+        }))
+    }
+
     /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
     pub(crate) fn at_gap(&self) -> bool {
-        let letter = self.at_formula() && ["the", "a", "an"].contains(&self.word_at(1));
-        self.word_at(1) == "its" || letter
+        let nouns = ["the", "a", "an", "that"];
+        let letter = self.at_formula() && nouns.contains(&self.word_at(1));
+        self.word_at(1) == "its" || letter || self.those_behind()
+    }
+
+    /// Whether a list of formulas comes next, and "those" behind it: "`$p$`, `$q$` those of `$v$`".
+    fn those_behind(&self) -> bool {
+        let listed = |token: &&Token| {
+            matches!(token.kind, Kind::Formula | Kind::Plain | Kind::Comma) || token.lower == "and"
+        };
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let list = rest.iter().take_while(listed).count();
+        list > 0 && rest.get(list).is_some_and(|token| token.lower == "those")
+    }
+
+    /// "The third of them", behind what was said of the axes of B: the third axis of B.
+    pub(crate) fn one_of_them(&mut self) -> Option<Term> {
+        let [Term::Phrase(axes)] = self.owner.as_slice() else {
+            return None;
+        };
+        let article = usize::from(self.word() == "the");
+        let number = ORDINALS.iter().position(|o| *o == self.word_at(article))?;
+        let of_them = self.word_at(article + 1) == "of" && self.word_at(article + 2) == "them";
+        if axes.head != "axes" || !of_them {
+            return None;
+        }
+        let which = (Slot::Which, Term::Numbers(vec![number + 1]));
+        let slots = std::iter::once(which).chain(axes.slots.clone());
+        let axis = NounPhrase::new("axis", slots.collect());
+        self.at += article + 3;
+        Some(Term::Phrase(Box::new(axis)))
     }
 
     /// The thing that "it" means: what the clause before is about, or the thing whose quantity it said a letter to be.
     pub(crate) fn meant_by_it(&self) -> Option<Term> {
         match self.owner.as_slice() {
-            [letter @ Term::Formula(_)] => self.thing.clone().or(Some(letter.clone())),
-            [Term::Formula(_), ..] => self.thing.clone(),
+            // What acts is a load.
+            [letter @ Term::Formula(_)] if self.word_at(1).starts_with("act") => {
+                Some(letter.clone())
+            }
+            [letter @ Term::Formula(_)] => self.before.thing.clone().or(Some(letter.clone())),
+            [Term::Formula(_), ..] => self.before.thing.clone(),
             // "its mass centre is G, and the load on it …"
             [Term::Phrase(place)] => {
-                let thing = self.thing.clone();
+                let thing = self.before.thing.clone();
                 thing.filter(|thing| place.slot(Slot::Of) == Some(thing))
             }
             [named @ (Term::Name(_) | Term::Member { .. })] => Some(named.clone()),

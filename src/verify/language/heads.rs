@@ -16,6 +16,10 @@ pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
+/// A plane on whose two sides a body is alike.
+pub(crate) const PLANE_OF_SYMMETRY: &str = "plane of symmetry";
+/// The number e.
+pub(crate) const NATURAL_BASE: &str = "base of the natural logarithm";
 /// A unit vector that stands on a surface.
 pub(crate) const NORMAL: &str = "normal vector";
 /// The direction in which a plane falls most steeply.

@@ -31,12 +31,12 @@ pub(crate) fn of_letters(noun: &str) -> bool {
 pub(crate) const OWNED: [&str; 3] = ["mass centre", "symmetry axis", "spin axis"];
 
 /// Nouns whose letter says which one is meant.
-const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
+pub(super) const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
 
 impl Reader<'_> {
     /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
     pub(crate) fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) {
-        let Some(thing) = self.thing.as_ref().filter(|_| owned) else {
+        let Some(thing) = self.before.thing.as_ref().filter(|_| owned) else {
             return;
         };
         let of_letters = self

@@ -383,6 +383,7 @@ fn slot(name: &str) -> Option<Slot> {
         "in-order" => Slot::InOrder,
         "between" => Slot::Between,
         "in" => Slot::In,
+        "in-second-order" => Slot::InSecondOrder,
         "with" => Slot::With,
         "which" => Slot::Which,
         "for-any" => Slot::ForAny,

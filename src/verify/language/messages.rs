@@ -16,6 +16,9 @@ pub(crate) const EXTRA_INVERSE: &str = "an inverse too many";
 pub(crate) const EXTRA_TWO: &str = "a factor 2 too many";
 pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
 
+pub(crate) const ALWAYS_THE_SAME: &str = "both sides are always the same";
+pub(crate) const MOSTLY_THE_SAME: &str = "both sides are the same, but where something vanishes";
+
 /// What was written, and what should be.
 pub(crate) fn should_be(written: &str, wanted: &str) -> String {
     format!("{written} should be {wanted}")

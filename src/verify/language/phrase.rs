@@ -74,12 +74,11 @@ impl<'a> Reader<'a> {
 
     /// Whether another member of a list could begin behind a comma or "and".
     fn goes_on(&self) -> bool {
-        self.starts_term()
-            && !self.at_gap()
-            && !self.at_renaming()
-            && self.word() != "respectively"
-            && !(self.in_predicate && self.at_clause())
-            && self.find(&[Class::Adverb]).is_none()
+        let other = self.at_gap()
+            || self.at_renaming()
+            || matches!(self.word(), "respectively" | "no")
+            || self.in_predicate && self.at_clause();
+        self.starts_term() && !other && self.find(&[Class::Adverb]).is_none()
     }
 
     /// Whether a quantity comes next, with its article or without.
@@ -114,10 +113,13 @@ impl<'a> Reader<'a> {
             },
             _ if self.at_name() => terms.push(self.name()),
             _ if self.word() == "it" && self.meant_by_it().is_some() => {
-                self.at += 1;
                 terms.extend(self.meant_by_it());
+                self.at += 1;
             }
-            _ => terms.push(self.deeper(Self::described)?),
+            _ => match self.one_of_them() {
+                Some(axis) => terms.push(axis),
+                None => terms.push(self.deeper(Self::described)?),
+            },
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! What is said of something behind "is", "means" and "lies between".
 
 use super::clause::as_formula;
-use super::implied::each_of_its_own;
+use super::decide::decide;
 use super::lexicon::{Class, Entry, Inflection};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, Read, Reader};
@@ -51,6 +51,11 @@ impl<'a> Reader<'a> {
         }
         if let Some(statements) = self.one_noun(&subjects)? {
             return Ok(statements);
+        }
+        if let Some(before) = self.before.what.take()
+            && let Some(what) = self.that_of(&before)?
+        {
+            return Ok(vec![Statement::Is { subjects, what }]);
         }
         let (mut what, entry) = self.said()?;
         if let Some(statements) = self.one_each(&subjects, &what)? {
@@ -113,7 +118,15 @@ impl<'a> Reader<'a> {
         let subjects = subjects.to_vec();
         if self.take("the same as") {
             let others = self.terms()?;
-            return Ok(Some(vec![Statement::Same { subjects, others }]));
+            let any = self.rest_for_any()?;
+            if any.is_empty() {
+                return Ok(Some(vec![Statement::Same { subjects, others }]));
+            }
+            let short = |(subject, other)| Statement::Is {
+                subjects: vec![subject],
+                what: shorthand(other, &any),
+            };
+            return Ok(Some(subjects.into_iter().zip(others).map(short).collect()));
         }
         if self.take("written") {
             return Ok(Some(vec![Statement::Same {
@@ -156,7 +169,7 @@ impl<'a> Reader<'a> {
         // "the force on the hub and the moment on it"
         let of = first.slot(Slot::Of).or(first.slot(Slot::Upon));
         let of = of.filter(|term| subjects.len() > 1 && !matches!(term, Term::Formula(_)));
-        self.thing = of.cloned().or(self.thing.take());
+        self.before.thing = of.cloned().or(self.before.thing.take());
         while subjects.len() > 1 && self.take_separator() && self.noun_next() {
             nouns.push(self.said()?.0);
         }
@@ -377,41 +390,4 @@ fn shorthand(of: Term, any: &[Term]) -> NounPhrase {
         "shorthand",
         std::iter::once((Slot::Of, of)).chain(any).collect(),
     )
-}
-
-/// The statement that a phrase behind "is" makes.
-fn decide(
-    mut subjects: Vec<Term>,
-    formulas: Option<Vec<Formula>>,
-    mut what: NounPhrase,
-    entry: &Entry,
-) -> Vec<Statement> {
-    let mut statements = vec![];
-    if let Some(formulas) = formulas {
-        let parted = formulas
-            .into_iter()
-            .partition(|formula| is_operator(formula, &what, entry));
-        let (operators, letters): (Vec<Formula>, Vec<Formula>) = parted;
-        statements = operating(operators, &NotationMeaning::Noun(what.clone()));
-        if letters.is_empty() {
-            return statements;
-        }
-        subjects = letters.into_iter().map(Term::Formula).collect();
-    }
-    if entry.premise || what.is("only") || what.is("no") {
-        what.slots
-            .extend(subjects.into_iter().map(|subject| (Slot::With, subject)));
-        return vec![Statement::Premise(what)];
-    }
-    if entry.class == Class::Adjective
-        && let [Term::Phrase(phrase)] = subjects.as_slice()
-    {
-        let mut premise = (**phrase).clone();
-        premise.adjectives.extend(what.adjectives);
-        premise.adjectives.push(what.head);
-        premise.slots.extend(what.slots);
-        return vec![Statement::Premise(premise)];
-    }
-    statements.extend(each_of_its_own(subjects, what));
-    statements
 }

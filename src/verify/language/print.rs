@@ -208,6 +208,9 @@ impl Printer<'_> {
                 _ => format!(" to first order in {}", self.terms(&terms)),
             },
             Some((Slot::In, _)) => format!(" to first order in {}", self.terms(&terms)),
+            Some((Slot::InSecondOrder, _)) => {
+                format!(" to second order in {}", self.terms(&terms))
+            }
             Some(_) => format!(" at {}", self.terms(&terms)),
         };
         format!("{subject} {hold}{place}")

@@ -2,7 +2,7 @@
 
 use super::bodies::LONGEST_NAME;
 use super::lexicon::{Class, Found, Lexicon};
-use super::statement::{Formula, Misread, Term};
+use super::statement::{Formula, Misread, NounPhrase, Term};
 use super::words::{Kind, Token, wrong};
 use crate::notation::document::{Document, Format, FrontMatter, Row};
 use crate::notation::{Macros, read_formula, reread};
@@ -34,6 +34,15 @@ pub(crate) fn is_glue(word: &str) -> bool {
 /// Result of reading a part of a sentence.
 pub(crate) type Read<T> = Result<T, Misread>;
 
+/// What the clause before spoke of.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Before {
+    /// The thing of which it said what a letter is.
+    pub(crate) thing: Option<Term>,
+    /// What it said a letter to be.
+    pub(crate) what: Option<NounPhrase>,
+}
+
 /// A sentence that is being read.
 #[derive(Debug)]
 pub(crate) struct Reader<'a> {
@@ -45,8 +54,8 @@ pub(crate) struct Reader<'a> {
     pub(crate) lexicon: &'a Lexicon,
     /// What "its" and "their" mean here.
     pub(crate) owner: Vec<Term>,
-    /// The thing of which the clause before said what a letter is.
-    pub(crate) thing: Option<Term>,
+    /// What the clause before spoke of.
+    pub(crate) before: Before,
     /// Whether bodies are being spoken of "as particles"; inside that it is not said again.
     pub(crate) particles: bool,
     /// Whether the verb of the clause is read.
@@ -74,7 +83,7 @@ impl<'a> Reader<'a> {
             at: 0,
             lexicon,
             owner: vec![],
-            thing: None,
+            before: Before::default(),
             particles: false,
             in_predicate: false,
             macros,

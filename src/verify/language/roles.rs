@@ -4,7 +4,7 @@ use super::clause::as_formula;
 use super::lexicon::Class;
 use super::reader::{Read, Reader};
 use super::statement::{DeclaredRole, Extent, NounPhrase, Slot, Statement, Term};
-use super::words::Kind;
+use super::words::{Kind, Token};
 
 impl Reader<'_> {
     /// "Line 5 is given", "lines 15 and 16 hold at `$t = 0$`".
@@ -46,6 +46,7 @@ impl Reader<'_> {
                 self.at += 1;
                 self.labels_from_to().map(Some)
             }
+            _ if self.at_label() => self.labels_from_to().map(Some),
             "the" if self.word_at(1) == "section" && self.word_at(2).is_empty() => {
                 self.at += 2;
                 match self.kind() {
@@ -87,7 +88,10 @@ impl Reader<'_> {
                     return Ok(DeclaredRole::Assume);
                 }
                 "claim" | "claims" | "claimed" | "consequence" | "consequences" | "result"
-                | "results" => return Ok(DeclaredRole::Claim),
+                | "results" => {
+                    self.skip_remark();
+                    return Ok(DeclaredRole::Claim);
+                }
                 "definition" | "definitions" if self.take("of") => {
                     let formula = self.terms()?.first().and_then(as_formula);
                     return Ok(DeclaredRole::Define(formula));
@@ -104,14 +108,28 @@ impl Reader<'_> {
         ))
     }
 
+    /// How a claim comes about changes nothing of what is claimed: "a claim, from the line above".
+    fn skip_remark(&mut self) {
+        let ends = |token: &Token| token.kind == Kind::Semicolon || token.lower == "and";
+        if !self.peek().is_some_and(ends) {
+            let rest = self.tokens.get(self.at..).unwrap_or_default();
+            self.at += rest.iter().take_while(|token| !ends(token)).count();
+        }
+    }
+
     /// Where a line holds, behind "holds".
     fn holding(&mut self) -> Read<Vec<(Slot, Term)>> {
-        let order = self
-            .find(&[Class::Preposition])
-            .filter(|f| f.entry.name == "to first order in");
-        let slot = if let Some(order) = order {
-            self.at += order.length;
-            Slot::In
+        let order = self.find(&[Class::Preposition]).and_then(|found| {
+            let slot = match found.entry.name {
+                "to first order in" => Slot::In,
+                "to second order in" => Slot::InSecondOrder,
+                _ => return None,
+            };
+            Some((slot, found.length))
+        });
+        let slot = if let Some((slot, length)) = order {
+            self.at += length;
+            slot
         } else if self.take_any(&["at", "for", "when", "if"]) {
             Slot::At
         } else if self.take("in the section") {

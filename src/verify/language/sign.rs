@@ -4,7 +4,7 @@ use super::clause::as_formula;
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
-use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement};
+use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
 use super::words::Kind;
 use crate::notation::ast::Kind as Tree;
 use crate::notation::document::Row;
@@ -172,7 +172,12 @@ impl<'a> Reader<'a> {
             }
         }
         self.owner = outer;
-        let formulas: Option<Vec<Formula>> = terms.iter().map(as_formula).collect();
+        let letters = terms.iter().map(|term| match term {
+            Term::Phrase(rates) if rates.head == "rate" => self.dotted(rates),
+            letter => as_formula(letter).map(|letter| vec![letter]),
+        });
+        let formulas: Option<Vec<Formula>> =
+            letters.collect::<Option<Vec<_>>>().map(|l| l.concat());
         let meaning = formulas.map_or_else(
             || {
                 let slots = terms.into_iter().map(|term| (Slot::Of, term));
@@ -181,6 +186,15 @@ impl<'a> Reader<'a> {
             NotationMeaning::FunctionsOf,
         );
         Ok(operating(operators, &meaning))
+    }
+}
+
+impl Reader<'_> {
+    /// "their rates": the letters with a dot.
+    fn dotted(&self, rates: &NounPhrase) -> Option<Vec<Formula>> {
+        let of = rates.all(Slot::Of).map(as_formula);
+        let dotted = of.map(|letter| self.formula(&format!("\\dot{{{}}}", letter?.source), false));
+        dotted.collect()
     }
 }
 

@@ -152,6 +152,8 @@ pub enum Slot {
     Between,
     /// "in $\omega$": the variable of a Jacobian, "to first order in $p$".
     In,
+    /// "to second order in $p$".
+    InSecondOrder,
     /// "above O", "with their middles at G" and the like: what else a verb or noun takes. An adverb is a phrase by its
     /// first form, with its object as `Of`: "below O", "after the impact", "per unit length".
     With,
@@ -339,10 +341,16 @@ impl std::error::Error for Misread {}
 impl Statement {
     /// "The frame B is fixed in the body": it is a frame that is.
     pub(crate) fn is_of(&mut self, kind: Option<&'static str>) {
-        if let (Self::Is { what, .. }, Some(kind)) = (self, kind)
-            && what.head == "fixed"
-        {
-            what.head = kind;
+        let (Self::Is { what, .. }, Some(kind)) = (self, kind) else {
+            return;
+        };
+        match what.head {
+            "fixed" => what.head = kind,
+            described @ ("inertial" | "body-fixed") => {
+                what.head = kind;
+                what.adjectives.push(described);
+            }
+            _ => {}
         }
     }
 
@@ -351,27 +359,12 @@ impl Statement {
         !matches!(self, Self::Holds(formula) if matches!(formula.row, Row::Expression(_)))
     }
 
-    /// All terms of a clause, those inside phrases as well.
-    pub(crate) fn terms(&self) -> Vec<&Term> {
-        let (first, slots): (Vec<&Term>, &[(Slot, Term)]) = match self {
-            Self::Is { subjects, what } => (subjects.iter().collect(), &what.slots),
-            Self::Same { subjects, others } => (subjects.iter().chain(others).collect(), &[]),
-            Self::Does {
-                subjects, slots, ..
-            } => (subjects.iter().collect(), slots),
-            Self::Premise(phrase) => (vec![], &phrase.slots),
-            _ => (vec![], &[]),
-        };
-        let mut terms = first;
-        terms.extend(slots.iter().map(|(_, term)| term));
-        let mut at = 0;
-        while let Some(&term) = terms.get(at) {
-            if let Term::Phrase(phrase) = term {
-                terms.extend(phrase.slots.iter().map(|(_, term)| term));
-            }
-            at += 1;
+    /// What a letter or a thing is said to be.
+    pub(crate) fn noun_phrase(&self) -> Option<NounPhrase> {
+        match self {
+            Self::Is { what, .. } => Some(what.clone()),
+            _ => None,
         }
-        terms
     }
 }
 

@@ -6,12 +6,15 @@ use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
 use super::statement::{Formula, Sign, Touched};
-use super::words::Kind;
+use super::words::{Kind, Token};
 use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
 
 /// Words that behind "for" say something of a letter with any labels.
 const FOR_ALL: [&str; 4] = ["any", "every", "each", "all"];
+
+/// Words for what the sentence before spoke of.
+const PRONOUNS: [&str; 3] = ["it", "they", "both"];
 
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
 #[derive(Default)]
@@ -44,10 +47,13 @@ impl Reader<'_> {
         let joined = self.joins_more();
         self.at = start;
         let sign_first = self.at_sign_with_article();
+        self.at = start;
+        let things = !sign_first && self.is_about_things();
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
-        let rule_behind = letters && joined && (signs.other_rule || !signs.found.is_empty());
+        let rule_behind =
+            (letters || things) && joined && (signs.other_rule || !signs.found.is_empty());
         let operator = subjects
             .iter()
             .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
@@ -58,8 +64,13 @@ impl Reader<'_> {
         let whole = !signs.other_rule && !of_a_part;
         if rule_behind {
             Touched::Everything
-        } else if letters || whole && signs.found.is_empty() && !operator {
-            let anew = any || of_a_part;
+        } else if letters || things || whole && signs.found.is_empty() && !operator {
+            // Of a formula of several letters, or of a thing, it may say something that leaves the letters as they are.
+            let retells = match subjects.is_empty() {
+                true => !things,
+                false => subjects.iter().any(is_letter),
+            };
+            let anew = (any || of_a_part) && retells;
             Touched::Letters { formulas, anew }
         } else if operator {
             Touched::Signs(subjects.into_iter().map(Sign::Operator).collect())
@@ -82,11 +93,30 @@ impl Reader<'_> {
         subjects
     }
 
-    /// Whether something is joined to what is said of the subject: another clause may be a rule.
+    /// Whether something is joined to what is said of the subject, and no list of formulas: another clause may be a rule.
     fn joins_more(&self) -> bool {
-        let rest = self.tokens.iter().skip(self.at);
-        let mut behind = rest.skip_while(|t| t.kind != Kind::Word);
-        behind.any(|t| matches!(t.kind, Kind::Semicolon | Kind::Comma) || t.lower == "and")
+        let joins = |t: &Token| matches!(t.kind, Kind::Semicolon | Kind::Comma) || t.lower == "and";
+        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let first = rest.iter().position(|t| t.kind == Kind::Word);
+        let behind = first.map_or(rest, |first| &rest[first..]);
+        let joint = |pair: &[Token]| joins(&pair[0]) && !joins(&pair[1]) && !formula(&pair[1]);
+        behind.windows(2).any(joint)
+    }
+
+    /// Whether the subject is a thing, a place, or what the sentence before spoke of, and no way to write something.
+    fn is_about_things(&mut self) -> bool {
+        if PRONOUNS.contains(&self.word()) || self.at_name() {
+            return true;
+        }
+        if self.find(&[Class::Custom, Class::Mark]).is_some() {
+            return false;
+        }
+        self.take_any(&ARTICLES) && {
+            let sign = self.find(&[Class::Custom, Class::Mark, Class::Meaning]);
+            let thing = self.find(&[Class::Thing, Class::Place]);
+            sign.is_none() && thing.is_some()
+        }
     }
 
     /// Whether the name of a sign comes next.
@@ -143,6 +173,10 @@ impl Reader<'_> {
 /// Whether a formula writes one thing, and is no way to write things: letters and numbers, and what is made of them.
 fn is_of_one_thing(formula: &Formula) -> bool {
     matches!(&formula.row, Row::Expression(node) if is_made_of_letters(node))
+}
+
+fn is_letter(formula: &Formula) -> bool {
+    matches!(&formula.row, Row::Expression(node) if matches!(node.kind, Tree::Symbol(_)))
 }
 
 fn is_made_of_letters(node: &Node) -> bool {

@@ -4,12 +4,16 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, print, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
-    ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, letter_of, node_of,
+    ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of,
 };
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
+
+/// What is the same as something else, whatever the things in its labels are.
+const SHORTHAND: &str = "shorthand";
 
 /// Functions of angles for which authors have letters.
 const KERNELS: [&str; 3] = ["cosine", "sine", "tangent"];
@@ -24,7 +28,11 @@ pub(crate) fn instances(declarations: &[Declaration]) -> Vec<Declaration> {
         matches!(what.head, "point" | MASS_CENTRE | "particle")
     });
     let angles = angles(declarations);
+    let axes = axis_indices(declarations);
     let each = declarations.iter().flat_map(|declaration| {
+        if let Some(made) = of_each_axis(declaration, &axes) {
+            return made;
+        }
         if let Some(made) = of_any_angle(declaration, &angles) {
             return made;
         }
@@ -47,6 +55,68 @@ pub(crate) fn instances(declarations: &[Declaration]) -> Vec<Declaration> {
         made
     });
     each.collect()
+}
+
+/// The letters that sentences say to number axes.
+fn axis_indices(declarations: &[Declaration]) -> Vec<String> {
+    let numbers = |declaration: &Declaration| match &declaration.statement {
+        Statement::Does {
+            subjects,
+            verb: "number",
+            slots,
+        } => {
+            let axes =
+                |(_, term): &(Slot, Term)| matches!(term, Term::Phrase(p) if p.head == "axes");
+            let letters = formulas(subjects).map(index_letter);
+            slots.iter().any(axes).then(|| letters.collect::<Vec<_>>())
+        }
+        _ => None,
+    };
+    declarations.iter().filter_map(numbers).flatten().collect()
+}
+
+/// "`$I_i$` is the moment of inertia about the axis along `$e_i$`", where `$i$` numbers axes: one sentence for each axis.
+fn of_each_axis(declaration: &Declaration, indices: &[String]) -> Option<Vec<Declaration>> {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return None;
+    };
+    let [Term::Formula(letter)] = subjects.as_slice() else {
+        return None;
+    };
+    let Kind::Symbol(symbol) = &node_of(letter)?.kind else {
+        return None;
+    };
+    let index = symbol
+        .subscripts
+        .last()
+        .filter(|label| indices.contains(label))?;
+    let in_label = |term: &Term| match term {
+        Term::Formula(formula) => {
+            formula.source.contains(&format!("_{index}"))
+                || formula.source.contains(&format!("_{{{index}}}"))
+        }
+        _ => false,
+    };
+    if !declaration
+        .statement
+        .terms()
+        .into_iter()
+        .skip(1)
+        .any(in_label)
+        || what.head == "component"
+    {
+        return None;
+    }
+    let one = |number: &str| {
+        let things = [Term::Name(number.to_owned())];
+        let names = std::slice::from_ref(index);
+        let statement = with_things(&declaration.statement, names, &things)?;
+        Some(Declaration {
+            statement,
+            ..declaration.clone()
+        })
+    };
+    ["1", "2", "3"].into_iter().map(one).collect()
 }
 
 /// The things that sentences say to be of a kind.
@@ -193,6 +263,13 @@ fn with_things(statement: &Statement, any: &[String], chosen: &[Term]) -> Option
         terms.iter().map(|term| with_names(term, &pairs)).collect()
     };
     Some(match statement {
+        Statement::Is { subjects: s, what } if what.head == SHORTHAND => Statement::Same {
+            subjects: subjects(s)?,
+            others: told(&what.slots)?
+                .into_iter()
+                .map(|(_, term)| term)
+                .collect(),
+        },
         Statement::Is { subjects: s, what } => Statement::Is {
             subjects: subjects(s)?,
             what: NounPhrase {
@@ -264,8 +341,11 @@ fn primes(count: u8) -> String {
 /// Puts names in the place of others in the labels of a formula.
 fn relabel(node: &mut Node, labels: &[(&str, String)]) {
     let put = |text: &mut String| {
+        let alone = text.chars().count() == 1;
         let characters = text.chars().map(|c| {
-            let found = labels.iter().find(|(any, _)| any.chars().eq([c]));
+            // An index is a label of its own, and no letter of a word.
+            let stands = alone || !c.is_lowercase();
+            let found = labels.iter().find(|(any, _)| stands && any.chars().eq([c]));
             found.map_or_else(|| c.to_string(), |(_, name)| name.clone())
         });
         *text = characters.collect();

@@ -232,6 +232,20 @@ impl Builder<'_> {
         };
     }
 
+    /// An axis of a frame, by its name, or as "the third axis of B".
+    pub(super) fn axis_of_frame(&self, term: &Term) -> Option<(FrameId, usize)> {
+        match term {
+            Term::Phrase(phrase) if phrase.slot(Slot::Along).is_some() => {
+                self.axis_of_frame(phrase.slot(Slot::Along)?)
+            }
+            Term::Phrase(phrase) if phrase.head == "axis" => {
+                let frame = self.frame(phrase.slot(Slot::Of)?)?;
+                Some((frame, self.number_of_axis(phrase.slot(Slot::Which)?)?))
+            }
+            _ => self.axes.get(&name_of(term)?).copied(),
+        }
+    }
+
     /// The number of an axis by its name or letter.
     pub(super) fn number_of_axis(&self, term: &Term) -> Option<usize> {
         if let Term::Numbers(numbers) = term {

@@ -42,6 +42,9 @@ pub(crate) struct Builder<'a> {
     pub(super) through: Vec<(FrameId, FrameId, Term, Declaration)>,
 }
 
+/// A letter that is the same as another that is the same as another is followed so far.
+const MOST_WRITINGS: usize = 8;
+
 /// The premises of a document have no more terms than this in all.
 pub(super) const MOST_TERMS: usize = 100_000;
 
@@ -295,16 +298,20 @@ impl Builder<'_> {
         formula: &Formula,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let node = node_of(formula)?;
         let at = place_in(&reach_of(&declaration.extent));
-        let letter = self
-            .reading
-            .letters
-            .find(&spelled(node), &loosely(node), &at, 1)?;
-        match &letter.meaning {
-            Meaning::Quantity(quantity) => Some(quantity.clone()),
-            _ => None,
+        let mut node = node_of(formula)?;
+        for _ in 0..MOST_WRITINGS {
+            let letters = &self.reading.letters;
+            match &letters
+                .find(&spelled(node), &loosely(node), &at, 1)?
+                .meaning
+            {
+                Meaning::Quantity(quantity) => return Some(quantity.clone()),
+                Meaning::Same(other) => node = other,
+                _ => return None,
+            }
         }
+        None
     }
 }
 

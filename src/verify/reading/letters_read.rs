@@ -2,25 +2,29 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    CONJUGATE, DOWNHILL, NORMAL, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
 };
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::atoms::whole;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::loads_read::{acting_force, is_force_at, rests_for_long};
+use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,
     UNIT_VECTOR, node_of, reach_of,
 };
+use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 20] = [
+const THINGS: [&str; 21] = [
+    PLANE_OF_SYMMETRY,
     PRODUCTS,
     "frame",
     "point",
@@ -44,31 +48,29 @@ const THINGS: [&str; 20] = [
 ];
 
 impl Builder<'_> {
-    /// Goes through the sentences about letters, those without others in them first.
+    /// Goes through the sentences about letters, each behind those that tell the letters it speaks of.
     pub(super) fn read_letters(&mut self) {
-        let declarations = self.declarations;
-        for pass in 0..4 {
-            if pass == 1 {
+        let mut loads_read = false;
+        for (stage, declaration) in in_order(self.declarations) {
+            if stage > BEFORE_LOADS && !loads_read {
                 self.read_loads();
+                loads_read = true;
             }
-            for declaration in declarations {
-                let order = order_of(&declaration.statement);
-                if order == pass && self.is_full() {
-                    self.say_beyond(declaration);
-                } else if order == pass {
-                    self.read_letter(declaration);
-                }
+            match self.is_full() {
+                true => self.say_beyond(declaration),
+                false => self.read_letter(declaration),
             }
         }
-        for declaration in declarations {
-            self.read_same(declaration);
-            self.read_means(declaration);
+        if !loads_read {
+            self.read_loads();
         }
     }
 
     fn read_letter(&mut self, declaration: &Declaration) {
         match &declaration.statement {
             Statement::Is { subjects, what } => self.read_noun(subjects, what, declaration),
+            Statement::Same { .. } => self.read_same(declaration),
+            Statement::Means { .. } => self.read_means(declaration),
             Statement::Does {
                 subjects,
                 verb: "take",
@@ -154,11 +156,6 @@ impl Builder<'_> {
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             DISTURBANCE if what.slots.is_empty() => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
-            REFERENCE | DISTURBANCE => {
-                if self.read_reference(subjects, what, declaration).is_none() {
-                    self.say_unused(declaration);
-                }
-            }
             "time" => {
                 for formula in formulas(subjects) {
                     self.denote(formula, Meaning::Time, declaration);
@@ -167,16 +164,6 @@ impl Builder<'_> {
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
             | "damping" => {
                 self.read_size(subjects, declaration);
-            }
-            "angle" if what.slot(Slot::Between).is_some() => {
-                if self.read_angle(subjects, what, declaration).is_none() {
-                    self.say_unused(declaration);
-                }
-            }
-            "entry" => {
-                if self.read_entries(subjects, what, declaration).is_none() {
-                    self.say_unused(declaration);
-                }
             }
             DOWNHILL | NORMAL if self.normal_of_incline().is_some() => {}
             "column" | "row" => self.read_column(subjects, what, declaration),
@@ -187,8 +174,78 @@ impl Builder<'_> {
             ANGULAR_VELOCITY if what.slot(Slot::ForAny).is_some() => {
                 self.read_any_angular_velocity(subjects);
             }
-            _ => self.read_quantity(subjects, what, declaration),
+            _ => match self.read_relation(subjects, what, declaration) {
+                Some(Some(())) => {}
+                Some(None) => self.say_unused(declaration),
+                None => self.read_quantity(subjects, what, declaration),
+            },
         }
+    }
+
+    /// What a letter is by another one. `None` for other nouns; `Some(None)` where nothing was made of the sentence.
+    fn read_relation(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Option<()>> {
+        Some(match what.head {
+            REFERENCE | DISTURBANCE => self.read_reference(subjects, what, declaration),
+            "angle" if what.slot(Slot::Between).is_some() => {
+                self.read_angle(subjects, what, declaration)
+            }
+            "entry" => self.read_entries(subjects, what, declaration),
+            "value" => self.read_value(subjects, what, declaration),
+            "product" => self.read_product(subjects, what, declaration),
+            // `e` with a power is the exponential function wherever it stands.
+            NATURAL_BASE => {
+                let is_e = |f: &Formula| matches!(f.source.as_str(), "e" | "\\mathrm{e}");
+                formulas(subjects).all(is_e).then_some(())
+            }
+            _ => return None,
+        })
+    }
+
+    /// "`$h$` is the product of `$J$` and `$\Omega$`."
+    fn read_product(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let mut product = whole(1);
+        for (slot, term) in &what.slots {
+            let (Slot::Of, Term::Formula(factor)) = (slot, term) else {
+                return None;
+            };
+            product *= self.formula_value(factor, declaration)?.to_scalar().ok()?;
+        }
+        let product = Quantity::Known(Value::scalar(product));
+        self.denote(letter, Meaning::Quantity(product), declaration);
+        Some(())
+    }
+
+    /// "`$n$` is the constant value of `$\omega_3$`": another letter for it.
+    fn read_value(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let ([Term::Formula(letter)], [(Slot::Of, of @ Term::Formula(formula))]) =
+            (subjects, what.slots.as_slice())
+        else {
+            return None;
+        };
+        let same = Meaning::Same(Box::new(node_of(formula)?.clone()));
+        self.denote(letter, same, declaration);
+        if what.is("constant") {
+            self.read_constants(std::slice::from_ref(of), declaration);
+        }
+        Some(())
     }
 
     /// ω_{X/Y} for any frames X and Y.
@@ -206,6 +263,14 @@ impl Builder<'_> {
         let named =
             |term: &Term| matches!(term, Term::Formula(_)) || matches!(term, Term::Phrase(_));
         if !subjects.iter().any(named) {
+            return;
+        }
+        let about_axes = what.head == MOMENT_OF_INERTIA && subjects.len() == 3;
+        if about_axes
+            && self
+                .read_moments_about_axes(subjects, what, declaration)
+                .is_some()
+        {
             return;
         }
         let Some(quantity) = self.quantity(what, declaration) else {
@@ -342,24 +407,4 @@ pub(super) fn formulas(terms: &[Term]) -> impl Iterator<Item = &Formula> {
         Term::Formula(formula) => Some(formula),
         _ => None,
     })
-}
-
-/// Sentences that other letters stand in come behind those of these letters.
-fn order_of(statement: &Statement) -> usize {
-    match statement {
-        Statement::Does {
-            verb: "have components",
-            ..
-        } => 2,
-        Statement::Is { what, .. } => match what.head {
-            "position" if what.all(Slot::Of).any(|of| acting_force(of).is_some()) => 2,
-            "acceleration of gravity" | "vector" | UNIT_VECTOR | "mass" | "position" => 0,
-            "constant" => 3,
-            "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
-            | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,
-            "angle" | "total energy" => 2,
-            _ => 1,
-        },
-        _ => 1,
-    }
 }

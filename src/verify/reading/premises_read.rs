@@ -4,6 +4,7 @@ use crate::notation::ast::{Line, Relation};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::verify::Role;
+use crate::verify::language::heads::PLANE_OF_SYMMETRY;
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
@@ -49,6 +50,10 @@ impl Builder<'_> {
                 }
                 Statement::Is { subjects, what } if what.head == "symmetric" => {
                     self.read_symmetry(subjects, what, declaration);
+                }
+                Statement::Is { subjects, what } if what.head == PLANE_OF_SYMMETRY => {
+                    let read = self.read_plane_of_symmetry(subjects, what, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
                 }
                 _ => {}
             }
@@ -152,46 +157,6 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// A body that is symmetric about an axis has I = I_t 1 + (I_s − I_t) n nᵀ.
-    fn read_symmetry(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
-        let [subject] = subjects else { return };
-        let Some(body) = self.body(subject) else {
-            return self.say_unused(declaration);
-        };
-        let Some(frame) = self.reading.system.bodies[body].frame else {
-            return;
-        };
-        let Some(about) = what.slot(Slot::About).cloned() else {
-            return;
-        };
-        let axis =
-            crate::verify::reading::names::name_of(&about).and_then(|n| self.axes.get(&n).copied());
-        let Some((_, axis)) = axis else {
-            return self.say_unused(declaration);
-        };
-        let of = crate::verify::term::quantity::Whole::Body(body);
-        // The axis passes through the point about which all is told.
-        let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));
-        let tensor = Quantity::Inertia { of, about };
-        let n = self.system().axis(frame, axis);
-        let Ok(tensor) = self.system().value_of(&tensor).and_then(|v| v.to_matrix()) else {
-            return;
-        };
-        // I n is along n, and I is the same for all directions across.
-        let along = crate::mechanics::apply(&tensor, &n);
-        self.hold_zero(&crate::mechanics::cross(&n, &along), declaration);
-        let spin = n.dot(&along);
-        let across = (tensor.trace() - spin.clone()) * crate::algebra::Fraction::from_ratio(1, 2);
-        for row in 0..3 {
-            for column in 0..=row {
-                let one = crate::verify::model::atoms::whole(i64::from(row == column));
-                let dyad = n[row].clone() * n[column].clone();
-                let told = across.clone() * one + (spin.clone() - across.clone()) * dyad;
-                self.hold(tensor[(row, column)].clone() - told, declaration);
-            }
-        }
-    }
-
     /// "Line 135 holds in the section "The Spherical Top"": it is assumed there.
     fn read_line_holds(
         &mut self,
@@ -211,21 +176,7 @@ impl Builder<'_> {
             Extent::Document => reach_of(&declaration.extent),
             lines => reach_of(lines),
         };
-        let small: Vec<&Term> = slots
-            .iter()
-            .filter(|(s, _)| *s == Slot::In)
-            .map(|(_, t)| t)
-            .collect();
-        if section.is_none() && !small.is_empty() {
-            let values = self.small_letters(&small, declaration);
-            let variables = values
-                .iter()
-                .flat_map(|v| v.entries.iter())
-                .filter_map(|e| e.as_variable());
-            self.reading
-                .sizes
-                .first_order
-                .push((lines, variables.collect()));
+        if section.is_none() && self.read_order_of_lines(&lines, slots, declaration) {
             return;
         }
         let instant = slots.iter().find_map(|(slot, term)| match term {

@@ -1,6 +1,8 @@
 //! From a noun with its slots to a quantity of the model.
 
-use crate::verify::language::heads::{CONJUGATE, SCALAR_PART, SECOND_RATE, VECTOR_PART};
+use crate::verify::language::heads::{
+    CONJUGATE, MOMENT_OF_INERTIA, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
@@ -33,7 +35,7 @@ impl Builder<'_> {
         }
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along)
-            && !matches!(phrase.head, UNIT_VECTOR | PART | "moment of inertia")
+            && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
             && phrase.slot(Slot::Upon).is_none()
         {
             let along = self.axis_quantity(&along.clone(), declaration)?;
@@ -150,7 +152,7 @@ impl Builder<'_> {
                 let about = self.about(phrase, &of)?;
                 Quantity::Inertia { of, about }
             }
-            "moment of inertia" => self.moment_of_inertia(phrase, declaration)?,
+            MOMENT_OF_INERTIA => self.moment_of_inertia(phrase, declaration)?,
             "momentum" => Quantity::Momentum {
                 of: self.whole_of(phrase)?,
                 relative,

@@ -1,6 +1,7 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
 use crate::notation::ast::{Kind, Node};
+use crate::verify::facts::small::Small;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
@@ -10,7 +11,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{PRODUCTS, node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::labels::letters_of;
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::letters::{Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::Value;
@@ -253,21 +254,32 @@ impl Builder<'_> {
         Quantity::Sum(terms)
     }
 
-    /// The letters in which a line is taken to first order.
-    pub(super) fn small_letters(
+    /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.
+    pub(super) fn read_order_of_lines(
         &mut self,
-        terms: &[&Term],
+        lines: &Reach,
+        slots: &[(Slot, Term)],
         declaration: &Declaration,
-    ) -> Vec<Value> {
-        let formulas = terms.iter().filter_map(|term| match term {
-            Term::Formula(formula) => Some(formula.clone()),
+    ) -> bool {
+        let order = |slot: &Slot| match slot {
+            Slot::In => Some(1),
+            Slot::InSecondOrder => Some(2),
             _ => None,
-        });
-        let formulas: Vec<Formula> = formulas.collect();
-        formulas
-            .iter()
+        };
+        let small = slots.iter();
+        let small = small.filter_map(|(slot, term)| Some((order(slot)?, term)));
+        let (orders, letters): (Vec<u32>, Vec<Term>) = small.map(|(o, t)| (o, t.clone())).unzip();
+        let Some(order) = orders.into_iter().max() else {
+            return false;
+        };
+        let values: Vec<Value> = formulas(&letters)
             .filter_map(|formula| self.formula_value(formula, declaration))
-            .collect()
+            .collect();
+        let entries = values.iter().flat_map(|value| &value.entries);
+        let variables = entries.filter_map(|entry| entry.as_variable()).collect();
+        let small = Small::new(variables, order);
+        self.reading.sizes.small.push((lines.clone(), small));
+        true
     }
 }
 

@@ -135,17 +135,15 @@ impl Builder<'_> {
         let Some(frame) = system.bodies[body].frame else {
             return 2;
         };
-        let name = |term: &Term| name_of(term).and_then(|name| self.axes.get(&name).copied());
+        let name = |term: &Term| self.axis_of_frame(term);
         let told = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "axis" => {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term));
                 subjects.first().and_then(name).filter(|_| of == Some(body))
             }
             Statement::Is { subjects, what } if what.head == "symmetric" => {
-                let of = subjects.first().and_then(|term| self.body(term));
-                what.slot(Slot::About)
-                    .and_then(name)
-                    .filter(|_| of == Some(body))
+                let of = subjects.iter().any(|term| self.body(term) == Some(body));
+                what.slot(Slot::About).and_then(name).filter(|_| of)
             }
             _ => None,
         });

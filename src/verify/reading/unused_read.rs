@@ -86,7 +86,12 @@ impl Builder<'_> {
                 continue;
             }
             let mut known = self.reading.letters.letters.iter();
-            if known.any(|letter| nodes.iter().any(|node| spelled(node) == letter.spelled)) {
+            let told = known.any(|letter| nodes.iter().any(|node| spelled(node) == letter.spelled));
+            let elsewhere = self
+                .declarations
+                .iter()
+                .any(|other| other.line != declaration.line && speaks_of(&other.statement, &nodes));
+            if told && elsewhere {
                 let sentence = declaration.text.trim_end_matches('.');
                 let own = self.reading.unused.iter_mut();
                 own.filter(|u| u.sentence == sentence)
@@ -94,6 +99,20 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// Whether one of some letters stands in a statement.
+fn speaks_of(statement: &Statement, letters: &[&Node]) -> bool {
+    let terms = statement.terms().into_iter();
+    let mut formulas = terms.filter_map(|term| match term {
+        Term::Formula(formula) => node_of(formula),
+        _ => None,
+    });
+    formulas.any(|formula| {
+        letters
+            .iter()
+            .any(|letter| spelled(letter) == spelled(formula))
+    })
 }
 
 /// "`$\lambda$` is small."

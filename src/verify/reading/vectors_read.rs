@@ -6,6 +6,7 @@ use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
+use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, node_of, told};
@@ -246,28 +247,59 @@ impl Builder<'_> {
         let (Some(tensor), Some(frame)) = (tensor, frame) else {
             return self.say_unused(declaration);
         };
-        let entry = |row: usize, column: usize| Quantity::Entry {
-            of: tensor.clone().boxed(),
-            row,
-            column,
-            on: frame,
-            integral: false,
-        };
+        self.read_diagonal(subjects, &tensor, frame, declaration);
+        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+            let zero = Quantity::Known(Value::scalar(Zero::zero()));
+            let product = entry_of(&tensor, row, column, frame);
+            self.hold_quantities(&product, &zero, declaration);
+        }
+    }
+
+    /// The entries of a tensor on its diagonal, by their order; one letter for two of them says that these are equal.
+    fn read_diagonal(
+        &mut self,
+        subjects: &[Term],
+        tensor: &Quantity,
+        on: FrameId,
+        declaration: &Declaration,
+    ) {
         let mut seen: Vec<(String, usize)> = vec![];
         for (axis, formula) in formulas(subjects).take(3).enumerate() {
             let spelled = node_of(formula).map(spelled).unwrap_or_default();
-            match seen.iter().find(|(s, _)| *s == spelled).map(|(_, a)| *a) {
-                Some(first) => {
-                    self.hold_quantities(&entry(first, first), &entry(axis, axis), declaration)
+            let own = entry_of(tensor, axis, axis, on);
+            match seen.iter().find(|(s, _)| *s == spelled) {
+                Some(&(_, first)) => {
+                    let first = entry_of(tensor, first, first, on);
+                    self.hold_quantities(&first, &own, declaration);
                 }
-                None => self.denote(formula, Meaning::Quantity(entry(axis, axis)), declaration),
+                None => self.denote(formula, Meaning::Quantity(own), declaration),
             }
             seen.push((spelled, axis));
         }
-        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-            let zero = Quantity::Known(Value::scalar(Zero::zero()));
-            self.hold_quantities(&entry(row, column), &zero, declaration);
-        }
+    }
+
+    /// "`$A$`, `$B$`, `$C$` are the moments of inertia of the body about the axes of B through G": one for each axis.
+    pub(super) fn read_moments_about_axes(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let (of, about) = (self.whole_of(what)?, what.slot(Slot::About)?);
+        let frame = match about {
+            Term::Phrase(axes) if axes.head == "axes" => {
+                axes.slot(Slot::Of).or(axes.slot(Slot::FixedIn))
+            }
+            Term::Phrase(_) => None,
+            _ => what.slot(Slot::On),
+        };
+        let frame = self.frame(frame?)?;
+        let tensor = Quantity::Inertia {
+            about: self.about(what, &of)?,
+            of,
+        };
+        self.read_diagonal(subjects, &tensor, frame, declaration);
+        Some(())
     }
 
     /// Principal moments of a tensor that a line defines: their labels number its axes.
@@ -281,6 +313,17 @@ impl Builder<'_> {
         self.reading
             .shapes
             .insert(crate::notation::print::latex(node), shape);
+    }
+}
+
+/// An entry of a tensor on a frame.
+pub(super) fn entry_of(tensor: &Quantity, row: usize, column: usize, on: FrameId) -> Quantity {
+    Quantity::Entry {
+        of: tensor.clone().boxed(),
+        row,
+        column,
+        on,
+        integral: false,
     }
 }
 

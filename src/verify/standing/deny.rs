@@ -9,19 +9,6 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::shown;
 
 impl Judge<'_> {
-    /// What inequalities say at this place, in free variables.
-    fn orders(&mut self) -> Vec<Fraction> {
-        let own = self.reading.sizes.orders.iter();
-        let own: Vec<Fraction> = own
-            .filter(|(reach, _)| reach.covers(&self.at, 0))
-            .map(|(_, order)| order.clone())
-            .collect();
-        let atoms = &mut self.reading.system.atoms;
-        own.iter()
-            .filter_map(|order| self.facts.normal(atoms, order).ok())
-            .collect()
-    }
-
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
     pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
@@ -32,6 +19,7 @@ impl Judge<'_> {
             held.doubt = Some(format!(
                 "this premise is beyond what is worked out: {premise}"
             ));
+            held.beyond = true;
             return;
         }
         if self.may_hold_from_start(&held.sides) {

@@ -2,8 +2,6 @@
 
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::{DerivativeStyle, Kind, Node, Number, Relation};
-use crate::verify::facts::Source;
-use crate::verify::facts::parts::Part;
 use crate::verify::facts::premises::OutOfBudget;
 use crate::verify::facts::proof::prove;
 use crate::verify::language::messages;
@@ -19,14 +17,8 @@ use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
-/// A premise of no more terms is a short one.
-const MOST_OF_SHORT: usize = 12;
-
 /// Letters with two meanings are taken in either at no more places of a link.
 const MOST_DOUBLED: usize = 6;
-
-/// The premises of no more sentences and lines are tried alone.
-const MOST_PARTS: usize = 24;
 
 /// What one link of a line came to.
 pub(super) struct Held {
@@ -34,6 +26,8 @@ pub(super) struct Held {
     pub(super) reason: Option<String>,
     /// Why a denial is not to be trusted: something that is said is not in force.
     pub(super) doubt: Option<String>,
+    /// Whether the premises in force together are too many for an answer.
+    pub(super) beyond: bool,
     pub(super) proof: Option<Proof>,
     pub(super) unknown: Vec<String>,
     /// Whether a letter of which nothing is told stands alone on a side or is a factor of it, and no line has settled it.
@@ -63,6 +57,7 @@ impl Held {
             standing: Standing::Open,
             reason: Some(reason.into()),
             doubt: None,
+            beyond: false,
             proof: None,
             unknown: vec![],
             alone: false,
@@ -93,20 +88,7 @@ impl Judge<'_> {
         }
         match link.relation {
             Relation::Equal | Relation::Defined => self.hold_equal(link),
-            Relation::NotEqual => {
-                let mut held = self.hold_equal(link);
-                (held.standing, held.reason) = match held.standing {
-                    Standing::Entailed => (
-                        Standing::Denied,
-                        Some("both sides are always the same".into()),
-                    ),
-                    // There is a world in which they differ, and more is not said.
-                    Standing::Denied => (Standing::Differs, None),
-                    other => (other, held.reason),
-                };
-                held.proof = None;
-                held
-            }
+            Relation::NotEqual => self.hold_unequal(link),
             Relation::Approximate => {
                 let held = self.hold_equal(link);
                 match held.standing {
@@ -114,8 +96,29 @@ impl Judge<'_> {
                     _ => Held::open("an approximation is not decided"),
                 }
             }
-            _ => Held::open("this relation is not decided"),
+            relation => self.hold_order(link, relation),
         }
+    }
+
+    fn hold_unequal(&mut self, link: &Link) -> Held {
+        let mut held = self.hold_equal(link);
+        let atoms = &self.reading.system.atoms;
+        // Where they are the same only if something does not vanish, they may differ.
+        let always = held.proof.as_ref().is_some_and(|proof| {
+            let mut conditions = proof.arguments().iter().flat_map(|a| &a.conditions);
+            conditions.all(|condition| atoms.has_sign(condition))
+        });
+        (held.standing, held.reason) = match held.standing {
+            Standing::Entailed if always => {
+                (Standing::Denied, Some(messages::ALWAYS_THE_SAME.into()))
+            }
+            Standing::Entailed => (Standing::Open, Some(messages::MOSTLY_THE_SAME.into())),
+            // There is a world in which they differ, and more is not said.
+            Standing::Denied => (Standing::Differs, None),
+            other => (other, held.reason),
+        };
+        held.proof = None;
+        held
     }
 
     /// Up to where a sum runs on a link, if that is another letter than the document writes first.
@@ -275,19 +278,34 @@ impl Judge<'_> {
 
     /// What a link is worth whose sides are worked out.
     fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+        let held = match self.residuals(&worked_out.sides) {
+            Ok(residuals) => self.weigh_residuals(link, worked_out, &residuals),
+            Err(OutOfBudget) => Held {
+                beyond: true,
+                unknown: worked_out.unknown,
+                sides: worked_out.sides,
+                settles: worked_out.settles,
+                ..Held::open(GROWN)
+            },
+        };
+        match held.beyond {
+            true => self.weigh_by_fewer_premises(link, held),
+            false => held,
+        }
+    }
+
+    /// What a link is worth by what is left of its differences.
+    pub(super) fn weigh_residuals(
+        &mut self,
+        link: &Link,
+        worked_out: Sides,
+        residuals: &[Fraction],
+    ) -> Held {
         let Sides {
             sides,
             unknown,
             settles,
         } = worked_out;
-        let Ok(residuals) = self.residuals(&sides) else {
-            let mut held = Held::open(GROWN);
-            held.proof = self.proof_by_few_premises(&sides);
-            if held.proof.is_some() {
-                (held.standing, held.reason) = (Standing::Entailed, None);
-            }
-            return held;
-        };
         let small = self.reading.small_at(&self.at);
         let alone = self.has_new_letter_alone(link, &unknown);
         let atoms = &mut self.reading.system.atoms;
@@ -305,6 +323,7 @@ impl Judge<'_> {
             if held.proof.is_none() {
                 held.standing = Standing::Open;
                 held.reason = Some("the proof was not found in the budget".into());
+                held.beyond = true;
             }
             return held;
         }
@@ -316,7 +335,7 @@ impl Judge<'_> {
             (false, _) => Standing::Denied,
         };
         if held.standing == Standing::Denied {
-            self.deny(link, &mut held, &residuals);
+            self.deny(link, &mut held, residuals);
         } else {
             held.reason = Some("letters of which nothing is told leave it open".into());
         }
@@ -331,52 +350,6 @@ impl Judge<'_> {
             self.reading.shapes.contains_key(letter) || !self.known.shapes.contains_key(letter)
         });
         new.any(|letter| unknown.contains(&letter))
-    }
-
-    /// What follows of a part of the premises follows of all of them.
-    fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
-        if self.facts.parts_mut().is_empty() {
-            *self.facts.parts_mut() = self.parts_of_premises();
-        }
-        let mut parts = std::mem::take(self.facts.parts_mut());
-        let all = std::mem::take(&mut self.facts);
-        let proof = parts.iter_mut().find_map(|part| {
-            self.facts = part.take(&mut self.reading.system.atoms);
-            let proof = self.proof(sides);
-            part.keep(std::mem::take(&mut self.facts));
-            proof
-        });
-        self.facts = all;
-        *self.facts.parts_mut() = parts;
-        proof
-    }
-
-    /// A proof by the facts that each pair is equal.
-    fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
-        let residuals = self.residuals(sides).ok()?;
-        let small = self.reading.small_at(&self.at);
-        let atoms = &mut self.reading.system.atoms;
-        let follows = residuals.iter().all(Zero::is_zero);
-        follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
-    }
-
-    /// The short premises, those of one sentence or line, and both.
-    fn parts_of_premises(&self) -> Vec<Part> {
-        let all = self.premises();
-        let short =
-            |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
-        let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
-        for (_, source) in &all {
-            let own = |(_, other): &&(Fraction, Source)| other == source;
-            let alone: Vec<_> = all.iter().filter(own).cloned().collect();
-            let with_short = all.iter().filter(|p| own(p) || short(p));
-            for part in [alone, with_short.cloned().collect()] {
-                if parts.len() <= MOST_PARTS && !parts.contains(&part) {
-                    parts.push(part);
-                }
-            }
-        }
-        parts.into_iter().map(Part::of).collect()
     }
 }
 

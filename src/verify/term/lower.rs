@@ -6,7 +6,7 @@ use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
 use crate::source::Source;
 use crate::verify::model::system::System;
 use crate::verify::term::known::Known;
-use crate::verify::term::letters::{At, Effect, Letters, Mark, Meaning, loosely, spelled};
+use crate::verify::term::letters::{At, Effect, Letters, Mark, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
@@ -169,44 +169,11 @@ impl<'a> Lowering<'a> {
                 limits,
             } => self.integral(integrand, variable, limits.is_some()),
             Kind::IndexedSum { index, body, .. } => self.indexed_sum(index, body),
+            Kind::WithUnit(inner, unit) if unit == "deg" => self.degrees(inner),
             Kind::WithUnit(..) => beyond("units of measurement"),
             Kind::PlusMinus(_) => beyond("a sign that is left open"),
             Kind::Ellipsis => beyond("something left out"),
             Kind::Error(message) => beyond(message.clone()),
-        }
-    }
-
-    /// A writing that a sentence gives a meaning as a whole: `[I_s]`, `dA/dt_{rotating}`, `I\omega^2`.
-    fn as_a_whole(&mut self, node: &Node) -> Option<Valued> {
-        if matches!(node.kind, Kind::Symbol(_) | Kind::Number(_)) || !self.letters.has_wholes() {
-            return None;
-        }
-        let (exact, loose) = (spelled(node), loosely(node));
-        let grouped = matches!(node.kind, Kind::Group(..));
-        let letter = self.letters.letters.iter().any(|l| l.spelled == exact);
-        let number = match letter && !grouped {
-            true => self.count(&exact),
-            false => 1,
-        };
-        self.meaning_of(&exact, (!grouped).then_some(loose.as_str()), number)
-    }
-
-    /// What sentences tell of a formula as it is spelled: what it means, or the letter that it is.
-    pub(super) fn meaning_of(
-        &mut self,
-        exact: &str,
-        loose: Option<&str>,
-        number: usize,
-    ) -> Option<Valued> {
-        if let Some(meaning) = self.letters.told_meaning(exact, self.at) {
-            return Some(self.deeper(|lowering| lowering.value(meaning)));
-        }
-        let letters = self.letters;
-        let letter = letters.find(exact, loose?, self.at, number)?;
-        match &letter.meaning {
-            Meaning::Quantity(quantity) => Some(self.letter(&letter.latex, quantity)),
-            Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(same))),
-            _ => None,
         }
     }
 

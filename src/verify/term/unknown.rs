@@ -1,7 +1,7 @@
 //! Letters that no sentence tells of: those of custom, and new ones.
 
 use crate::algebra::{Fraction, Place};
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, Nature, Space, fraction, whole};
 use crate::verify::term::labels::{letters_of, plain};
@@ -32,17 +32,21 @@ impl Lowering<'_> {
                 let other = [(0, 2, 1), (2, 1, 0), (1, 0, 2)].contains(&(i, j, k));
                 number(i64::from(sign) - i64::from(other))
             }
-            ("pi", []) => {
-                let key = Key::new("\\pi");
-                let pi = self
-                    .system
-                    .atoms
-                    .variable(key, Place::Parameter, Motion::Constant);
-                Some(Ok(Value::scalar(fraction(pi))))
-            }
+            ("pi", []) => Some(Ok(Value::scalar(self.pi()))),
             ("t", []) if symbol.superscripts.is_empty() => Some(Ok(Value::scalar(self.time()))),
             _ => None,
         }
+    }
+
+    fn pi(&mut self) -> Fraction {
+        let atoms = &mut self.system.atoms;
+        fraction(atoms.variable(Key::new("\\pi"), Place::Parameter, Motion::Constant))
+    }
+
+    /// An angle in degrees.
+    pub(super) fn degrees(&mut self, number: &Node) -> Valued {
+        let degree = self.pi() * Fraction::from_ratio(1, 180);
+        Ok(self.value(number)?.scaled(&degree))
     }
 
     /// A letter of which nothing is told: variables that a definition may settle.

@@ -1,0 +1,88 @@
+//! Bodies that are symmetric: about an axis, or about a plane.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::vectors_read::entry_of;
+use crate::verify::term::quantity::{Quantity, Whole};
+use crate::verify::term::value::Value;
+use num_traits::Zero;
+
+impl Builder<'_> {
+    pub(super) fn read_symmetry(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        for subject in subjects {
+            let axis = what
+                .slot(Slot::About)
+                .and_then(|about| self.axis_of_frame(about));
+            match (self.body(subject), axis) {
+                (Some(body), Some((_, axis))) => self.hold_symmetry(body, axis, declaration),
+                _ => self.say_unused(declaration),
+            }
+        }
+    }
+
+    /// "The plane of x and z is a plane of symmetry of the aircraft": no product of inertia has the axis across it.
+    pub(super) fn read_plane_of_symmetry(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Phrase(plane)] = subjects else {
+            return None;
+        };
+        let body = self.body(what.slot(Slot::Of)?)?;
+        let of = Whole::Body(body);
+        let axes: Option<Vec<_>> = plane.all(Slot::Of).map(|t| self.axis_of_frame(t)).collect();
+        let &[(frame, one), (other, two)] = axes?.as_slice() else {
+            return None;
+        };
+        let across = (0..3).find(|axis| ![one, two].contains(axis))?;
+        if frame != other || one == two {
+            return None;
+        }
+        let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));
+        let tensor = Quantity::Inertia { of, about };
+        for axis in [one, two] {
+            let product = entry_of(&tensor, axis, across, frame);
+            let zero = Quantity::Known(Value::scalar(Zero::zero()));
+            self.hold_quantities(&product, &zero, declaration);
+        }
+        Some(())
+    }
+
+    /// A body that is symmetric about an axis has I = I_t 1 + (I_s − I_t) n nᵀ.
+    fn hold_symmetry(&mut self, body: usize, axis: usize, declaration: &Declaration) {
+        let Some(frame) = self.reading.system.bodies[body].frame else {
+            return;
+        };
+        let of = Whole::Body(body);
+        // The axis passes through the point about which all is told.
+        let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));
+        let tensor = Quantity::Inertia { of, about };
+        let n = self.system().axis(frame, axis);
+        let Ok(tensor) = self.system().value_of(&tensor).and_then(|v| v.to_matrix()) else {
+            return;
+        };
+        // I n is along n, and I is the same for all directions across.
+        let along = mechanics::apply(&tensor, &n);
+        self.hold_zero(&mechanics::cross(&n, &along), declaration);
+        let spin = n.dot(&along);
+        let across = (tensor.trace() - spin.clone()) * Fraction::from_ratio(1, 2);
+        for row in 0..3 {
+            for column in 0..=row {
+                let one = whole(i64::from(row == column));
+                let dyad = n[row].clone() * n[column].clone();
+                let told = across.clone() * one + (spin.clone() - across.clone()) * dyad;
+                self.hold(tensor[(row, column)].clone() - told, declaration);
+            }
+        }
+    }
+}

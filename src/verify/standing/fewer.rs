@@ -1,0 +1,108 @@
+//! Links that are judged by fewer premises than are in force, where all of them together grow too large.
+
+use crate::algebra::{Fraction, Proof};
+use crate::verify::facts::Source;
+use crate::verify::facts::parts::Part;
+use crate::verify::facts::proof::prove;
+use crate::verify::facts::relevant::relevant;
+use crate::verify::standing::chains::Link;
+use crate::verify::standing::hold::{Held, Sides};
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::verdicts::Standing;
+use num_traits::Zero;
+
+/// A premise of no more terms is a short one.
+const MOST_OF_SHORT: usize = 12;
+
+/// The premises of no more sentences and lines are tried alone.
+const MOST_PARTS: usize = 24;
+
+/// In no more choices of the premises that links need facts are kept.
+const MOST_KEPT: usize = 64;
+
+impl Judge<'_> {
+    /// What a link is worth by the premises that it needs, or whether it follows of a few of them, where all of them are
+    /// too many.
+    pub(super) fn weigh_by_fewer_premises(&mut self, link: &Link, by_all: Held) -> Held {
+        if let Some(held) = self.weigh_by_relevant(link, &by_all) {
+            return held;
+        }
+        let mut held = by_all;
+        if let Some(proof) = self.proof_by_few_premises(&held.sides) {
+            held.proof = Some(proof);
+            (held.standing, held.reason, held.doubt) = (Standing::Entailed, None, None);
+        }
+        held
+    }
+
+    /// What it is worth without the premises that only tell letters of which it does not speak.
+    fn weigh_by_relevant(&mut self, link: &Link, by_all: &Held) -> Option<Held> {
+        let atoms = &self.reading.system.atoms;
+        let relevant = relevant(atoms, self.premises(), &by_all.sides)?;
+        let mut kept = std::mem::take(self.facts.needed_mut());
+        let known = kept.iter().position(|part| part.is_of(&relevant.premises));
+        let mut part = known.map_or_else(|| Part::of(relevant.premises), |n| kept.remove(n));
+        let facts = part.take(&mut self.reading.system.atoms);
+        let all = std::mem::replace(&mut self.facts, facts);
+        let worked_out = Sides {
+            sides: by_all.sides.clone(),
+            unknown: by_all.unknown.clone(),
+            settles: by_all.settles.clone(),
+        };
+        let residuals = self.residuals(&worked_out.sides);
+        let held = residuals.map(|residuals| self.weigh_residuals(link, worked_out, &residuals));
+        part.keep(std::mem::replace(&mut self.facts, all));
+        if kept.len() < MOST_KEPT {
+            kept.push(part);
+        }
+        *self.facts.needed_mut() = kept;
+        let held = held.ok().filter(|held| !held.beyond)?;
+        (relevant.exact || held.standing == Standing::Entailed).then_some(held)
+    }
+
+    /// What follows of a part of the premises follows of all of them.
+    fn proof_by_few_premises(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        if self.facts.parts_mut().is_empty() {
+            *self.facts.parts_mut() = self.parts_of_premises();
+        }
+        let mut parts = std::mem::take(self.facts.parts_mut());
+        let all = std::mem::take(&mut self.facts);
+        let proof = parts.iter_mut().find_map(|part| {
+            self.facts = part.take(&mut self.reading.system.atoms);
+            let proof = self.proof(sides);
+            part.keep(std::mem::take(&mut self.facts));
+            proof
+        });
+        self.facts = all;
+        *self.facts.parts_mut() = parts;
+        proof
+    }
+
+    /// A proof by the facts that each pair is equal.
+    fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
+        let residuals = self.residuals(sides).ok()?;
+        let small = self.reading.small_at(&self.at);
+        let atoms = &mut self.reading.system.atoms;
+        let follows = residuals.iter().all(Zero::is_zero);
+        follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
+    }
+
+    /// The short premises, those of one sentence or line, and both.
+    fn parts_of_premises(&self) -> Vec<Part> {
+        let all = self.premises();
+        let short =
+            |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
+        let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
+        for (_, source) in &all {
+            let own = |(_, other): &&(Fraction, Source)| other == source;
+            let alone: Vec<_> = all.iter().filter(own).cloned().collect();
+            let with_short = all.iter().filter(|p| own(p) || short(p));
+            for part in [alone, with_short.cloned().collect()] {
+                if parts.len() <= MOST_PARTS && !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+        }
+        parts.into_iter().map(Part::of).collect()
+    }
+}

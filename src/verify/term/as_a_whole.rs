@@ -1,0 +1,76 @@
+//! Writings that sentences give a meaning as a whole: `[I_s]`, `dA/dt_{rotating}`, `I\omega^2`, `R_1^0`.
+
+use crate::notation::ast::{Kind, Node};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::value::Valued;
+
+impl Lowering<'_> {
+    /// A writing that a sentence gives a meaning as a whole: `[I_s]`, `dA/dt_{rotating}`, `I\omega^2`.
+    pub(super) fn as_a_whole(&mut self, node: &Node) -> Option<Valued> {
+        if matches!(node.kind, Kind::Symbol(_) | Kind::Number(_)) || !self.letters.has_wholes() {
+            return None;
+        }
+        let is_letter = |exact: &str| self.letters.letters.iter().any(|l| l.spelled == exact);
+        if let Some((rate, letter)) = rate_of_power(node)
+            && is_letter(&letter)
+        {
+            return Some(self.deeper(|lowering| lowering.value(&rate)));
+        }
+        let (exact, loose) = (spelled(node), loosely(node));
+        let grouped = matches!(node.kind, Kind::Group(..));
+        let number = match is_letter(&exact) && !grouped {
+            true => self.count(&exact),
+            false => 1,
+        };
+        self.meaning_of(&exact, (!grouped).then_some(loose.as_str()), number)
+    }
+
+    /// What sentences tell of a formula as it is spelled: what it means, or the letter that it is.
+    pub(super) fn meaning_of(
+        &mut self,
+        exact: &str,
+        loose: Option<&str>,
+        number: usize,
+    ) -> Option<Valued> {
+        if let Some(meaning) = self.letters.told_meaning(exact, self.at) {
+            return Some(self.deeper(|lowering| lowering.value(meaning)));
+        }
+        let letters = self.letters;
+        let letter = letters.find(exact, loose?, self.at, number)?;
+        match &letter.meaning {
+            Meaning::Quantity(quantity) => Some(self.letter(&letter.latex, quantity)),
+            Meaning::Same(same) => Some(self.deeper(|lowering| lowering.value(same))),
+            _ => None,
+        }
+    }
+}
+
+/// `\dot R_1^0`, where `R_1^0` may be a letter with a label at the upper right: its rate, and how the letter is spelled.
+fn rate_of_power(node: &Node) -> Option<(Node, String)> {
+    let Kind::Power(base, label) = &node.kind else {
+        return None;
+    };
+    let Kind::TimeDerivative {
+        operand,
+        order,
+        style,
+        frame,
+    } = &base.kind
+    else {
+        return None;
+    };
+    let at = |kind| Node {
+        kind,
+        span: node.span,
+    };
+    let letter = at(Kind::Power(operand.clone(), label.clone()));
+    let spelled = spelled(&letter);
+    let rate = Kind::TimeDerivative {
+        operand: Box::new(letter),
+        order: *order,
+        style: *style,
+        frame: frame.clone(),
+    };
+    Some((at(rate), spelled))
+}
