@@ -19,6 +19,7 @@ mod gaps;
 mod hanging;
 pub(crate) mod heads;
 mod implied;
+mod kept;
 mod kinds;
 mod lexicon;
 mod manual;

@@ -484,6 +484,27 @@ fn clauses_leave_out_what_the_one_before_says() {
             "On line 3 $L$ is the length of the rod.",
         ),
         (
+            "O is a point fixed in N and B, and G is the mass centre of the top.",
+            "O is a point fixed in N and B; G is the mass centre of the top.",
+        ),
+        (
+            "The craft consists of the hub and the wheel, and B is a frame fixed in it.",
+            "The craft consists of the hub and the wheel; B is a frame fixed in the craft.",
+        ),
+        (
+            "$A$ and $C$ are the moments of inertia of the hub about $u$ and $n$, and $D$ and $E$ those of the wheel.",
+            "$A$ is the moment of inertia of the hub about $u$; $C$ is the moment of inertia of the hub about $n$; \
+             $D$ is the moment of inertia of the wheel about $u$; $E$ is the moment of inertia of the wheel about $n$.",
+        ),
+        (
+            "$w$ is the angular velocity of B relative to A, and $v$ that of A.",
+            "$w$ is the angular velocity of B relative to A; $v$ is the angular velocity of A.",
+        ),
+        (
+            "$L$ is the angular momentum of the top about z, which is a unit vector.",
+            "$L$ is the angular momentum of the top about z; z is a unit vector.",
+        ),
+        (
             "$J$ is the inertia tensor of the hub about G, with the entries $J_{jk}$.",
             "$J$ is the inertia tensor of the hub about G; $J_{jk}$ are the entries of $J$.",
         ),
@@ -534,6 +555,13 @@ fn what_something_is_stays_so_unless_it_is_taken_back() {
         assert_eq!(declarations.iter().filter(read).count(), wanted, "{text}");
         assert_eq!(misread.len(), 1, "{text}");
     }
+}
+
+#[test]
+fn what_may_be_meant_in_two_ways_is_not_read() {
+    let text = "$a$ and $b$ are the masses of the hub and the wheel, and $M$ is their mass.";
+    let (_, misread) = read_declarations(text, &Macros::default(), &Lexicon::default());
+    assert_eq!(misread.len(), 1);
 }
 
 #[test]

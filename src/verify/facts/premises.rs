@@ -87,6 +87,8 @@ pub(crate) struct Facts {
     pub(super) work: usize,
     /// A premise that could not be put in: while there is one, what fails by the others may hold.
     missing: Option<Source>,
+    /// Whether some goal was beyond what is worked out with all of them.
+    pub(crate) are_too_many: bool,
     /// Whether laws of mechanics say nothing here, but definitions and mathematics alone.
     pub(super) lawless: bool,
 }

@@ -27,6 +27,10 @@ impl Small {
         )
     }
 
+    pub(crate) fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.variables.is_empty()
     }

@@ -1,5 +1,6 @@
 //! Whole sentences.
 
+use super::gaps::alike_at_end;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
 use super::reader::{COPULAS, Read, Reader};
@@ -9,9 +10,6 @@ use super::words::Kind;
 
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
-
-/// The subject of a clause behind another has no more words than this.
-const LONGEST_SUBJECT: usize = 12;
 
 /// What is said, and of which part of the document.
 pub(crate) type Said = (Extent, Statement);
@@ -33,7 +31,7 @@ impl<'a> Reader<'a> {
                 None => {
                     let thing = said.last().and_then(|(_, said)| owner_in(said));
                     self.before.thing = thing.or(self.before.thing.take());
-                    self.before.what = said.last().and_then(|(_, said)| said.noun_phrase());
+                    self.before.what = alike_at_end(said.iter().map(|(_, said)| said));
                     let subject = self.subject(&mut extents)?;
                     let (subjects, kind) = (subject.terms, subject.kind);
                     statements.extend(subject.said);
@@ -210,32 +208,6 @@ impl<'a> Reader<'a> {
         next
     }
 
-    /// Whether a subject and its verb come next: names and letters with nothing that hangs on them.
-    pub(crate) fn at_clause(&self) -> bool {
-        // "and radius `$r$`": a size has no article, and what is spoken of has one.
-        let size = self.lexicon.find(self.following(0), &[Class::Noun]);
-        let letter = |n: usize| {
-            let token = self.tokens.get(self.at + n);
-            token.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain))
-        };
-        if size.is_some_and(|size| letter(size.length)) {
-            return false;
-        }
-        for ahead in 0..LONGEST_SUBJECT {
-            let word = self.word_at(ahead);
-            if COPULAS.contains(&word) {
-                return ahead > 0;
-            }
-            let rest = self.following(ahead);
-            let hangs = self.lexicon.find(rest, &[Class::Preposition]).is_some();
-            let token = self.tokens.get(self.at + ahead);
-            if hangs || token.is_none_or(|t| t.kind == Kind::Semicolon) {
-                return false;
-            }
-        }
-        false
-    }
-
     /// ", also written `$c$`" behind what is said of some subjects.
     pub(crate) fn renamed_behind(
         &mut self,
@@ -353,6 +325,13 @@ impl<'a> Reader<'a> {
                 subjects: subjects.to_vec(),
                 what: constant,
             }]);
+        }
+        if let ("differ", [Term::Formula(one), Term::Formula(other)]) = (verb.entry.name, subjects)
+            && slots.is_empty()
+            && let Some(differ) =
+                self.formula(&format!("{} \\neq {}", one.source, other.source), false)
+        {
+            return Ok(vec![Statement::Holds(differ)]);
         }
         if verb.entry.name == "have"
             && let Some(said) = possessions(subjects, &slots)

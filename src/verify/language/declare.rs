@@ -2,19 +2,19 @@
 
 use super::anaphora::{referring, with_its};
 use super::bodies::introduced;
-use super::clause::{Said, as_formula};
+use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
+use super::kept::{kept, speak_of_subjects};
 use super::kinds::{name_the_only_one, show_frames, tell_mass_centres};
-use super::lexicon::{Class, Lexicon};
-use super::reader::{COPULAS, Reader};
+use super::lexicon::Lexicon;
+use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
     without_ranges,
 };
 use super::rewrite::plainly;
-use super::sentence_parts::joins;
-use super::statement::{Declaration, Extent, Misread, Statement, Term, Touched};
-use super::words::{Kind, Token, tokens, wrong};
+use super::statement::{Declaration, Extent, Misread, Statement};
+use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
 
@@ -62,17 +62,16 @@ pub fn read_declarations(
             Ok(said) => declarations.extend(said),
             Err(error) => {
                 let tokens = tokens.as_deref().unwrap_or_default();
-                let (begun, rest) = begun(tokens, &reader, lexicon);
-                // What is said to follow says nothing new.
-                if !rest.first().is_some_and(concludes) || begun.is_empty() {
+                let (kept, rest) = kept(tokens, &reader);
+                if let Some(rest) = rest {
                     let mut unread = unread(rest, sentence, line, macros, lexicon);
                     for part in &mut unread {
-                        speak_of_subjects(part, &begun);
+                        speak_of_subjects(part, &kept);
                     }
                     declarations.extend(unread);
                     misread.push(error);
                 }
-                declarations.extend(begun);
+                declarations.extend(kept);
             }
         }
     }
@@ -106,97 +105,6 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
     }
 }
 
-/// What a sentence says before what is not understood, and the rest. The rest has to be a clause of its own, with a
-/// subject and a verb, for what goes on from a clause may change what it says. What something is stays so however the
-/// sentence goes on: "N is an inertial frame, …".
-fn begun<'t>(
-    tokens: &'t [Token],
-    reader: &impl Fn(&[Token]) -> Result<Vec<Declaration>, Misread>,
-    lexicon: &Lexicon,
-) -> (Vec<Declaration>, &'t [Token]) {
-    let letters = |said: &Declaration| match &said.statement {
-        Statement::Is { subjects, .. } => subjects.iter().all(|s| matches!(s, Term::Formula(_))),
-        _ => false,
-    };
-    for at in (1..tokens.len()).rev() {
-        let joined = tokens[at..].iter().take_while(|t| joins(t)).count();
-        let next = &tokens[at + joined..];
-        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
-        let letter = next.len() > 1 && formula(&next[0]) && next[1].kind == Kind::Word;
-        let apart = tokens[at].kind == Kind::Comma && has_own_subject(next);
-        let clause = joined > 0 && (letter || apart);
-        let follows = tokens[at].kind == Kind::Comma && next.first().is_some_and(concludes);
-        let adds = !next.is_empty() && !tokens[at..].iter().any(takes_back);
-        if !(clause || adds || follows) {
-            continue;
-        }
-        if let Ok(said) = reader(&tokens[..at])
-            && (follows
-                || clause && (said.iter().all(letters) || apart)
-                || adds
-                    && said
-                        .iter()
-                        .all(|said| is_categorical(&said.statement, lexicon)))
-        {
-            return (said, next);
-        }
-    }
-    (vec![], tokens)
-}
-
-/// Words behind which stands what follows.
-const CONCLUDING: [&str; 4] = ["so", "hence", "therefore", "thus"];
-
-fn concludes(token: &Token) -> bool {
-    CONCLUDING.contains(&token.lower.as_str())
-}
-
-/// A clause that is not understood may speak of what those before it are about.
-fn speak_of_subjects(unread: &mut Declaration, before: &[Declaration]) {
-    let Statement::Unread {
-        touched: Touched::Letters { formulas, .. },
-        ..
-    } = &mut unread.statement
-    else {
-        return;
-    };
-    let subjects = before.iter().flat_map(|said| said.statement.subjects());
-    formulas.extend(subjects.filter_map(as_formula));
-}
-
-/// Nouns of what a thing is, however it moves.
-const CATEGORIES: [&str; 6] = ["frame", "point", "mass centre", "axes", "plane", "particle"];
-
-/// Whether a statement says what a thing is.
-fn is_categorical(statement: &Statement, lexicon: &Lexicon) -> bool {
-    match statement {
-        Statement::Is { what, .. } => {
-            CATEGORIES.contains(&what.head) || lexicon.entry(what.head, &[Class::Thing]).is_some()
-        }
-        _ => false,
-    }
-}
-
-/// Words that may take back what stands before them.
-const TAKING_BACK: [&str; 16] = [
-    "not", "no", "but", "except", "unless", "only", "until", "instead", "rather", "never",
-    "without", "neither", "however", "less", "than", "or",
-];
-
-fn takes_back(token: &Token) -> bool {
-    TAKING_BACK.contains(&token.lower.as_str()) || token.lower.ends_with("n't")
-}
-
-/// Whether a clause begins with a noun and its article, and a verb follows: "the third of them is …".
-fn has_own_subject(clause: &[Token]) -> bool {
-    let article = |t: &Token| matches!(t.lower.as_str(), "the" | "its" | "their" | "there");
-    let verb = |t: &Token| COPULAS.contains(&t.lower.as_str());
-    clause.first().is_some_and(article) && clause.iter().take(LONGEST_SUBJECT).any(verb)
-}
-
-/// The subject of a clause has no more words than this.
-const LONGEST_SUBJECT: usize = 7;
-
 /// A sentence that is not understood: of which parts of the document, and of which letters it speaks.
 fn unread(
     tokens: &[Token],
@@ -207,11 +115,13 @@ fn unread(
 ) -> Vec<Declaration> {
     let bodies = BTreeSet::new();
     let mut reader = Reader::new(tokens, (line, 1), lexicon, macros, &bodies);
-    let extents = reader
-        .extents()
-        .ok()
-        .filter(|extents| !extents.is_empty())
-        .unwrap_or_else(|| vec![Extent::Document]);
+    // What is said of lines concerns these lines.
+    let of_lines = reader.spoken_of().ok().flatten();
+    let extents = of_lines.or_else(|| {
+        reader.at = 0;
+        reader.extents().ok().filter(|extents| !extents.is_empty())
+    });
+    let extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let touched = reader.touched(extents != [Extent::Document]);
     let letters = reader.letters_told().unwrap_or_default();
     let of_extent = |extent| Declaration {

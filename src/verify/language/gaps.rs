@@ -33,12 +33,14 @@ impl Reader<'_> {
         while self.those_behind() && self.take_separator() {
             self.term(&mut subjects)?;
         }
+        let before = alike_at_end(statements.iter());
+        if let Some(those) = self.that_of(&subjects, &before)? {
+            statements.extend(those);
+            self.renamed_behind(&subjects, statements)?;
+            return Ok(true);
+        }
         let its = self.take_any(&["its"]);
-        let what = what.clone();
-        let mut what = match self.that_of(&what)? {
-            Some(phrase) => phrase,
-            None => self.phrase()?,
-        };
+        let mut what = self.phrase()?;
         if its {
             let owner = match of_letters(what.head) {
                 true => letter,
@@ -64,9 +66,14 @@ impl Reader<'_> {
     }
 
     /// "that of the rotor", "those about G": what the noun before says, with other things hanging on it.
-    pub(crate) fn that_of(&mut self, before: &NounPhrase) -> Read<Option<NounPhrase>> {
+    pub(crate) fn that_of(
+        &mut self,
+        subjects: &[Term],
+        before: &[NounPhrase],
+    ) -> Read<Option<Vec<Statement>>> {
         let start = self.at;
-        let entry = self.lexicon.entry(before.head, &NOUNS);
+        let last = before.last();
+        let entry = last.and_then(|last| self.lexicon.entry(last.head, &NOUNS));
         let (true, Some(entry)) = (self.take_any(&["that", "those"]), entry) else {
             self.at = start;
             return Ok(None);
@@ -77,16 +84,21 @@ impl Reader<'_> {
             self.at = start;
             return Ok(None);
         }
-        for (slot, term) in &before.slots {
-            let said = slots.iter().any(|(said, _)| said == slot);
-            if !said && *slot != Slot::Which {
-                slots.push((*slot, term.clone()));
+        let each: Vec<NounPhrase> = before.iter().map(|what| hanging_on(what, &slots)).collect();
+        let is = |(subjects, what): (Vec<Term>, &NounPhrase)| Statement::Is {
+            subjects,
+            what: what.clone(),
+        };
+        match each.as_slice() {
+            [first, rest @ ..] if rest.iter().all(|other| other == first) => {
+                Ok(Some(vec![is((subjects.to_vec(), first))]))
             }
+            _ if each.len() == subjects.len() => {
+                let own = subjects.iter().map(|subject| vec![subject.clone()]);
+                Ok(Some(own.zip(&each).map(is).collect()))
+            }
+            _ => Err(self.error("it is not said which of several is meant", "name it")),
         }
-        Ok(Some(NounPhrase {
-            slots,
-            ..before.clone()
-        }))
     }
 
     /// Whether "and" begins a sentence without its verb: "and `$p$` its small disturbance".
@@ -103,7 +115,8 @@ impl Reader<'_> {
         };
         let rest = self.tokens.get(self.at..).unwrap_or_default();
         let list = rest.iter().take_while(listed).count();
-        list > 0 && rest.get(list).is_some_and(|token| token.lower == "those")
+        let names_them = rest.get(list).is_some_and(|token| token.lower == "those");
+        list > 0 && names_them && is_one_list(&rest[..list])
     }
 
     /// "The third of them", behind what was said of the axes of B: the third axis of B.
@@ -151,5 +164,49 @@ impl Reader<'_> {
             next.kind == Kind::Word && matches!(next.text.as_str(), "a" | "an")
         });
         named && self.kind() == Some(Kind::Comma) && article
+    }
+}
+
+/// Whether some words with "and" and commas between them are one list. Behind ", and" a new one begins, unless the members
+/// before it are parted by commas as well: "x, y, and z".
+pub(super) fn is_one_list(tokens: &[Token]) -> bool {
+    let comma = |t: &Token| t.kind == Kind::Comma;
+    let ends = |pair: &[Token]| comma(&pair[0]) && pair[1].lower == "and";
+    let Some(at) = tokens.windows(2).position(ends) else {
+        return true;
+    };
+    let last = &tokens[at + 2..];
+    let joined = |tokens: &[Token]| tokens.iter().any(|t| comma(t) || t.lower == "and");
+    tokens[..at].iter().any(comma) && !joined(last)
+}
+
+/// What the last clause said each of several letters to be: noun phrases with one head.
+pub(super) fn alike_at_end<'s>(
+    said: impl DoubleEndedIterator<Item = &'s Statement>,
+) -> Vec<NounPhrase> {
+    let mut alike: Vec<NounPhrase> = vec![];
+    for what in said.rev().map_while(Statement::noun_phrase) {
+        if alike.last().is_some_and(|last| last.head != what.head) {
+            break;
+        }
+        alike.push(what);
+    }
+    alike.reverse();
+    alike
+}
+
+/// A noun with other things hanging on it, and what hung on it before in the places that these leave.
+fn hanging_on(before: &NounPhrase, slots: &[(Slot, Term)]) -> NounPhrase {
+    let mut all = slots.to_vec();
+    for (slot, term) in &before.slots {
+        // Nothing is measured from itself: "B relative to A, and that of A".
+        let said = slots.iter().any(|(said, own)| said == slot || own == term);
+        if !said && *slot != Slot::Which {
+            all.push((*slot, term.clone()));
+        }
+    }
+    NounPhrase {
+        slots: all,
+        ..before.clone()
     }
 }

@@ -1,7 +1,7 @@
 //! What a noun leaves to the words around it: whose it is, which one, and what is meant by several.
 
 use super::lexicon::Class;
-use super::reader::{Reader, is_glue};
+use super::reader::{Read, Reader, is_glue};
 use super::statement::{NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
 
@@ -35,9 +35,9 @@ pub(super) const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "a
 
 impl Reader<'_> {
     /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
-    pub(crate) fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) {
+    pub(crate) fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) -> Read<()> {
         let Some(thing) = self.before.thing.as_ref().filter(|_| owned) else {
-            return;
+            return Ok(());
         };
         let of_letters = self
             .lexicon
@@ -48,8 +48,9 @@ impl Reader<'_> {
                     && noun.name != "mass"
             });
         if of_letters || OF_LETTERS.contains(&phrase.head) || phrase.head == "disturbance" {
-            return;
+            return Ok(());
         }
+        let mut owners = 0;
         for (slot, term) in &mut phrase.slots {
             let of_thing = |p: &NounPhrase| p.slot(Slot::Of) == Some(thing);
             let names_quantity = match term {
@@ -59,7 +60,12 @@ impl Reader<'_> {
             };
             if *slot == Slot::Of && names_quantity {
                 *term = thing.clone();
+                owners += 1;
             }
+        }
+        match owners > 1 {
+            true => Err(self.error("it is not said whose", "name the things")),
+            false => Ok(()),
         }
     }
 

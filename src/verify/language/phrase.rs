@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
             return Err(self.error("it is not said whose", "name the thing"));
         }
         let mut phrase = self.phrase_of(owner)?;
-        self.belongs_to_thing(&mut phrase, owned);
+        self.belongs_to_thing(&mut phrase, owned)?;
         if self.hangs() && OWNED.contains(&phrase.head) && phrase.slot(Slot::Of).is_none() {
             let whose = self.owner.first().cloned();
             phrase.slots.extend(whose.map(|whose| (Slot::Of, whose)));
@@ -254,7 +254,7 @@ impl<'a> Reader<'a> {
             owner.truncate(1);
         }
         let mut phrase = self.phrase_of(owner)?;
-        self.belongs_to_thing(&mut phrase, owned);
+        self.belongs_to_thing(&mut phrase, owned)?;
         Ok(phrase)
     }
 

@@ -52,10 +52,9 @@ impl<'a> Reader<'a> {
         if let Some(statements) = self.one_noun(&subjects)? {
             return Ok(statements);
         }
-        if let Some(before) = self.before.what.take()
-            && let Some(what) = self.that_of(&before)?
-        {
-            return Ok(vec![Statement::Is { subjects, what }]);
+        let before = std::mem::take(&mut self.before.what);
+        if let Some(statements) = self.that_of(&subjects, &before)? {
+            return Ok(statements);
         }
         let (mut what, entry) = self.said()?;
         if let Some(statements) = self.one_each(&subjects, &what)? {

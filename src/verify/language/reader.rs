@@ -39,8 +39,8 @@ pub(crate) type Read<T> = Result<T, Misread>;
 pub(crate) struct Before {
     /// The thing of which it said what a letter is.
     pub(crate) thing: Option<Term>,
-    /// What it said a letter to be.
-    pub(crate) what: Option<NounPhrase>,
+    /// What it said a letter to be, or each of several letters.
+    pub(crate) what: Vec<NounPhrase>,
 }
 
 /// A sentence that is being read.

@@ -156,7 +156,7 @@ pub(crate) fn last_named(tokens: &[Token]) -> &[Token] {
     let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
     let noun = tokens
         .last()
-        .is_some_and(|t| t.kind == Kind::Word && t.lower == t.text);
+        .is_some_and(|t| t.kind == Kind::Word && t.lower == t.text && t.text.len() > 1);
     let start = tokens.iter().rposition(article);
     match start.filter(|&at| noun && last - at <= LONGEST_NAMED) {
         Some(at) => &tokens[at..],

@@ -32,7 +32,7 @@ impl Reader<'_> {
     }
 
     /// The part of the document that a sentence speaks of: "lines 3 to 5", "cell 2", "the section "Tops"", "everything".
-    fn spoken_of(&mut self) -> Read<Option<Vec<Extent>>> {
+    pub(crate) fn spoken_of(&mut self) -> Read<Option<Vec<Extent>>> {
         let next = self.tokens.get(self.at + 1).map(|t| t.kind);
         match self.word() {
             "line" | "lines" | "row" | "rows" if next == Some(Kind::Number) => {

@@ -1,13 +1,20 @@
 //! What a clause is about, where its subject says more than a name.
 
+use super::gaps::is_one_list;
 use super::implied::INDEXED;
 use super::lexicon::Class;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::statement::{Extent, NounPhrase, Slot, Statement, Term};
-use super::words::Kind;
+use super::words::{Kind, Token};
 
 /// Things that are called by what they are before their name.
 const KINDS: [&str; 2] = ["frame", "point"];
+
+/// What is said of one thing.
+const ONE: [&str; 3] = ["is", "was", "denotes"];
+
+/// The subject of a clause behind another has no more words than this.
+const LONGEST_SUBJECT: usize = 12;
 
 /// What a clause is about.
 pub(super) struct Subject {
@@ -38,6 +45,38 @@ impl Reader<'_> {
             subject.terms = letters;
         }
         Ok(subject)
+    }
+
+    /// Whether a subject and its verb come next: names and letters with nothing that hangs on them.
+    pub(crate) fn at_clause(&self) -> bool {
+        // "and radius `$r$`": a size has no article, and what is spoken of has one.
+        let size = self.lexicon.find(self.following(0), &[Class::Noun]);
+        let letter = |n: usize| {
+            let token = self.tokens.get(self.at + n);
+            token.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain))
+        };
+        if size.is_some_and(|size| letter(size.length)) {
+            return false;
+        }
+        for ahead in 0..LONGEST_SUBJECT {
+            let word = self.word_at(ahead);
+            if COPULAS.contains(&word) {
+                let subject = self.tokens.get(self.at..self.at + ahead);
+                let several = |t: &Token| t.kind == Kind::Comma || t.lower == "and";
+                let one = |subject: &[Token]| match ONE.contains(&word) {
+                    true => !subject.iter().any(several),
+                    false => is_one_list(subject),
+                };
+                return ahead > 0 && subject.is_some_and(one);
+            }
+            let rest = self.following(ahead);
+            let hangs = self.lexicon.find(rest, &[Class::Preposition]).is_some();
+            let token = self.tokens.get(self.at + ahead);
+            if hangs || token.is_none_or(|t| t.kind == Kind::Semicolon) {
+                return false;
+            }
+        }
+        false
     }
 
     fn kind_of_subject(&self) -> Option<&'static str> {

@@ -114,6 +114,8 @@ pub(crate) struct Atoms {
     list: Vec<Atom>,
     known: HashMap<Key, Variable>,
     rates: HashMap<Variable, Fraction>,
+    /// Letters that are told to be lengths: of what they are the root.
+    pub(super) lengths: Vec<(Fraction, Variable)>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
 }
@@ -290,6 +292,12 @@ impl Atoms {
         let first = terms.next().map(|(_, c)| c.is_negative());
         terms.all(|(_, c)| Some(c.is_negative()) == first)
             && of.variables().into_iter().all(|v| self.atom(v).positive)
+    }
+
+    /// A letter is a length: the root of its square.
+    pub(crate) fn tell_root(&mut self, square: Fraction, letter: Variable) {
+        let square = self.with_squares(&square);
+        self.lengths.push((square, letter));
     }
 
     /// The angle of which a variable is the sine or cosine.

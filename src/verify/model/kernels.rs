@@ -138,11 +138,29 @@ impl Atoms {
             .find_map(|v| self.atom(v).key.member.clone())
     }
 
+    /// Whether a root is positive by what its letters are; a sine is taken as one of an angle below π.
+    fn is_no_less_than_zero(&self, root: &Polynomial) -> bool {
+        let positive = |variable: Variable| {
+            let atom = self.atom(variable);
+            atom.positive || matches!(atom.nature, Nature::Root(_) | Nature::Sine(_))
+        };
+        let mut terms = root.terms().iter();
+        terms.all(|(_, c)| !c.is_negative()) && root.variables().into_iter().all(positive)
+    }
+
     /// The square root of a value, taken as not negative.
     pub(crate) fn root(&mut self, of: &Fraction) -> Option<Fraction> {
         let of = &self.with_squares(of);
-        if let Some(root) = self.perfect_root(of.numerator())
-            && let Some(below) = self.perfect_root(of.denominator())
+        if let Some((_, length)) = self.lengths.iter().find(|(square, _)| square == of) {
+            return Some(fraction(*length));
+        }
+        // The root of x² is |x|, and no x whose sign is not known.
+        let perfect = |of| {
+            self.perfect_root(of)
+                .filter(|root| self.is_no_less_than_zero(root))
+        };
+        if let Some(root) = perfect(of.numerator())
+            && let Some(below) = perfect(of.denominator())
         {
             return Fraction::new(root, below);
         }

@@ -20,6 +20,9 @@ const GROUNDS: [&str; 7] = [
     "floor", "incline", "table", "wall", "track", "support", "earth",
 ];
 
+/// Words that count the members of a family.
+const COUNTS: [&str; 5] = ["two", "three", "four", "five", "six"];
+
 /// Members that any body has.
 const PARTICLES: [&str; 2] = ["particle", "element"];
 
@@ -35,7 +38,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "consist",
                     slots,
-                } => self.bodies_of_parts(subjects, slots),
+                } => self.bodies_of_parts(subjects, slots, declaration),
                 Statement::Does {
                     subjects,
                     verb: "number",
@@ -139,7 +142,12 @@ impl Builder<'_> {
     }
 
     /// "The spacecraft consists of the hub and the wheels."
-    fn bodies_of_parts(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
+    fn bodies_of_parts(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
         let [subject] = subjects else { return };
         let Some(name) = name_of(subject) else { return };
         let whole = self.add_named_body(&name);
@@ -156,6 +164,10 @@ impl Builder<'_> {
                     self.reading.system.families[id]
                         .indices
                         .push(index_letter(index));
+                }
+                // How many members a family has is not worked with.
+                Term::Name(part) if part.split(' ').any(|word| COUNTS.contains(&word)) => {
+                    self.say_unused(declaration);
                 }
                 Term::Name(part) => match singular(part) {
                     // Particles beside other parts move on their own: they make up no rigid body with these.
@@ -175,9 +187,11 @@ impl Builder<'_> {
                         let own = self.add_named_body(&name);
                         self.points_of.push((own, of));
                         parts.push(own);
+                    } else {
+                        self.say_unused(declaration);
                     }
                 }
-                _ => {}
+                _ => self.say_unused(declaration),
             }
         }
         // A hub with its wheels is one rigid body with rotors.

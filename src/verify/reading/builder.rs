@@ -54,9 +54,10 @@ pub(crate) fn build(
     written: BTreeSet<String>,
     first: usize,
 ) -> Reading {
-    // What holds under a condition is never taken as always true.
-    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) =
-        instances(declarations).into_iter().partition(has_condition);
+    // What holds under a condition is never taken as always true, and what is denied is no fact.
+    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) = instances(declarations)
+        .into_iter()
+        .partition(|d| has_condition(d) || denies(d));
     let mut builder = Builder {
         declarations: &always,
         reading: Reading::default(),
@@ -383,6 +384,16 @@ impl System {
 const WHILES: [&str; 3] = ["before", "after", "during"];
 
 /// Whether a sentence holds under a condition alone: "at `\theta = 0`".
+/// Whether a sentence says that something is not so; what is not zero is a fact.
+fn denies(declaration: &Declaration) -> bool {
+    match &declaration.statement {
+        Statement::Is { what, .. } | Statement::Premise(what) => {
+            what.is("not") && what.head != "zero"
+        }
+        _ => false,
+    }
+}
+
 fn has_condition(declaration: &Declaration) -> bool {
     let slots = match &declaration.statement {
         Statement::Is { what, .. } if rests_before(what) => return false,

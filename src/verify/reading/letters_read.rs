@@ -4,8 +4,9 @@ use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
 };
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::atoms::whole;
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
@@ -18,9 +19,9 @@ use crate::verify::reading::names::{
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
+use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 21] = [
@@ -138,6 +139,10 @@ impl Builder<'_> {
         if matches!(subjects, [Term::Phrase(phrase)] if phrase.head == PRODUCTS) {
             return;
         }
+        // Without labels no custom says which product is which.
+        if what.head == PRODUCTS && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
+            return self.say_unused(declaration);
+        }
         if is_force_at(what) {
             return;
         }
@@ -204,48 +209,6 @@ impl Builder<'_> {
             }
             _ => return None,
         })
-    }
-
-    /// "`$h$` is the product of `$J$` and `$\Omega$`."
-    fn read_product(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let [Term::Formula(letter)] = subjects else {
-            return None;
-        };
-        let mut product = whole(1);
-        for (slot, term) in &what.slots {
-            let (Slot::Of, Term::Formula(factor)) = (slot, term) else {
-                return None;
-            };
-            product *= self.formula_value(factor, declaration)?.to_scalar().ok()?;
-        }
-        let product = Quantity::Known(Value::scalar(product));
-        self.denote(letter, Meaning::Quantity(product), declaration);
-        Some(())
-    }
-
-    /// "`$n$` is the constant value of `$\omega_3$`": another letter for it.
-    fn read_value(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let ([Term::Formula(letter)], [(Slot::Of, of @ Term::Formula(formula))]) =
-            (subjects, what.slots.as_slice())
-        else {
-            return None;
-        };
-        let same = Meaning::Same(Box::new(node_of(formula)?.clone()));
-        self.denote(letter, same, declaration);
-        if what.is("constant") {
-            self.read_constants(std::slice::from_ref(of), declaration);
-        }
-        Some(())
     }
 
     /// ω_{X/Y} for any frames X and Y.
@@ -350,6 +313,9 @@ impl Builder<'_> {
         };
         self.denote(formula, Meaning::Quantity(quantity), declaration);
         let letter = value.entries[0].clone();
+        if let (Extent::Document, Some(length)) = (&declaration.extent, letter.as_variable()) {
+            self.system().atoms.tell_root(square.clone(), length);
+        }
         self.hold(letter.clone() * letter - square, declaration);
     }
 

@@ -171,14 +171,14 @@ impl Builder<'_> {
             },
             _ => None,
         });
+        if section.is_none() && self.read_order_of_lines(lines, slots, declaration) {
+            return;
+        }
         let lines = match lines {
             // "On lines 3 to 9 everything holds …"
             Extent::Document => reach_of(&declaration.extent),
             lines => reach_of(lines),
         };
-        if section.is_none() && self.read_order_of_lines(&lines, slots, declaration) {
-            return;
-        }
         let instant = slots.iter().find_map(|(slot, term)| match term {
             Term::Formula(when) if *slot == Slot::At => Some(when.source.replace(' ', "")),
             _ => None,

@@ -36,7 +36,7 @@ impl Builder<'_> {
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along)
             && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
-            && phrase.slot(Slot::Upon).is_none()
+            && !(phrase.slot(Slot::Upon).is_some() && self.is_scalar(&quantity))
         {
             let along = self.axis_quantity(&along.clone(), declaration)?;
             quantity = Quantity::Along {

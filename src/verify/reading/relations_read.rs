@@ -1,8 +1,11 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::verify::facts::small::Small;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -11,10 +14,11 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{PRODUCTS, node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::labels::letters_of;
-use crate::verify::term::letters::{Meaning, Reach, loosely, spelled};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::Value;
+use num_traits::Zero;
 
 /// The order of the entries of a symmetric tensor, where their letters do not say it.
 const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
@@ -257,7 +261,7 @@ impl Builder<'_> {
     /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.
     pub(super) fn read_order_of_lines(
         &mut self,
-        lines: &Reach,
+        lines: &Extent,
         slots: &[(Slot, Term)],
         declaration: &Declaration,
     ) -> bool {
@@ -272,19 +276,85 @@ impl Builder<'_> {
         let Some(order) = orders.into_iter().max() else {
             return false;
         };
-        let values: Vec<Value> = formulas(&letters)
-            .filter_map(|formula| self.formula_value(formula, declaration))
-            .collect();
-        let entries = values.iter().flat_map(|value| &value.entries);
-        let variables = entries.filter_map(|entry| entry.as_variable()).collect();
+        // The letters mean what they mean on these lines.
+        let there = match lines {
+            Extent::Document => declaration.clone(),
+            lines => Declaration {
+                extent: lines.clone(),
+                ..declaration.clone()
+            },
+        };
+        let mut variables = vec![];
+        for formula in formulas(&letters) {
+            let value = self.formula_value(formula, &there);
+            let entries = value.map_or_else(Vec::new, |value| value.entries);
+            let own: Option<Vec<Variable>> = entries
+                .iter()
+                .filter(|entry| !entry.is_zero())
+                .map(Fraction::as_variable)
+                .collect();
+            match own.filter(|own| !own.is_empty()) {
+                Some(own) => variables.extend(own),
+                None => self.say_unused(declaration),
+            }
+        }
+        if variables.is_empty() {
+            self.say_unused(declaration);
+        }
+        let reach = reach_of(&there.extent);
         let small = Small::new(variables, order);
-        self.reading.sizes.small.push((lines.clone(), small));
+        self.reading.sizes.small.push((reach, small));
         true
+    }
+
+    /// "`$h$` is the product of `$J$` and `$\Omega$`."
+    pub(super) fn read_product(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let mut product = whole(1);
+        for (slot, term) in &what.slots {
+            let (Slot::Of, Term::Formula(factor)) = (slot, term) else {
+                return None;
+            };
+            if !self.is_told(factor, declaration) {
+                return None;
+            }
+            product *= self.formula_value(factor, declaration)?.to_scalar().ok()?;
+        }
+        let product = Quantity::Known(Value::scalar(product));
+        self.denote(letter, Meaning::Quantity(product), declaration);
+        Some(())
+    }
+
+    /// "`$n$` is the constant value of `$\omega_3$`": another letter for it.
+    pub(super) fn read_value(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let ([Term::Formula(letter)], [(Slot::Of, of @ Term::Formula(formula))]) =
+            (subjects, what.slots.as_slice())
+        else {
+            return None;
+        };
+        let same = Meaning::Same(Box::new(node_of(formula)?.clone()));
+        self.denote(letter, same, declaration);
+        if what.is("constant") {
+            self.read_constants(std::slice::from_ref(of), declaration);
+        }
+        Some(())
     }
 }
 
 /// Row and column by the label of a letter: the xy of `I_{xy}`.
-fn labelled_entry(formula: &Formula) -> Option<[usize; 2]> {
+pub(super) fn labelled_entry(formula: &Formula) -> Option<[usize; 2]> {
     let Kind::Symbol(symbol) = &node_of(formula)?.kind else {
         return None;
     };

@@ -49,7 +49,8 @@ impl Builder<'_> {
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {
         let sentence = declaration.text.trim_end_matches('.').to_owned();
         let reach = reach_of(&declaration.extent);
-        if !self.reading.unused.iter().any(|u| u.sentence == sentence) {
+        let known = |u: &Unused| u.sentence == sentence && u.reach == reach;
+        if !self.reading.unused.iter().any(known) {
             let named = letters_named_by(&declaration.statement);
             let letters = named.map(|nodes| nodes.into_iter().flat_map(letter_names).collect());
             self.reading.unused.push(Unused {

@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::Source;
 use crate::verify::facts::world::World;
+use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
@@ -20,6 +21,16 @@ impl Judge<'_> {
                 "this premise is beyond what is worked out: {premise}"
             ));
             held.beyond = true;
+            return;
+        }
+        let small = self.reading.small_at(&self.at);
+        let atoms = &self.reading.system.atoms;
+        if small
+            .variables()
+            .iter()
+            .any(|v| self.facts.told_at(atoms, *v).is_some())
+        {
+            held.doubt = Some(messages::SMALL_BY_OTHERS.into());
             return;
         }
         if self.may_hold_from_start(&held.sides) {

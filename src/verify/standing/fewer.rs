@@ -21,13 +21,8 @@ const MOST_PARTS: usize = 24;
 const MOST_KEPT: usize = 64;
 
 impl Judge<'_> {
-    /// What a link is worth by the premises that it needs, or whether it follows of a few of them, where all of them are
-    /// too many.
-    pub(super) fn weigh_by_fewer_premises(&mut self, link: &Link, by_all: Held) -> Held {
-        if let Some(held) = self.weigh_by_relevant(link, &by_all) {
-            return held;
-        }
-        let mut held = by_all;
+    /// Whether a link follows of a few premises, where all of them are too many.
+    pub(super) fn weigh_by_few_premises(&mut self, mut held: Held) -> Held {
         if let Some(proof) = self.proof_by_few_premises(&held.sides) {
             held.proof = Some(proof);
             (held.standing, held.reason, held.doubt) = (Standing::Entailed, None, None);
@@ -36,21 +31,17 @@ impl Judge<'_> {
     }
 
     /// What it is worth without the premises that only tell letters of which it does not speak.
-    fn weigh_by_relevant(&mut self, link: &Link, by_all: &Held) -> Option<Held> {
+    pub(super) fn weigh_by_relevant(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
         let atoms = &self.reading.system.atoms;
-        let relevant = relevant(atoms, self.premises(), &by_all.sides)?;
+        let relevant = relevant(atoms, self.premises(), &worked_out.sides)?;
         let mut kept = std::mem::take(self.facts.needed_mut());
         let known = kept.iter().position(|part| part.is_of(&relevant.premises));
         let mut part = known.map_or_else(|| Part::of(relevant.premises), |n| kept.remove(n));
         let facts = part.take(&mut self.reading.system.atoms);
         let all = std::mem::replace(&mut self.facts, facts);
-        let worked_out = Sides {
-            sides: by_all.sides.clone(),
-            unknown: by_all.unknown.clone(),
-            settles: by_all.settles.clone(),
-        };
         let residuals = self.residuals(&worked_out.sides);
-        let held = residuals.map(|residuals| self.weigh_residuals(link, worked_out, &residuals));
+        let held =
+            residuals.map(|residuals| self.weigh_residuals(link, worked_out.clone(), &residuals));
         part.keep(std::mem::replace(&mut self.facts, all));
         if kept.len() < MOST_KEPT {
             kept.push(part);

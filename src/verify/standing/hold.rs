@@ -39,7 +39,7 @@ pub(super) struct Held {
 }
 
 /// The sides of a link, component by component.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Sides {
     pub(super) sides: Vec<(Fraction, Fraction)>,
     /// Letters of which nothing is told.
@@ -108,17 +108,31 @@ impl Judge<'_> {
             let mut conditions = proof.arguments().iter().flat_map(|a| &a.conditions);
             conditions.all(|condition| atoms.has_sign(condition))
         });
+        let lengths = self.speaks_of_lengths(&held.sides);
         (held.standing, held.reason) = match held.standing {
             Standing::Entailed if always => {
                 (Standing::Denied, Some(messages::ALWAYS_THE_SAME.into()))
             }
             Standing::Entailed => (Standing::Open, Some(messages::MOSTLY_THE_SAME.into())),
+            // Of a length only the square is told: that they differ may be a matter of its sign.
+            Standing::Denied if lengths => (Standing::Open, Some(messages::OPEN_RELATION.into())),
             // There is a world in which they differ, and more is not said.
             Standing::Denied => (Standing::Differs, None),
             other => (other, held.reason),
         };
         held.proof = None;
         held
+    }
+
+    /// Whether only the square is told of a letter in the sides.
+    fn speaks_of_lengths(&self, sides: &[(Fraction, Fraction)]) -> bool {
+        let atoms = &self.reading.system.atoms;
+        let sides = sides.iter().flat_map(|(left, right)| [left, right]);
+        let mut letters = sides.flat_map(Fraction::variables);
+        letters.any(|letter| {
+            let letter = atoms.atom(letter).rate_of.unwrap_or(letter);
+            atoms.atom(letter).square.is_some() || self.facts.square(letter).is_some()
+        })
     }
 
     /// Up to where a sum runs on a link, if that is another letter than the document writes first.
@@ -278,6 +292,12 @@ impl Judge<'_> {
 
     /// What a link is worth whose sides are worked out.
     fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+        if self.facts.are_too_many
+            && let Some(held) = self.weigh_by_relevant(link, &worked_out)
+        {
+            return held;
+        }
+        let sides = worked_out.clone();
         let held = match self.residuals(&worked_out.sides) {
             Ok(residuals) => self.weigh_residuals(link, worked_out, &residuals),
             Err(OutOfBudget) => Held {
@@ -288,10 +308,14 @@ impl Judge<'_> {
                 ..Held::open(GROWN)
             },
         };
-        match held.beyond {
-            true => self.weigh_by_fewer_premises(link, held),
-            false => held,
+        if !held.beyond {
+            return held;
         }
+        let tried = std::mem::replace(&mut self.facts.are_too_many, true);
+        let by_relevant = (!tried)
+            .then(|| self.weigh_by_relevant(link, &sides))
+            .flatten();
+        by_relevant.unwrap_or_else(|| self.weigh_by_few_premises(held))
     }
 
     /// What a link is worth by what is left of its differences.

@@ -3,6 +3,7 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::Relation;
 use crate::verify::facts::world::World;
+use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
@@ -12,7 +13,7 @@ use std::collections::BTreeSet;
 impl Judge<'_> {
     /// "I_3 > I_1": a narrower motion, if there is one. Whether it follows is not decided.
     pub(super) fn hold_order(&mut self, link: &Link, relation: Relation) -> Held {
-        let mut held = Held::open("this relation is not decided");
+        let mut held = Held::open(messages::OPEN_RELATION);
         let upward = match relation {
             Relation::Less | Relation::LessOrEqual => true,
             Relation::Greater | Relation::GreaterOrEqual => false,

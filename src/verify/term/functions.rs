@@ -7,7 +7,8 @@ use crate::notation::print;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
+use std::ops::Range;
 
 impl Lowering<'_> {
     pub(super) fn function(&mut self, function: Function, inner: &Node) -> Valued {
@@ -157,25 +158,37 @@ impl Lowering<'_> {
         beyond("this integral")
     }
 
-    pub(super) fn indexed_sum(&mut self, index: &Symbol, body: &Node) -> Valued {
-        if self
-            .letters
-            .index(&index.name, self.at)
-            .is_some_and(|rule| rule.axes_of.is_some())
-        {
-            return self.sum_over_axes(&index.name, body);
+    pub(super) fn indexed_sum(&mut self, sum: &Node) -> Valued {
+        let Kind::IndexedSum {
+            index,
+            limits,
+            body,
+        } = &sum.kind
+        else {
+            return self.value(sum);
+        };
+        let rule = self.letters.index(&index.name, self.at);
+        let of_axes = rule.is_some_and(|rule| rule.axes_of.is_some());
+        let of_axes = of_axes || self.system.family_of(&index.name).is_none();
+        let between = limits.as_ref().map_or(Some((1, 3)), axes_between);
+        if let Some((first, last)) = between.filter(|_| of_axes) {
+            return self.sum_of_axes(&index.name, first - 1..last, body);
+        }
+        if of_axes || !limits.as_ref().is_none_or(is_over_all) {
+            return beyond("a sum over some of its members");
         }
         let term = self.value(body)?;
-        match self.system.family_of(&index.name) {
-            Some(_) => self.summed(&term, &index.name),
-            None => self.sum_over_axes(&index.name, body),
-        }
+        self.summed(&term, &index.name)
     }
 
     pub(super) fn sum_over_axes(&mut self, letter: &str, body: &Node) -> Valued {
+        self.sum_of_axes(letter, 0..3, body)
+    }
+
+    fn sum_of_axes(&mut self, letter: &str, axes: Range<usize>, body: &Node) -> Valued {
         let before = self.axes.get(letter).copied();
         let mut sum = Value::scalar(Fraction::zero());
-        for axis in 0..3 {
+        for axis in axes {
             self.axes.insert(letter.to_owned(), axis);
             let term = self.value(body)?;
             let custom = self.custom();
@@ -201,4 +214,25 @@ impl Lowering<'_> {
             None => beyond("a sum with its index below a line"),
         }
     }
+}
+
+/// A whole number as it stands in a formula.
+fn number_of(node: &Node) -> Option<i64> {
+    match &node.kind {
+        Kind::Number(number) if number.value.is_integer() => number.value.to_integer().to_i64(),
+        Kind::Group(_, inner) => number_of(inner),
+        _ => None,
+    }
+}
+
+/// The first and the last axis of a sum, where both are numbers of axes.
+fn axes_between((lower, upper): &(Box<Node>, Box<Node>)) -> Option<(usize, usize)> {
+    let axis = |node| number_of(node).and_then(|number| usize::try_from(number).ok());
+    let (first, last) = (axis(lower)?, axis(upper)?);
+    (1 <= first && first <= last && last <= 3).then_some((first, last))
+}
+
+/// Whether a sum over the members of a family begins with the first and ends with the last: at a letter for their number.
+fn is_over_all((lower, upper): &(Box<Node>, Box<Node>)) -> bool {
+    number_of(lower).is_some_and(|first| first <= 1) && matches!(upper.kind, Kind::Symbol(_))
 }

@@ -73,10 +73,15 @@ impl Lowering<'_> {
     fn axes_of_indices(&self, label: &str) -> Option<Vec<usize>> {
         match self.axis_of_letter(label) {
             Some(axis) => Some(vec![axis]),
-            None => letters_of(label, |l| self.axis_of_letter(l).is_some())
-                .iter()
-                .map(|letter| self.axis_of_letter(letter))
-                .collect(),
+            None => {
+                let letters = letters_of(label, |l| self.axis_of_letter(l).is_some());
+                let index = |letter: &String| self.axis_of_letter(letter);
+                // Beside an index a number is one: `I_{1k}`.
+                let number = |letter: &String| LABELS[0].iter().position(|n| n == letter);
+                letters.iter().find_map(index)?;
+                let axis = |letter| index(letter).or_else(|| number(letter));
+                letters.iter().map(axis).collect()
+            }
         }
     }
 }

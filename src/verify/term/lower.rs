@@ -168,9 +168,8 @@ impl<'a> Lowering<'a> {
                 variable,
                 limits,
             } => self.integral(integrand, variable, limits.is_some()),
-            Kind::IndexedSum { index, body, .. } => self.indexed_sum(index, body),
-            Kind::WithUnit(inner, unit) if unit == "deg" => self.degrees(inner),
-            Kind::WithUnit(..) => beyond("units of measurement"),
+            Kind::IndexedSum { .. } => self.indexed_sum(node),
+            Kind::WithUnit(number, unit) => self.with_unit(number, unit),
             Kind::PlusMinus(_) => beyond("a sign that is left open"),
             Kind::Ellipsis => beyond("something left out"),
             Kind::Error(message) => beyond(message.clone()),
@@ -241,6 +240,10 @@ impl<'a> Lowering<'a> {
             }
         }
         let value = self.value(base)?;
+        // Nobody writes a power of zero of a letter; it is a label, of which no sentence speaks.
+        if exponent.is_zero() && matches!(base.kind, Kind::Symbol(_)) {
+            return beyond("a label or a power of zero");
+        }
         if let Some(power) = exponent.to_rational().and_then(|p| p.to_integer()) {
             return self.whole_power(&value, power);
         }

@@ -8,7 +8,7 @@ use crate::verify::term::labels::{letters_of, plain};
 
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
-use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued};
+use crate::verify::term::value::{Basis, Shape, Trouble, Value, Valued, beyond};
 
 impl Lowering<'_> {
     /// δ_{jk}, ε_{ijk}, π.
@@ -43,8 +43,11 @@ impl Lowering<'_> {
         fraction(atoms.variable(Key::new("\\pi"), Place::Parameter, Motion::Constant))
     }
 
-    /// An angle in degrees.
-    pub(super) fn degrees(&mut self, number: &Node) -> Valued {
+    /// An angle in degrees; other units are not worked with.
+    pub(super) fn with_unit(&mut self, number: &Node, unit: &str) -> Valued {
+        if unit != "deg" {
+            return beyond("units of measurement");
+        }
         let degree = self.pi() * Fraction::from_ratio(1, 180);
         Ok(self.value(number)?.scaled(&degree))
     }

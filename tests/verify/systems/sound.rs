@@ -325,3 +325,121 @@ $$ \vec M = \dot{\vec L} $$
 ";
     assert_eq!(judged(&sentences, text), "aarp");
 }
+
+#[test]
+fn what_is_denied_is_no_fact() {
+    let sentences = |last: &str| {
+        format!(
+            "N is an inertial frame.
+B is a frame fixed in the top.
+O is a point fixed in N and in B.
+x, y, z are the axes of B.
+$\\vec L$ is the angular momentum of the top about O relative to N.
+$A$, $B$, $C$ are the moments of inertia of the top about the axes of B through O.
+A dot means the rate seen from N.
+{last}
+"
+        )
+    };
+    let text = r"
+$$ \dot{\vec L} = 0 $$
+$$ A = B $$
+";
+    for denied in [
+        "$\\vec L$ is not constant.",
+        "The top is not symmetric about z.",
+    ] {
+        let verdicts = judged(&sentences(denied), text);
+        assert!(!verdicts.contains('p'), "{denied} {verdicts}");
+    }
+    assert_eq!(judged(&sentences(""), text), "rr");
+}
+
+#[test]
+fn an_order_is_that_of_letters_with_a_meaning_there() {
+    let sentences = |from: &str, lines: &str| {
+        format!(
+            "N is an inertial frame.
+A is a frame that turns relative to N about z by the angle $\\varphi$.
+From line {from} on $s$ is the rate of $\\varphi$.
+{lines} hold to first order in $s$.
+"
+        )
+    };
+    let text = r"
+$$ s^2 = 0 $$
+$$ s^2 = 0 $$
+";
+    assert_eq!(judged(&sentences("2", "Lines 2 and 3"), text), "pp");
+    // What the letter means on line 2 is not told.
+    let verdicts = judged(&sentences("3", "Lines 2 and 3"), text);
+    assert!(!verdicts.contains('r'), "{verdicts}");
+}
+
+#[test]
+fn a_root_is_no_letter_whose_sign_is_open() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\vec\\omega$ on B.
+$w$ is the magnitude of $\\vec\\omega$.
+";
+    let text = r"
+$$ \sqrt{\omega_3^2} = \omega_3 $$
+$$ \sqrt{\omega_3^2} = |\omega_3| $$
+$$ |\vec\omega| = w $$
+$$ w \neq \sqrt{\omega_1^2 + \omega_2^2 + \omega_3^2} $$
+";
+    assert_eq!(judged(sentences, text), "uppr");
+}
+
+#[test]
+fn a_sum_runs_as_far_as_it_says() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$e_1$, $e_2$, $e_3$ are the axes of B.
+$i$, $j$ and $k$ number the axes of B.
+O is a point fixed in N and in B.
+$\\mathbf I$ is the inertia tensor of the body about O.
+$I_{ij}$ are the entries of $\\mathbf I$ on B.
+$L_i$ is the component $i$ on B of the angular momentum of the body about O relative to N.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+$\\omega_i$ is the component $i$ of $\\vec\\omega$ on B.
+";
+    let text = r"
+$$ \vec\omega = \sum_{i=1}^3 \omega_i e_i $$
+$$ \vec\omega = \sum_{i=1}^2 \omega_i e_i $$
+$$ \omega_1 e_1 + \omega_2 e_2 = \sum_{i=1}^2 \omega_i e_i $$
+$$ L_1 = \sum_k I_{1k}\omega_k $$
+$$ L_2 = \sum_k I_{1k}\omega_k $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+    let particles = "N is an inertial frame.
+The body consists of particles.
+$k$ numbers the particles.
+$m_k$ is the mass of particle $k$.
+$M$ is the mass of the body.
+";
+    assert_eq!(judged(particles, "\n$$ M = \\sum_{k=1}^n m_k $$\n"), "p");
+    for sum in ["\\sum_{k=1}^{n-1}", "\\sum_{k=2}^n", "\\sum_{k=1}^2"] {
+        assert_eq!(judged(particles, &format!("\n$$ M = {sum} m_k $$\n")), "u");
+    }
+}
+
+#[test]
+fn a_label_of_which_nothing_is_said_is_no_power() {
+    let sentences = "N is an inertial frame.\n$E$ is the identity matrix.\n";
+    assert_eq!(judged(sentences, "\n$$ R_1^0 = 1 $$\n"), "u");
+}
+
+#[test]
+fn a_shape_that_lacks_something_is_not_taken_for_the_whole() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+The body is a sphere minus a gribble.
+$A$, $C$, $D$ are the principal moments of the body about G on B.
+";
+    let (found, misread) = verdicts(sentences, "\n$$ A = C $$\n");
+    assert_eq!((found.as_str(), misread.len()), ("u", 1));
+}

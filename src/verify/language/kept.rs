@@ -1,0 +1,152 @@
+//! What can be kept of a sentence that is not understood as a whole.
+
+use super::clause::as_formula;
+use super::reader::COPULAS;
+use super::sentence_parts::joins;
+use super::statement::{Declaration, Misread, Statement, Term, Touched};
+use super::words::{Kind, Token};
+
+/// Reads a sentence.
+type Sentence<'r> = &'r dyn Fn(&[Token]) -> Result<Vec<Declaration>, Misread>;
+
+/// Words that may take back what stands before them.
+const TAKING_BACK: [&str; 16] = [
+    "not", "no", "but", "except", "unless", "only", "until", "instead", "rather", "never",
+    "without", "neither", "however", "less", "than", "or",
+];
+
+/// Nouns of what a thing is, however it moves. A shape may lack something.
+const CATEGORIES: [&str; 8] = [
+    "frame",
+    "point",
+    "mass centre",
+    "axes",
+    "plane",
+    "particle",
+    "body",
+    "rigid body",
+];
+
+/// Words behind which stands what follows.
+const CONCLUDING: [&str; 4] = ["so", "hence", "therefore", "thus"];
+
+/// Words that stand for what a clause before says.
+const POINTING_BACK: [&str; 9] = [
+    "it", "its", "they", "their", "them", "that", "those", "this", "these",
+];
+
+/// The subject of a clause has no more words than this.
+const LONGEST_SUBJECT: usize = 7;
+
+/// What a sentence says by the clauses that are understood, and the rest; `None` for the rest where nothing is left that
+/// could say something new.
+pub(super) fn kept<'t>(
+    tokens: &'t [Token],
+    reader: Sentence<'_>,
+) -> (Vec<Declaration>, Option<&'t [Token]>) {
+    let (mut said, mut rest) = begun(tokens, reader);
+    if said.is_empty() {
+        (said, rest) = ended(tokens, reader);
+    }
+    // What is said to follow says nothing new.
+    let follows = !said.is_empty() && rest.first().is_some_and(concludes);
+    (said, (!follows).then_some(rest))
+}
+
+/// What a sentence says before what is not understood, and the rest. The rest has to be a clause of its own, with a
+/// subject and a verb, for what goes on from a clause may change what it says. What something is stays so however the
+/// sentence goes on: "N is an inertial frame, …".
+fn begun<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'t [Token]) {
+    let letters = |said: &Declaration| match &said.statement {
+        Statement::Is { subjects, .. } => subjects.iter().all(|s| matches!(s, Term::Formula(_))),
+        _ => false,
+    };
+    for at in (1..tokens.len()).rev() {
+        let joined = tokens[at..].iter().take_while(|t| joins(t)).count();
+        let next = &tokens[at + joined..];
+        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        let letter = next.len() > 1 && formula(&next[0]) && next[1].kind == Kind::Word;
+        let apart = tokens[at].kind == Kind::Comma && has_own_subject(next);
+        let clause = joined > 0 && (letter || apart);
+        let follows = tokens[at].kind == Kind::Comma && next.first().is_some_and(concludes);
+        let adds = !next.is_empty() && !tokens[at..].iter().any(takes_back);
+        if !(clause || adds || follows) {
+            continue;
+        }
+        if let Ok(said) = reader(&tokens[..at])
+            && (follows
+                || clause && (said.iter().all(letters) || apart)
+                || adds && said.iter().all(|said| is_categorical(&said.statement)))
+        {
+            return (said, next);
+        }
+    }
+    (vec![], tokens)
+}
+
+/// What the last clause of a sentence says by itself, and the clauses before it, which are not understood.
+fn ended<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'t [Token]) {
+    let points_back = |t: &Token| POINTING_BACK.contains(&t.lower.as_str());
+    for at in 1..tokens.len() {
+        let parted = matches!(tokens[at].kind, Kind::Semicolon | Kind::Comma);
+        let joined = tokens[at..].iter().take_while(|t| parts(t)).count();
+        let last = &tokens[(at + joined).min(tokens.len())..];
+        let limited = tokens[..at].iter().any(begins_extent);
+        if !parted || limited || last.is_empty() || last.iter().any(points_back) {
+            continue;
+        }
+        let told = |said: &Declaration| !matches!(said.statement, Statement::Holds(_));
+        if let Ok(said) = reader(last)
+            && !said.is_empty()
+            && said.iter().all(told)
+        {
+            return (said, &tokens[..at]);
+        }
+    }
+    (vec![], tokens)
+}
+
+fn parts(token: &Token) -> bool {
+    matches!(token.kind, Kind::Semicolon | Kind::Comma) || token.lower == "and"
+}
+
+/// Words that may begin the part of the document of which a whole sentence speaks.
+fn begins_extent(token: &Token) -> bool {
+    matches!(
+        token.lower.as_str(),
+        "line" | "lines" | "section" | "cell" | "cells"
+    )
+}
+
+/// Whether a statement says what a thing is.
+fn is_categorical(statement: &Statement) -> bool {
+    matches!(statement, Statement::Is { what, .. } if CATEGORIES.contains(&what.head))
+}
+
+fn takes_back(token: &Token) -> bool {
+    TAKING_BACK.contains(&token.lower.as_str()) || token.lower.ends_with("n't")
+}
+
+fn concludes(token: &Token) -> bool {
+    CONCLUDING.contains(&token.lower.as_str())
+}
+
+/// Whether a clause begins with a noun and its article, and a verb follows: "the third of them is …".
+fn has_own_subject(clause: &[Token]) -> bool {
+    let article = |t: &Token| matches!(t.lower.as_str(), "the" | "its" | "their" | "there");
+    let verb = |t: &Token| COPULAS.contains(&t.lower.as_str());
+    clause.first().is_some_and(article) && clause.iter().take(LONGEST_SUBJECT).any(verb)
+}
+
+/// A clause that is not understood may speak of what those before it are about.
+pub(super) fn speak_of_subjects(unread: &mut Declaration, before: &[Declaration]) {
+    let Statement::Unread {
+        touched: Touched::Letters { formulas, .. },
+        ..
+    } = &mut unread.statement
+    else {
+        return;
+    };
+    let subjects = before.iter().flat_map(|said| said.statement.subjects());
+    formulas.extend(subjects.filter_map(as_formula));
+}
