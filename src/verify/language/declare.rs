@@ -13,7 +13,7 @@ use super::reorder::{
     without_ranges,
 };
 use super::rewrite::plainly;
-use super::statement::{Declaration, Extent, Misread, Statement};
+use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -115,16 +115,16 @@ fn unread(
 ) -> Vec<Declaration> {
     let bodies = BTreeSet::new();
     let mut reader = Reader::new(tokens, (line, 1), lexicon, macros, &bodies);
-    // What is said of lines concerns these lines.
+    // What is said of lines concerns these lines, and what follows from them elsewhere.
     let of_lines = reader.spoken_of().ok().flatten();
-    let extents = of_lines.or_else(|| {
+    let extents = of_lines.clone().or_else(|| {
         reader.at = 0;
         reader.extents().ok().filter(|extents| !extents.is_empty())
     });
     let extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let touched = reader.touched(extents != [Extent::Document]);
     let letters = reader.letters_told().unwrap_or_default();
-    let of_extent = |extent| Declaration {
+    let of_extent = |extent, touched: &Touched| Declaration {
         statement: Statement::Unread {
             letters: letters.clone(),
             touched: touched.clone(),
@@ -133,7 +133,15 @@ fn unread(
         text: sentence.trim().to_owned(),
         line,
     };
-    extents.into_iter().map(of_extent).collect()
+    let no_letters = Touched::Letters {
+        formulas: vec![],
+        anew: false,
+    };
+    let elsewhere = of_lines.map(|_| of_extent(Extent::Document, &no_letters));
+    let there = extents
+        .into_iter()
+        .map(|extent| of_extent(extent, &touched));
+    there.chain(elsewhere).collect()
 }
 
 fn read(

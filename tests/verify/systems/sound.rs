@@ -443,3 +443,20 @@ $A$, $C$, $D$ are the principal moments of the body about G on B.
     let (found, misread) = verdicts(sentences, "\n$$ A = C $$\n");
     assert_eq!((found.as_str(), misread.len()), ("u", 1));
 }
+
+#[test]
+fn nothing_is_denied_where_it_is_not_understood_what_a_line_is() {
+    let sentences = |role: &str| {
+        format!(
+            "N is an inertial frame.
+$a$, $b$ and $c$ are numbers.
+{role}
+"
+        )
+    };
+    let text = "\n$$ a = b $$\n$$ c a = c b $$\n";
+    assert_eq!(judged(&sentences("Line 2 is given."), text), "ap");
+    let (found, misread) = verdicts(&sentences("Line 2 is given gribbly."), text);
+    assert!(!found.contains('r'), "{found}");
+    assert_eq!(misread.len(), 1);
+}
