@@ -383,7 +383,6 @@ impl System {
 /// Words of a condition in time.
 const WHILES: [&str; 3] = ["before", "after", "during"];
 
-/// Whether a sentence holds under a condition alone: "at `\theta = 0`".
 /// Whether a sentence says that something is not so; what is not zero is a fact.
 fn denies(declaration: &Declaration) -> bool {
     match &declaration.statement {
@@ -394,6 +393,7 @@ fn denies(declaration: &Declaration) -> bool {
     }
 }
 
+/// Whether a sentence holds under a condition alone: "at `\theta = 0`".
 fn has_condition(declaration: &Declaration) -> bool {
     let slots = match &declaration.statement {
         Statement::Is { what, .. } if rests_before(what) => return false,
