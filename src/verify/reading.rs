@@ -9,6 +9,7 @@ pub(crate) mod components_read;
 pub(crate) mod contact_read;
 pub(crate) mod frames_read;
 pub(crate) mod incline_read;
+pub(crate) mod label_read;
 pub(crate) mod letters_read;
 pub(crate) mod load_quantities_read;
 pub(crate) mod loads_read;

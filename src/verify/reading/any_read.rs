@@ -221,7 +221,7 @@ fn any_things(statement: &Statement) -> Option<Vec<String>> {
 }
 
 /// Whether a name stands where a point does: of a position, or from where it is measured.
-fn stands_for_point(statement: &Statement, name: &str) -> bool {
+pub(super) fn stands_for_point(statement: &Statement, name: &str) -> bool {
     let Statement::Is { what, .. } = statement else {
         return false;
     };

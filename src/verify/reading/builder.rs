@@ -9,6 +9,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::any_read::instances;
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
+use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{
     MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
@@ -55,7 +56,10 @@ pub(crate) fn build(
     first: usize,
 ) -> Reading {
     // What holds under a condition is never taken as always true, and what is denied is no fact.
-    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) = instances(declarations)
+    let written = WrittenSymbols::new(written);
+    let mut declarations = declarations.to_vec();
+    declarations.extend(named_by_labels(&declarations, &written));
+    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) = instances(&declarations)
         .into_iter()
         .partition(|d| has_condition(d) || denies(d));
     let mut builder = Builder {
@@ -74,7 +78,7 @@ pub(crate) fn build(
     };
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
-    builder.reading.letters.written = WrittenSymbols::new(written);
+    builder.reading.letters.written = written;
     conditional.iter().for_each(|d| builder.say_unused(d));
     builder.name_frames();
     builder.name_bodies();

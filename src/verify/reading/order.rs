@@ -12,6 +12,19 @@ use std::collections::BTreeSet;
 /// The sentences that stand before those about loads.
 pub(super) const BEFORE_LOADS: usize = 0;
 
+/// What keeps its value.
+const CONSTANT: &str = "constant";
+
+/// What is said of a letter without telling what it is.
+const TRAITS: [&str; 6] = [
+    "orthogonal",
+    "horizontal",
+    "zero",
+    "nonzero",
+    "small",
+    "symmetric",
+];
+
 /// The sentences, each with its stage, in the order in which they are read.
 ///
 /// One that speaks of a letter comes behind all that tell what this letter is. Among those that may be read the stage
@@ -44,8 +57,13 @@ struct Order {
 impl Order {
     fn of(declarations: &[Declaration]) -> Self {
         let mut order = Self::default();
+        let told = declarations.iter().filter(|d| !is_constant(d));
+        let told: BTreeSet<String> = told.flat_map(|d| told_letters(&d.statement)).collect();
         for declaration in declarations {
-            let tells = told_letters(&declaration.statement);
+            let mut tells = told_letters(&declaration.statement);
+            if is_constant(declaration) {
+                tells.retain(|letter| !told.contains(letter));
+            }
             for letter in &tells {
                 *order.untold.entry(letter.clone()).or_default() += 1;
             }
@@ -102,8 +120,16 @@ impl Order {
     }
 }
 
+/// Whether a sentence says that letters are constant, which tells what they are only where no other sentence does.
+fn is_constant(declaration: &Declaration) -> bool {
+    matches!(&declaration.statement, Statement::Is { what, .. } if what.head == CONSTANT)
+}
+
 /// The letters that a sentence says something to be, exactly and loosely.
 fn told_letters(statement: &Statement) -> Vec<String> {
+    if matches!(statement, Statement::Is { what, .. } if TRAITS.contains(&what.head)) {
+        return vec![];
+    }
     let (Statement::Is { subjects, .. }
     | Statement::Same { subjects, .. }
     | Statement::Does {
@@ -131,7 +157,12 @@ fn keys(node: &Node) -> [String; 2] {
 fn mentioned_letters(statement: &Statement) -> Vec<[String; 2]> {
     let mut letters = vec![];
     match statement {
-        Statement::Is { what, .. } => in_slots(&what.slots, &mut letters),
+        Statement::Is { subjects, what } => {
+            in_slots(&what.slots, &mut letters);
+            if what.head == CONSTANT {
+                subjects.iter().for_each(|t| in_term(t, &mut letters));
+            }
+        }
         Statement::Does { slots, .. } => in_slots(slots, &mut letters),
         Statement::Same { others, .. } => others.iter().for_each(|t| in_term(t, &mut letters)),
         _ => {}
@@ -177,7 +208,7 @@ fn stage_of(statement: &Statement) -> usize {
             "acceleration of gravity" | "vector" | UNIT_VECTOR | "mass" | "position" => {
                 BEFORE_LOADS
             }
-            "constant" => 3,
+            CONSTANT => 3,
             "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
             | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,
             "angle" | "total energy" => 2,

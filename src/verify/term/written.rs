@@ -11,6 +11,8 @@ pub(crate) struct WrittenSymbols {
     /// Those that a sentence writes in two ways.
     of_sentences: BTreeSet<String>,
     asked: RefCell<BTreeSet<String>>,
+    /// The shapes that were asked for, each with what fits it.
+    shapes: RefCell<Vec<(String, Vec<char>)>>,
 }
 
 impl WrittenSymbols {
@@ -27,6 +29,15 @@ impl WrittenSymbols {
             self.asked.borrow_mut().insert(symbol.to_owned());
         }
         self.written.contains(symbol) || self.of_sentences.contains(symbol)
+    }
+
+    /// What stands for a character in symbols like one: `A` for `X` where `R_AB` is written and `R_XY` is asked for.
+    pub(crate) fn like(&self, shape: &str, wild: &[char]) -> BTreeSet<(char, char)> {
+        let asked = (shape.to_owned(), wild.to_vec());
+        if !self.shapes.borrow().contains(&asked) {
+            self.shapes.borrow_mut().push(asked);
+        }
+        like(&self.written, shape, wild)
     }
 
     /// The symbols of another document stand beside these.
@@ -47,6 +58,23 @@ impl WrittenSymbols {
     pub(crate) fn answers_as(&self, other: &BTreeSet<String>) -> bool {
         let asked = self.asked.borrow();
         let mut asked = asked.iter();
+        let shapes = self.shapes.borrow();
         asked.all(|symbol| self.written.contains(symbol) == other.contains(symbol))
+            && shapes.iter().all(|(shape, wild)| {
+                like(&self.written, shape, wild) == like(other, shape, wild)
+            })
     }
+}
+
+fn like(written: &BTreeSet<String>, shape: &str, wild: &[char]) -> BTreeSet<(char, char)> {
+    let fits = |symbol: &&String| {
+        let same = |(s, c): (char, char)| s == c || (wild.contains(&s) && c.is_uppercase());
+        symbol.chars().count() == shape.chars().count()
+            && shape.chars().zip(symbol.chars()).all(same)
+    };
+    let pairs = |symbol: &String| -> Vec<(char, char)> {
+        let pairs = shape.chars().zip(symbol.chars());
+        pairs.filter(|(s, _)| wild.contains(s)).collect()
+    };
+    written.iter().filter(fits).flat_map(pairs).collect()
 }
