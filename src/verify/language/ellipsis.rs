@@ -67,7 +67,11 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     let Some((relative, rest)) = second.split_first().filter(|(t, _)| is_relative(t)) else {
         return vec![];
     };
-    let last = last_named(first);
+    let several = rest.iter().any(|t| t.lower == "are");
+    let last = match last_letters(first).filter(|_| several) {
+        Some(letters) => letters,
+        None => last_named(first),
+    };
     let subject = clause(first, lexicon).map_or(first, |(subject, ..)| subject);
     // "which it touches at C"
     if let [it, rest @ ..] = rest
@@ -83,7 +87,13 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
         let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, relative));
         [&[the], &rest[..noun], &[of], owner, &rest[noun..]].concat()
     };
-    [last, subject]
+    // A force acts, and not the body that it is told of.
+    let acts = rest.first().is_some_and(|t| t.lower.starts_with("act"));
+    let owners = match acts {
+        true => [subject, last],
+        false => [last, subject],
+    };
+    owners
         .iter()
         .flat_map(|owner| match relative.lower.as_str() {
             "whose" => vec![whose(owner)],
@@ -91,6 +101,15 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
             _ => vec![[owner, rest].concat(), [rest, owner].concat()],
         })
         .collect()
+}
+
+/// The letters at the end of a clause, if they are several.
+fn last_letters(tokens: &[Token]) -> Option<&[Token]> {
+    let listed = |t: &Token| t.kind == Kind::Formula || joins(t);
+    let start = tokens.iter().rposition(|t| !listed(t)).map_or(0, |at| at + 1);
+    let letters = &tokens[start..];
+    let count = letters.iter().filter(|t| t.kind == Kind::Formula).count();
+    (count > 1).then_some(letters)
 }
 
 /// How weak the signs are by which two clauses may be joined at a place: a comma and a word, a word, a comma.

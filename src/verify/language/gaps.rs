@@ -1,6 +1,6 @@
 //! What a clause leaves out or only points at: the verb of the one before, "it", a description behind a name.
 
-use super::implied::of_letters;
+use super::implied::{is_scalar, of_letters};
 use super::phrase::{NOUNS, ORDINALS};
 use super::reader::{Read, Reader};
 use super::statement::{NounPhrase, Slot, Statement, Term};
@@ -22,8 +22,7 @@ impl Reader<'_> {
             return Ok(false);
         };
         // A magnitude has no components: they are of what it is the magnitude of.
-        let scalar = matches!(what.head, "magnitude" | "component");
-        let letter = match scalar {
+        let letter = match is_scalar(what) {
             true => what.slot(Slot::Of).cloned(),
             false => told.first().cloned(),
         };

@@ -21,6 +21,14 @@ const OF_LETTERS: [&str; 9] = [
     "entry",
 ];
 
+/// Nouns for what only vectors have.
+const OF_VECTORS: [&str; 3] = ["component", "magnitude", "direction"];
+
+/// Whether a noun names a number that belongs to a vector.
+pub(super) fn is_scalar(what: &NounPhrase) -> bool {
+    matches!(what.head, "magnitude" | "component")
+}
+
 /// Whether "its" before a noun means a letter, and not the thing whose quantity this is.
 pub(crate) fn of_letters(noun: &str) -> bool {
     OF_LETTERS.contains(&noun)
@@ -36,6 +44,9 @@ pub(super) const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "a
 impl Reader<'_> {
     /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
     pub(crate) fn belongs_to_thing(&self, phrase: &mut NounPhrase, owned: bool) -> Read<()> {
+        if owned {
+            self.belongs_to_vector(phrase);
+        }
         let Some(thing) = self.before.thing.as_ref().filter(|_| owned) else {
             return Ok(());
         };
@@ -66,6 +77,20 @@ impl Reader<'_> {
         match owners > 1 {
             true => Err(self.error("it is not said whose", "name the things")),
             false => Ok(()),
+        }
+    }
+
+    /// "`$l$` is the magnitude of `$L$`, and `$l_z$` is its component along z": of the vector, for a magnitude has none.
+    fn belongs_to_vector(&self, phrase: &mut NounPhrase) {
+        let of_scalar = self.before.what.last().filter(|what| is_scalar(what));
+        let vector = of_scalar.and_then(|what| what.slot(Slot::Of));
+        let (Some(vector), true) = (vector, OF_VECTORS.contains(&phrase.head)) else {
+            return;
+        };
+        for (slot, term) in &mut phrase.slots {
+            if *slot == Slot::Of {
+                term.clone_from(vector);
+            }
         }
     }
 

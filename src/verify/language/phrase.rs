@@ -43,8 +43,18 @@ impl<'a> Reader<'a> {
             if matches!(self.word(), "its" | "their") {
                 self.owner.clone_from(&terms);
             }
-            self.term(&mut terms)?;
+            let quantity = self.noun_next();
+            let read = self.term(&mut terms);
             self.owner = outer;
+            match read {
+                // "the force on the hub and the moment on it": what is not read here may be a noun beside the first.
+                Err(_) if quantity && self.in_predicate => {
+                    terms.truncate(known);
+                    self.at = start;
+                    return Ok(terms);
+                }
+                read => read?,
+            }
             let pair = (terms.get(known.wrapping_sub(1)), terms.get(known));
             if let (Some(a), Some(b)) = pair
                 && !alike(self, a, b)

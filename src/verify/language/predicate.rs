@@ -56,6 +56,7 @@ impl<'a> Reader<'a> {
         if let Some(statements) = self.that_of(&subjects, &before)? {
             return Ok(statements);
         }
+        self.before.what = before;
         let (mut what, entry) = self.said()?;
         if let Some(statements) = self.one_each(&subjects, &what)? {
             return Ok(statements);

@@ -5,9 +5,7 @@ use crate::notation::document::Row;
 use crate::notation::{Macros, print, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{
-    ANGULAR_VELOCITY, EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of,
-};
+use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
@@ -198,11 +196,10 @@ fn angles(declarations: &[Declaration]) -> Vec<Formula> {
     found
 }
 
-/// The names for which a sentence speaks of any, where these are things: "for any frames X and Y". An angular velocity has
-/// a law of its own, which reads its labels.
+/// The names for which a sentence speaks of any, where these are things: "for any frames X and Y".
 fn any_things(statement: &Statement) -> Option<Vec<String>> {
     let slots = match statement {
-        Statement::Is { what, .. } if what.head != ANGULAR_VELOCITY => &what.slots,
+        Statement::Is { what, .. } => &what.slots,
         Statement::Does {
             verb: "take",
             slots,

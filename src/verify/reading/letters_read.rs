@@ -13,8 +13,8 @@ use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
-    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS,
-    UNIT_VECTOR, node_of, reach_of,
+    CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
+    node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
@@ -176,9 +176,6 @@ impl Builder<'_> {
             CROSS_PRODUCT_MATRIX | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
                 self.read_operator(subjects, what, declaration);
             }
-            ANGULAR_VELOCITY if what.slot(Slot::ForAny).is_some() => {
-                self.read_any_angular_velocity(subjects);
-            }
             _ => match self.read_relation(subjects, what, declaration) {
                 Some(Some(())) => {}
                 Some(None) => self.say_unused(declaration),
@@ -209,17 +206,6 @@ impl Builder<'_> {
             }
             _ => return None,
         })
-    }
-
-    /// ω_{X/Y} for any frames X and Y.
-    fn read_any_angular_velocity(&mut self, subjects: &[Term]) {
-        for formula in formulas(subjects) {
-            let Some(Kind::Symbol(symbol)) = node_of(formula).map(|n| &n.kind) else {
-                continue;
-            };
-            let letters = &mut self.reading.letters.angular_velocities;
-            letters.push(symbol.name.clone());
-        }
     }
 
     fn read_quantity(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {

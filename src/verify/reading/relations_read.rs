@@ -206,7 +206,8 @@ impl Builder<'_> {
                 }
             }
             // One letter in two ways of writing that are read alike is told nothing.
-            let other = node_of(other).filter(|o| node_of(subject).map(spelled) != Some(spelled(o)));
+            let other =
+                node_of(other).filter(|o| node_of(subject).map(spelled) != Some(spelled(o)));
             if let Some(node) = other {
                 self.denote(subject, Meaning::Same(Box::new(node.clone())), declaration);
             }

@@ -208,8 +208,6 @@ pub(crate) struct Letters {
     pub(crate) customs: Customs,
     /// Letters that with a cross behind them are matrices: `ω×`.
     pub(crate) crossing: Vec<String>,
-    /// ω_{X/Y} for any frames.
-    pub(crate) angular_velocities: Vec<String>,
     /// What the document writes.
     pub(crate) written: WrittenSymbols,
     /// The lists of letters that partial derivatives take functions of.

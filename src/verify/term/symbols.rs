@@ -8,7 +8,6 @@ use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 use num_traits::One;
 
@@ -35,9 +34,6 @@ impl Lowering<'_> {
         let numbered = self.by_number(symbol);
         if let Some((letter, false)) = &numbered {
             return self.meant(letter, symbol, None);
-        }
-        if let Some(value) = self.by_frames(symbol) {
-            return value;
         }
         if let Some(value) = self.by_label(symbol)? {
             return Ok(value);
@@ -126,24 +122,6 @@ impl Lowering<'_> {
             }
         }
         Ok(None)
-    }
-
-    /// ω_{B/N}, ω_{BN}: the angular velocity of one frame relative to another.
-    fn by_frames(&mut self, symbol: &Symbol) -> Option<Valued> {
-        if !self.letters.angular_velocities.contains(&symbol.name) {
-            return None;
-        }
-        let [label] = symbol.subscripts.as_slice() else {
-            return None;
-        };
-        let (of, relative) = label.split_once('/')?;
-        let (of, relative) = (
-            self.letters.frame(of.trim())?,
-            self.letters.frame(relative.trim())?,
-        );
-        let quantity = Quantity::AngularVelocity { of, relative };
-        let text = print::latex(&symbol_node(symbol));
-        Some(self.letter(&text, &quantity))
     }
 
     /// A letter with one label more than a sentence tells of: a component, an entry, components on a frame.

@@ -60,9 +60,9 @@ impl WrittenSymbols {
         let mut asked = asked.iter();
         let shapes = self.shapes.borrow();
         asked.all(|symbol| self.written.contains(symbol) == other.contains(symbol))
-            && shapes.iter().all(|(shape, wild)| {
-                like(&self.written, shape, wild) == like(other, shape, wild)
-            })
+            && shapes
+                .iter()
+                .all(|(shape, wild)| like(&self.written, shape, wild) == like(other, shape, wild))
     }
 }
 
