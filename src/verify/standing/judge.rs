@@ -313,7 +313,8 @@ impl<'a> Judge<'a> {
             self.enter_space();
             self.keep_from_start();
             let held = self.hold_line(line, links);
-            let told = |h: &Held| h.unknown.is_empty() || h.standing == Standing::Entailed;
+            let settled = [Standing::Entailed, Standing::Settles];
+            let told = |h: &Held| h.unknown.is_empty() || settled.contains(&h.standing);
             if held.iter().all(told) {
                 let end = self.judged.len();
                 self.conclude(line, head_of(links), purpose, held);
