@@ -106,7 +106,10 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
 /// The letters at the end of a clause, if they are several.
 fn last_letters(tokens: &[Token]) -> Option<&[Token]> {
     let listed = |t: &Token| t.kind == Kind::Formula || joins(t);
-    let start = tokens.iter().rposition(|t| !listed(t)).map_or(0, |at| at + 1);
+    let start = tokens
+        .iter()
+        .rposition(|t| !listed(t))
+        .map_or(0, |at| at + 1);
     let letters = &tokens[start..];
     let count = letters.iter().filter(|t| t.kind == Kind::Formula).count();
     (count > 1).then_some(letters)

@@ -254,6 +254,12 @@ impl Builder<'_> {
                 .map(|n| n.saturating_sub(1))
                 .filter(|n| *n < 3);
         }
+        if let Term::Phrase(axis) = term
+            && axis.head == "axis"
+        {
+            let which = axis.slot(Slot::Which).or(axis.slot(Slot::Along))?;
+            return self.number_of_axis(which);
+        }
         let name = name_of(term)?;
         let custom = CUSTOMARY
             .iter()

@@ -13,8 +13,8 @@ use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    node_of, reach_of,
+    COMPONENT_ROTATION, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS,
+    PRODUCTS, UNIT_VECTOR, node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
@@ -173,7 +173,9 @@ impl Builder<'_> {
             DOWNHILL | NORMAL if self.normal_of_incline().is_some() => {}
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
-            CROSS_PRODUCT_MATRIX | "rotation matrix" if what.slot(Slot::ForAny).is_some() => {
+            CROSS_PRODUCT_MATRIX | "rotation matrix" | COMPONENT_ROTATION
+                if what.slot(Slot::ForAny).is_some() =>
+            {
                 self.read_operator(subjects, what, declaration);
             }
             _ => match self.read_relation(subjects, what, declaration) {

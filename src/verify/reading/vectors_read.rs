@@ -9,7 +9,9 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, node_of, told};
+use crate::verify::reading::names::{
+    COMPONENT_ROTATION, CROSS_PRODUCT_MATRIX, letter_of, node_of, told,
+};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -161,14 +163,20 @@ impl Builder<'_> {
         }
     }
 
-    /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`."
+    /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`", "`R_x(a)` is the rotation matrix about x by `a`, for any
+    /// angle `a`."
     pub(super) fn read_operator(
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        for formula in formulas(subjects) {
+        let axes: Vec<&Term> = what.all(Slot::About).collect();
+        let source = |slot| what.slot(slot).and_then(letter_of).map(|f| &f.source);
+        if source(Slot::By).is_some_and(|by| Some(by) != source(Slot::ForAny)) && !axes.is_empty() {
+            return self.say_unused(declaration);
+        }
+        for (place, formula) in formulas(subjects).enumerate() {
             let Some(node) = node_of(formula) else {
                 continue;
             };
@@ -178,9 +186,13 @@ impl Builder<'_> {
                 _ => None,
             };
             let Some(head) = head else { continue };
-            let operator = match what.head {
-                CROSS_PRODUCT_MATRIX => Operator::CrossProductMatrix,
-                _ => Operator::RotationVector,
+            let axis = axes.get(place).or(axes.last());
+            let axis = axis.and_then(|term| self.number_of_axis(term));
+            let operator = match (what.head, axis) {
+                (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
+                (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
+                (_, Some(axis)) => Operator::AxisRotation(axis),
+                (_, None) => Operator::RotationVector,
             };
             let head = Formula {
                 source: crate::notation::print::latex(&head),

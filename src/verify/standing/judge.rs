@@ -313,8 +313,13 @@ impl<'a> Judge<'a> {
             self.enter_space();
             self.keep_from_start();
             let held = self.hold_line(line, links);
-            let settled = [Standing::Entailed, Standing::Settles];
-            let told = |h: &Held| h.unknown.is_empty() || settled.contains(&h.standing);
+            // What would only be a definition may be one by a later line.
+            let told = |h: &Held| match h.standing {
+                Standing::Entailed => true,
+                Standing::Settles => waiting.second_time || h.unknown.is_empty(),
+                Standing::Denied => h.doubt.is_none(),
+                _ => h.unknown.is_empty(),
+            };
             if held.iter().all(told) {
                 let end = self.judged.len();
                 self.conclude(line, head_of(links), purpose, held);

@@ -60,6 +60,27 @@ impl Lowering<'_> {
         Ok(Value::scalar(value))
     }
 
+    /// The matrix of the rotation by an angle about an axis.
+    fn axis_rotation(&mut self, axis: usize, angle: &Fraction) -> Valued {
+        let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
+            return beyond(OTHER_ARGUMENT);
+        };
+        let last = (axis + 2) % 3;
+        let entry = |at: usize| match (at / 3, at % 3) {
+            (row, column) if row == axis || column == axis => {
+                if row == column {
+                    Fraction::one()
+                } else {
+                    Fraction::zero()
+                }
+            }
+            (row, column) if row == column => cosine.clone(),
+            (row, _) if row == last => sine.clone(),
+            _ => -sine.clone(),
+        };
+        Ok(Value::written(3, 3, (0..9).map(entry).collect()))
+    }
+
     /// A letter before brackets: a function that the document defines, a function of time, or a product.
     pub(super) fn call(&mut self, head: &Node, arguments: &[Node]) -> Valued {
         let operator = self
@@ -71,6 +92,10 @@ impl Lowering<'_> {
             return match operator {
                 Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
                 Operator::RotationVector => beyond("a rotation by the length of a vector"),
+                Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
+                Operator::AxisRotationOfComponents(axis) => {
+                    self.axis_rotation(axis, &-value.to_scalar()?)
+                }
             };
         }
         // The sum reaches over what its last factor is multiplied by.

@@ -102,6 +102,10 @@ pub(crate) enum Operator {
     CrossProductMatrix,
     /// The matrix of the rotation by the length of a vector about it.
     RotationVector,
+    /// The matrix of the rotation by an angle about an axis.
+    AxisRotation(usize),
+    /// The matrix that takes components to those on the axes after they have turned so.
+    AxisRotationOfComponents(usize),
 }
 
 /// What a writing means.

@@ -5,7 +5,7 @@ use crate::notation::ast::{Factor, Kind, Node, Operator as Sign};
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
-use crate::verify::term::letters::{loosely, spelled};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Value, Valued, beyond};
 use std::borrow::Cow;
@@ -94,6 +94,35 @@ impl Lowering<'_> {
         Cow::Owned(all)
     }
 
+    /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
+    fn raised_call(&self, run: &[&Node]) -> Option<Node> {
+        let [letter, raised, ..] = run else {
+            return None;
+        };
+        let known = self
+            .letters
+            .find(&spelled(letter), &loosely(letter), self.at, 0)?;
+        if !matches!(known.meaning, Meaning::Operator(_)) {
+            return None;
+        }
+        let call = |argument: &Node| match &argument.kind {
+            Kind::Group(_, inner) => Some(Box::new(Node {
+                span: raised.span,
+                kind: Kind::Call(Box::new((*letter).clone()), vec![(**inner).clone()]),
+            })),
+            _ => None,
+        };
+        let kind = match &raised.kind {
+            Kind::Transpose(argument) => Kind::Transpose(call(argument)?),
+            Kind::Power(argument, exponent) => Kind::Power(call(argument)?, exponent.clone()),
+            _ => return None,
+        };
+        Some(Node {
+            span: raised.span,
+            kind,
+        })
+    }
+
     /// Factors side by side. Matrices act on what stands right of them, so the product is taken from the right.
     fn run(&mut self, run: &[&Node]) -> Valued {
         let mut values = vec![];
@@ -115,6 +144,11 @@ impl Lowering<'_> {
             if let Some(whole) = self.sum_over_rest(&run[at..]) {
                 values.push(self.value(&whole)?);
                 break;
+            }
+            if let Some(raised) = self.raised_call(&run[at..]) {
+                values.push(self.value(&raised)?);
+                at += 2;
+                continue;
             }
             if let Some((length, value)) = self.phrase(&run[at..]) {
                 values.push(value?);

@@ -1,0 +1,110 @@
+//! Letters that labels or lines of the document tell of.
+
+use super::judged;
+
+#[test]
+fn labels_name_frames_that_no_sentence_introduces() {
+    let sentences = "$R_{XY}$ takes components on X to components on Y, for any frames X and Y.
+$\\omega_{XY}$ is the angular velocity of X relative to Y, for any frames X and Y.
+A frame at the upper left means components on that frame.
+A tilde means the cross-product matrix.
+A dot means the rate, entry by entry.
+";
+    let text = r"
+$$ R_{CB} = R_{AB} R_{CA} $$
+$$ R_{CB} = R_{CA} R_{AB} $$
+$$ R_{CB} = R_{BA}^T R_{CA} $$
+$$ {}^C\omega_{CA} = {}^C\omega_{CB} + R_{BC}\,{}^B\omega_{BA} $$
+$$ {}^C\omega_{CA} = {}^C\omega_{CB} + {}^B\omega_{BA} $$
+$$ \dot R_{BA} = R_{BA}\,{}^B\tilde\omega_{BA} $$
+$$ \dot R_{BA} = {}^B\tilde\omega_{BA} R_{BA} $$
+";
+    assert_eq!(judged(sentences, text), "prpprpr");
+}
+
+#[test]
+fn labels_say_which_angular_velocity_is_meant() {
+    let sentences = "N is an inertial frame.
+B is a frame that turns relative to N.
+$w_{X/Y}$ is the angular velocity of Y relative to X, for any frames X and Y.
+$\\omega$ is the angular velocity of B relative to N.
+";
+    let text = "$$ w_{N/B} = \\omega $$\n$$ w_{B/N} = \\omega $$\n";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_letter_that_is_constant_is_still_what_another_sentence_says() {
+    let sentences = [
+        "N is an inertial frame.",
+        "B is a frame fixed in the plate.",
+        "$i$, $j$ and $k$ are the axes of N.",
+        "$u$, $v$ and $k$ are the axes of B.",
+        "B turns relative to N about $k$ by the angle $\\theta$.",
+        "P is a point fixed in B.",
+        "O is a point fixed in N and in B.",
+        "$r$ is the position of P from O.",
+        "$x$ and $y$ are the components of $r$ along $u$ and $v$.",
+        "$e$ is the same as $k$.",
+        "$r$ is perpendicular to $e$.",
+        "$x$ and $y$ are constant.",
+        "$\\omega$ is the angular velocity of B relative to N along $k$.",
+        "$w$ is the velocity of P relative to N.",
+    ];
+    let text = "$$ w = \\omega (x v - y u) $$\n$$ w = \\omega (x v + y u) $$\n";
+    for turn in 0..sentences.len() {
+        let mut said = sentences.to_vec();
+        said.rotate_left(turn);
+        assert_eq!(judged(&said.join("\n"), text), "pr", "{said:?}");
+    }
+}
+
+#[test]
+fn a_definition_may_use_what_a_later_one_says() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the craft, and D is a frame that turns relative to N.
+$R$ takes components on B to components on N.
+$S$ takes components on D to components on N.
+$w$ is the angular velocity of B relative to N, in components on B.
+A dot means the rate, entry by entry.
+A wedge at the upper right means the cross-product matrix.
+A vee at the upper right means the vector of which the matrix is the cross-product matrix.
+";
+    let text = r"
+The error is
+$$ e := w - R^T S d $$
+where
+$$ d = (S^T \dot S)^\vee. $$
+$$ R e = R w - S d $$
+$$ R e = R w + S d $$
+";
+    assert_eq!(judged(sentences, text), "aapr");
+}
+
+#[test]
+fn rotations_about_axes_are_functions_of_any_angle() {
+    let sentences = "N is an inertial frame.
+$\\psi$, $\\theta$, $\\phi$ are the Euler angles of B relative to N in the order z, y, x.
+$R$ takes components on B to components on N.
+$R_z(a)$ is the rotation matrix about z by $a$, for any angle $a$.
+$R_x(a)$ and $R_y(a)$ are the rotation matrices by $a$ about x and y, for any angle $a$.
+$C_1(a)$ is the matrix that takes components on a frame to components on that frame after it has turned about x by the angle $a$, for any angle $a$.
+";
+    let text = r"
+$$ R = R_z(\psi) R_y(\theta) R_x(\phi) $$
+$$ R = R_x(\phi) R_y(\theta) R_z(\psi) $$
+$$ C_1(\phi) = R_x(\phi)^T $$
+$$ C_1(\phi) = R_x(-\phi) $$
+$$ C_1(\phi) = R_x(\phi) $$
+$$ R_y(\theta) = \begin{bmatrix} \cos\theta & 0 & \sin\theta \\ 0 & 1 & 0 \\ -\sin\theta & 0 & \cos\theta \end{bmatrix} $$
+$$ R_z(\psi)^2 = R_z(2\psi) $$
+";
+    assert_eq!(judged(sentences, text), "prpprpp");
+}
+
+#[test]
+fn a_rotation_by_another_angle_than_the_argument_is_not_read() {
+    let sentences = "$R_z(a)$ is the rotation matrix about z by $b$, for any angle $a$.\n";
+    let text = "$$ R_z(c) = R_z(-c)^T $$\n";
+    assert_eq!(judged(sentences, text), "u");
+}
