@@ -99,7 +99,7 @@ impl<'a> Lexer<'a> {
                 self.raised_bracket();
             }
             '_' => self.subscript(start),
-            '&' => self.push(Lexeme::Ampersand, start),
+            '&' => self.ampersand(start),
             // Inside a formula only a box has them: `\fbox{$a = b$}`.
             '$' => {}
             '~' if self.letters == Letters::Single => self.push(Lexeme::Space(6), start),
@@ -111,6 +111,22 @@ impl<'a> Lexer<'a> {
             _ => self.unicode(c, start),
         }
         true
+    }
+
+    /// `&`, or the character that web pages write with it: `&lt;`, `&#8211;`.
+    fn ampersand(&mut self, start: usize) {
+        let written = beginning(self.rest(), 9).split_once(';');
+        let entity = written.and_then(|(name, _)| Some((name.len() + 1, unicode::entity(name)?)));
+        let Some((length, c)) = entity else {
+            return self.push(Lexeme::Ampersand, start);
+        };
+        self.at += length;
+        match c {
+            '&' => self.push(Lexeme::Ampersand, start),
+            '!'..='~' => self.push(Lexeme::Char(c), start),
+            _ if c.is_whitespace() => self.spaced = true,
+            _ => self.unicode(c, start),
+        }
     }
 
     fn digit_follows(&self) -> bool {

@@ -5,7 +5,7 @@ mod definition;
 use crate::notation::token::{beginning, matching_brace};
 use crate::notation::triads::Triads;
 use crate::source::Span;
-use definition::{braces, definition_end};
+use definition::{braces, definition_end, is_whole};
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -209,10 +209,11 @@ impl Macros {
         if body.len() > LONGEST {
             return Some((at, "\\undefined".into()));
         }
-        // A name must not run into the letter that follows it; an exponent must reach what stands before it, and a
-        // derivative what stands behind it.
-        let reaches_out =
-            body.trim_start().starts_with(['^', '_']) || !is_script && self.begins_fraction(&body);
+        // A name must not run into the letter that follows it; an exponent must reach what stands before it, a
+        // derivative what stands behind it, and half a bracket its other half.
+        let reaches_out = body.trim_start().starts_with(['^', '_'])
+            || !is_script && self.begins_fraction(&body)
+            || !is_whole(&body);
         let closed = if reaches_out {
             format!("{body} ")
         } else if arguments.is_empty() {

@@ -13,6 +13,7 @@ use look::{entry, is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
 pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triads) -> Vec<Item> {
+    let text = &*without_bold(text);
     let mut reader = Reader {
         text,
         offset,
@@ -25,6 +26,39 @@ pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triad
         at = reader.line(at);
     }
     reader.items
+}
+
+/// The text with blanks in place of the stars around what is bold: `**L = I ω**`. Those between two operands are a
+/// power.
+fn without_bold(text: &str) -> std::borrow::Cow<'_, str> {
+    if !text.contains("**") {
+        return text.into();
+    }
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let mut rest = line;
+        while let Some((before, inside, behind)) = bold(rest) {
+            out.push_str(before);
+            out.push_str("  ");
+            out.push_str(inside);
+            out.push_str("  ");
+            rest = behind;
+        }
+        out.push_str(rest);
+    }
+    out.into()
+}
+
+/// What stands before, in and behind the first bold words of a line.
+fn bold(line: &str) -> Option<(&str, &str, &str)> {
+    let (before, rest) = line.split_once("**")?;
+    let (inside, behind) = rest.split_once("**")?;
+    let apart = |c: char| !c.is_alphanumeric() && !matches!(c, ')' | ']' | '*');
+    let opens = before.chars().next_back().is_none_or(apart);
+    let closes = behind.chars().next().is_none_or(|c| apart(c) && c != '(');
+    let blank = |c: Option<char>| c.is_none_or(char::is_whitespace);
+    let words = !blank(inside.chars().next()) && !blank(inside.chars().next_back());
+    (opens && closes && words).then_some((before, inside, behind))
 }
 
 fn underline(line: &str) -> Option<u8> {

@@ -89,6 +89,33 @@ pub(crate) fn vulgar_fraction(c: char) -> Option<(&'static str, &'static str)> {
     })
 }
 
+/// The sign that web pages name so: `lt`, `minus`, `#8211`. Letters and digits stand for themselves there.
+pub(crate) fn entity(name: &str) -> Option<char> {
+    let number = match name.strip_prefix('#') {
+        Some(code) => match code.strip_prefix(['x', 'X']) {
+            Some(code) => u32::from_str_radix(code, 16).ok(),
+            None => code.parse().ok(),
+        },
+        None => None,
+    };
+    let named = match name {
+        "lt" => '<',
+        "gt" => '>',
+        "le" => '≤',
+        "ge" => '≥',
+        "ne" => '≠',
+        "amp" => '&',
+        "minus" | "ndash" => '−',
+        "nbsp" | "thinsp" => ' ',
+        "times" => '×',
+        "middot" | "sdot" => '·',
+        _ => char::from_u32(number?)?,
+    };
+    let other =
+        named.is_control() || named.is_ascii_alphanumeric() || matches!(named, '\\' | '{' | '}');
+    (!other).then_some(named)
+}
+
 /// The accent that a combining mark draws.
 pub(crate) fn mark(c: char) -> Option<&'static str> {
     Some(match c {

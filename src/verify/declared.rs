@@ -184,7 +184,10 @@ impl<'a> Rows<'a> {
         finding.label = line.labels.first().cloned();
         match self.judged.get(&line.span).copied() {
             Some((own, judged)) => self.tell(&mut finding, own, judged),
-            None => finding.reason = Some("the line goes on from no other".to_owned()),
+            None if line.continues => {
+                finding.reason = Some("the line goes on from no other".to_owned());
+            }
+            None => finding.reason = Some("no words say that it holds".to_owned()),
         }
         // A sentence may say what a writing means that is not read otherwise.
         if finding.verdict == Verdict::Undecided

@@ -234,3 +234,15 @@ fn a_list_may_begin_with_the_letter_a() {
     let lines = rows.flatten().filter(|row| matches!(row, Row::Line(_)));
     assert_eq!(lines.count(), 2);
 }
+
+#[test]
+fn stars_around_bold_words_are_no_signs() {
+    let lines = |text: &str| {
+        places(text)
+            .into_iter()
+            .map(|(_, line)| line)
+            .collect::<Vec<_>>()
+    };
+    let text = "So **L = I ω**, that is **p = m v.** ∎";
+    assert_eq!(lines(text), ["L = (* I omega)", "p = (* m v)"]);
+}

@@ -158,3 +158,57 @@ fn commands_of_packages_are_read_or_passed_over() {
         assert!(latex(unread).contains("not read"), "{unread}");
     }
 }
+
+#[test]
+fn scripts_on_an_empty_base_belong_to_what_stands_beside_them() {
+    each_reads(&[
+        // What follows takes them, and if nothing does, what stands before.
+        (r"{^N}v^{C} = {}^N v^C", "v^N^C = v^N^C"),
+        (r"m {^N}v", "(* m v^N)"),
+        (r"\omega{_1}\omega{_2}^2", "(* omega_1 (^ omega_2 2))"),
+        (r"x{^2}", "(^ x 2)"),
+        (r"x_k{}^2 - 1", "(+ (^ x_k 2) (- 1))"),
+        (r"y = x{}^2", "y = (^ x 2)"),
+        (r"{A{^{^\top}_{B}}} r", "(* (transpose A_B) r)"),
+        (r"\omega^{\prime 2}", "(^ omega' 2)"),
+    ]);
+    // Both might be meant.
+    assert!(latex(r"m{^N}v").contains('<'));
+}
+
+#[test]
+fn the_box_at_the_end_of_a_proof_is_no_part_of_it() {
+    each_reads(&[
+        (r"a = b \quad\blacksquare", "a = b"),
+        (r"a = b. \qed", "a = b"),
+        (r"a = b \square", "a = b"),
+        // Before an operand it is a letter.
+        (r"a = \square b", "a = (* square b)"),
+    ]);
+    each_plain_reads(&[("a = b. ∎", "a = b"), ("a = b ∎₁", "a = b")]);
+}
+
+#[test]
+fn half_an_environment_may_be_a_macro() {
+    let text = r"\def\mopen{\left(\begin{matrix}} \def\mclose{\end{matrix}\right)}
+\[ \mopen a \\ b \mclose = \mopen c \\ d \mclose \]";
+    assert_eq!(
+        document(text, Format::Latex),
+        "(matrix [a] [b]) = (matrix [c] [d])"
+    );
+}
+
+#[test]
+fn signs_of_web_pages_are_those_that_they_name() {
+    each_reads(&[
+        (r"a &#8211; b &lt; c", "(+ a (- b)) < c"),
+        (
+            r"\begin{matrix} a \\ &minus; b \end{matrix}",
+            "(matrix [a] [(- b)])",
+        ),
+        (
+            r"\begin{matrix} a & x; \\ b & c \end{matrix}",
+            "(matrix [a x] [b c])",
+        ),
+    ]);
+}

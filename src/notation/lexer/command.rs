@@ -199,7 +199,13 @@ impl<'a> Lexer<'a> {
             }
             _ if is_text(name) => {
                 let text = unwrapped(self.braced());
-                self.push(Lexeme::Text(text), start);
+                match index_behind(text).filter(|_| self.rest().trim_start().starts_with('=')) {
+                    Some((words, index)) => {
+                        self.push(Lexeme::Text(words), start);
+                        self.push(Lexeme::Letter(index), start);
+                    }
+                    None => self.push(Lexeme::Text(text), start),
+                }
             }
             _ if is_size(name) => self.sized = Some(start),
             _ if is_silent(name) => {}
@@ -378,4 +384,18 @@ fn unwrapped(mut text: &str) -> &str {
         text = inner;
     }
     text
+}
+
+/// The words and the index of `for i`, before the values of the index.
+fn index_behind(text: &str) -> Option<(&str, char)> {
+    let (words, index) = text.trim_end().rsplit_once(' ')?;
+    let words = words.trim();
+    let index = match index {
+        "i" => 'i',
+        "j" => 'j',
+        "k" => 'k',
+        "n" => 'n',
+        _ => return None,
+    };
+    matches!(words, "for" | "for all" | "for each" | "with" | "where").then_some((words, index))
 }

@@ -60,3 +60,25 @@ pub(super) fn braces(text: &str) -> Vec<usize> {
     }
     closing
 }
+
+/// Whether all that a text opens is closed in it: macros may stand for one half of a bracket or an environment.
+pub(super) fn is_whole(text: &str) -> bool {
+    let mut open = [0i32; 2];
+    let mut at = 0;
+    while let Some(i) = text[at..].find('\\') {
+        at += i;
+        let name = name(&text[at..]);
+        match name {
+            "begin" => open[0] += 1,
+            "end" => open[0] -= 1,
+            "left" => open[1] += 1,
+            "right" => open[1] -= 1,
+            _ => {}
+        }
+        if open.iter().any(|&open| open < 0) {
+            return false;
+        }
+        at += 1 + name.len();
+    }
+    open == [0; 2]
+}

@@ -33,6 +33,10 @@ pub(super) fn ungrouped<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
         if !scan.dropped[i] {
             out.push(tokens[i]);
         }
+        if scan.emptied[i] {
+            let kind = Lexeme::Close;
+            out.push(Token { kind, ..tokens[i] });
+        }
         i += 1;
     }
     out
@@ -52,6 +56,8 @@ struct Group {
 struct Scan<'t, 'a> {
     tokens: &'t [Token<'a>],
     dropped: Vec<bool>,
+    /// Opening braces that are closed at once: `{^N}` is `{}^N`.
+    emptied: Vec<bool>,
     groups: Vec<Group>,
     /// How many arguments the command before takes yet.
     awaited: u8,
@@ -64,6 +70,7 @@ impl<'t, 'a> Scan<'t, 'a> {
         Self {
             tokens,
             dropped: vec![false; tokens.len()],
+            emptied: vec![false; tokens.len()],
             groups: vec![],
             awaited: 0,
             optional: false,
@@ -134,6 +141,43 @@ impl<'t, 'a> Scan<'t, 'a> {
         if idle && !group.argument {
             self.dropped[group.open] = true;
             self.dropped[i] = true;
+        } else if !group.argument && is_script_alone(inside) {
+            self.script_alone(group.open, i);
+        }
+    }
+
+    /// Scripts alone in braces belong to what follows, `{^N}v` being `{}^Nv`, or to what stands close before. Where both
+    /// may be meant, `x{^n}v`, they are left as they are; an index is that of what stands before it.
+    fn script_alone(&mut self, open: usize, close: usize) {
+        let before = open.checked_sub(1).map(|at| self.tokens[at].kind);
+        let behind = self.tokens.get(close + 1).map(|t| t.kind);
+        let operand = match before {
+            Some(Lexeme::Command(name)) => letter::greek(name).is_some(),
+            Some(kind) => matches!(
+                kind,
+                Lexeme::Letter(_)
+                    | Lexeme::Number(_)
+                    | Lexeme::Close
+                    | Lexeme::RightBar
+                    | Lexeme::End(_)
+                    | Lexeme::Char(')' | ']' | '\'')
+            ),
+            None => false,
+        };
+        let followed = match behind {
+            Some(Lexeme::Letter(_) | Lexeme::Number(_) | Lexeme::Open | Lexeme::Begin(_)) => true,
+            Some(Lexeme::Char('(' | '[')) => true,
+            Some(Lexeme::Command(name)) => !is_operator(name),
+            _ => false,
+        };
+        let index = self.tokens[open + 1].kind == Lexeme::Subscript;
+        let apart = self.tokens[open].spaced;
+        if operand && index && !apart {
+            self.dropped[open] = true;
+            self.dropped[close] = true;
+        } else if !operand || !followed || apart && !index {
+            self.emptied[open] = true;
+            self.dropped[close] = true;
         }
     }
 
@@ -238,6 +282,29 @@ fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
     }
     let span = first.span.to(tokens[at + usize::from(grouped)].span);
     Some((Token { span, ..*operator }, at + 1 + usize::from(grouped)))
+}
+
+/// Whether tokens are scripts that stand on nothing: `^N`, `^{N}_{B}`.
+fn is_script_alone(inside: &[Token<'_>]) -> bool {
+    let mut rest = inside;
+    while let [script, argument, behind @ ..] = rest {
+        if !super::line::is_script(script.kind) {
+            return false;
+        }
+        let grouped = |at: usize| match rest.get(at).map(|t| t.kind) {
+            Some(Lexeme::Open) => rest.get(super::closing(rest, at) + 1..),
+            _ => None,
+        };
+        rest = match argument.kind {
+            Lexeme::Open => grouped(1).unwrap_or_default(),
+            Lexeme::Command(name) if letter::takes_argument(name) => {
+                grouped(2).unwrap_or(behind.get(1..).unwrap_or_default())
+            }
+            kind if super::line::is_script(kind) => return false,
+            _ => behind,
+        };
+    }
+    rest.is_empty() && !inside.is_empty()
 }
 
 /// `{\begin{aligned} … \end{aligned}}`, in a few more braces or not.

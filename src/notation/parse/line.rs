@@ -19,6 +19,7 @@ pub(super) struct Marks {
 
 /// Takes tags, labels, remarks and words out of a row's tokens.
 pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
+    without_end_mark(tokens);
     let mut marks = Marks::default();
     let mut shown = vec![];
     let mut depth = 0;
@@ -61,6 +62,34 @@ pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     shown.append(&mut marks.labels);
     marks.labels = shown;
     marks
+}
+
+/// Takes the box off that closes a proof, and a number on it.
+fn without_end_mark(tokens: &mut Vec<Token<'_>>) {
+    let is_box = |kind: Lexeme<'_>| match kind {
+        Lexeme::Char(c) => matches!(c, '∎' | '■' | '□' | '◻' | '◼' | '▪' | '▫'),
+        Lexeme::Command(name) => matches!(
+            name,
+            "blacksquare" | "square" | "Box" | "qed" | "qedhere" | "qedsymbol" | "QED"
+        ),
+        _ => false,
+    };
+    let Some(at) = tokens.iter().rposition(|t| is_box(t.kind)) else {
+        return;
+    };
+    let mut behind = tokens[at + 1..].iter();
+    let mut scripted = false;
+    let closes = behind.all(|t| {
+        let number = matches!(t.kind, Lexeme::Number(_) | Lexeme::Letter(_)) && scripted;
+        scripted |= is_script(t.kind);
+        let script = scripted && matches!(t.kind, Lexeme::Open | Lexeme::Close);
+        number || script || is_script(t.kind) || is_blank(t) || t.kind == Lexeme::Char('.')
+    });
+    // A sign before it waits for an operand.
+    let before = trimmed(&tokens[..at]).last();
+    if closes && !before.is_some_and(|t| super::group::is_sign(t.kind) || is_script(t.kind)) {
+        tokens.truncate(at);
+    }
 }
 
 /// Whether a unit may stand behind a token, given whether one might before it.
@@ -187,6 +216,14 @@ pub(super) fn relation(tokens: &[Token<'_>]) -> Option<(Relation, usize)> {
             "gt" => (Relation::Greater, 1),
             "le" | "leq" | "leqslant" => (Relation::LessOrEqual, 1),
             "ge" | "geq" | "geqslant" => (Relation::GreaterOrEqual, 1),
+            "not" => {
+                let (denied, length) = relation(tokens.get(1..2)?)?;
+                let denies = match denied {
+                    Relation::Equal => Relation::NotEqual,
+                    _ => Relation::Other,
+                };
+                (denies, 1 + length)
+            }
             "stackrel" | "overset" | "underset" => return stacked(tokens),
             name if is_relation(name) => (Relation::Other, 1),
             _ => return None,
@@ -232,7 +269,7 @@ pub(super) fn read(tokens: &[Token<'_>], marks: Marks) -> Row {
         .unwrap_or_default();
     let found = relations(tokens);
     if found.is_empty() {
-        return expression(tokens, span);
+        return expression(spoken_of(tokens), span);
     }
     let continues = found[0].0 == 0;
     let mut sides = vec![];
@@ -263,6 +300,48 @@ pub(super) fn read(tokens: &[Token<'_>], marks: Marks) -> Row {
         remarks: marks.remarks,
         span,
     })
+}
+
+/// Whether tokens say nothing that could hold or have a value: a sign that is only spoken of, or the number of a line,
+/// `(13.21.1)`.
+pub(super) fn is_mention(tokens: &[Token<'_>]) -> bool {
+    let sign = |t: &Token<'_>| {
+        let relation = relation(std::slice::from_ref(t)).is_some();
+        relation || super::group::is_sign(t.kind) || t.kind == Lexeme::Command("not")
+    };
+    match tokens {
+        [] => false,
+        [open, inner @ .., close]
+            if open.kind == Lexeme::Char('(') && close.kind == Lexeme::Char(')') =>
+        {
+            let label = super::text::plain(inner);
+            let parts = label.split('.').count();
+            parts > 2 && label.split('.').all(|part| part.parse::<u16>().is_ok())
+        }
+        _ => tokens.iter().all(sign),
+    }
+}
+
+/// The thing that tokens without a relation name: of `x-`, which a word goes on from, and of `N: \{O, x, y, z\}`, which
+/// lists what belongs to it, only the first.
+fn spoken_of<'t, 'a>(tokens: &'t [Token<'a>]) -> &'t [Token<'a>] {
+    if let [named @ .., last] = tokens
+        && last.kind == Lexeme::Char('-')
+        && !trimmed(named).is_empty()
+    {
+        return trimmed(named);
+    }
+    let colon = tokens.iter().position(|t| t.kind == Lexeme::Char(':'));
+    if let Some(at) = colon {
+        let list = trimmed(&tokens[at + 1..]);
+        let opens = list.first().is_some_and(|t| t.kind == Lexeme::Char('{'));
+        let whole = opens && super::bracket_end(list, 0) == Some(list.len() - 1);
+        let several = list.iter().any(|t| t.kind == Lexeme::Char(','));
+        if whole && several && at > 0 {
+            return trimmed(&tokens[..at]);
+        }
+    }
+    tokens
 }
 
 fn expression(tokens: &[Token<'_>], span: Span) -> Row {

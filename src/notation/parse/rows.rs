@@ -65,7 +65,7 @@ impl Rows {
         let mut tokens = piece.tokens;
         let mut marks = take_marks(&mut tokens);
         let body = trimmed(&tokens);
-        if body.is_empty() {
+        if body.is_empty() || super::line::is_mention(body) {
             return self.attach(marks);
         }
         if let Some(range) = range_in_brackets(body) {

@@ -6,13 +6,17 @@ use crate::notation::ast::{Bracket, FrameLabel, Function, Kind, Node, Symbol};
 use crate::notation::token::{Lexeme, Token};
 
 /// Why a prime is not read.
-const PRIMED: &str = "a prime on what is no letter: give it a letter of its own, and prime that";
+pub(super) const PRIMED: &str =
+    "a prime on what is no letter: give it a letter of its own, and prime that";
 
 impl<'t, 'a> Parser<'t, 'a> {
     /// Reads the scripts that follow a factor.
     pub(super) fn scripts(&mut self, mut node: Node, start: usize) -> Node {
         // A bound keeps a chain of scripts from nesting the tree without end.
         for _ in 0..16 {
+            if self.empty_base_closes() {
+                self.at += 2;
+            }
             match self.peek() {
                 Some(Lexeme::Subscript | Lexeme::Superscript) if self.script_is_empty() => {
                     self.at += 1;
@@ -111,13 +115,16 @@ impl<'t, 'a> Parser<'t, 'a> {
         )
     }
 
-    fn superscript(&mut self, mut node: Node, tokens: &'t [Token<'a>]) -> Node {
+    pub(super) fn superscript(&mut self, mut node: Node, tokens: &'t [Token<'a>]) -> Node {
         let kinds: Vec<Lexeme<'a>> = tokens
             .iter()
             .map(|t| t.kind)
             .filter(|kind| !matches!(kind, Lexeme::Space(_)))
             .collect();
         match kinds.as_slice() {
+            [Lexeme::Superscript | Lexeme::Command("prime"), _, ..] => {
+                return self.raised_on_more(node, tokens);
+            }
             [Lexeme::Command("times" | "wedge")] => return skew(node),
             [Lexeme::Command("vee")] => return vee(node),
             [Lexeme::Command("otimes"), Lexeme::Number("2")] => return tensor_square(node),

@@ -32,9 +32,15 @@ fn opens_list(word: &str) -> bool {
     inside.is_some_and(|letter| letter.len() == 1 && letter.chars().all(char::is_alphabetic))
 }
 
+/// The box that closes a proof, with a number on it or none.
+fn is_end_mark(word: &str) -> bool {
+    let number = |c: char| c == '_' || c.is_ascii_digit() || unicode::script(c).is_some();
+    matches!(word.trim_end_matches(number), "∎" | "■" | "□")
+}
+
 fn look(word: &str) -> Look {
     let core = word.trim_matches(['.', ',', ';', ':']);
-    if ARROWS.contains(&core) {
+    if ARROWS.contains(&core) || is_end_mark(core) {
         return Look::Words;
     }
     let strong = core.chars().any(|c| {
@@ -184,6 +190,7 @@ pub(super) fn is_mathematical(text: &str) -> bool {
             || frame(word)
             || is_constant(word)
             || ARROWS.contains(&word)
+            || is_end_mark(word)
     })
 }
 

@@ -199,9 +199,11 @@ impl<'a> Judge<'a> {
     fn formula(&mut self, formula: &Formula) {
         for row in &formula.rows {
             match row {
-                Row::Line(line) if !formula.display && self.is_only_named(line) => {}
                 Row::Line(line) if !formula.display && names_an_instant(line) => {}
-                Row::Line(line) => self.line(line, formula.display),
+                Row::Line(line) => {
+                    let named = !formula.display && self.is_only_named(line);
+                    self.line(line, formula.display, named);
+                }
                 Row::Expression(_) => self.words.sentence.push_str(" ⟨⟩ "),
                 Row::Unreadable { .. } => {}
             }
@@ -214,7 +216,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn line(&mut self, line: &Line, display: bool) {
+    /// Judges a line; one that is only named has no verdict but that it is proved.
+    fn line(&mut self, line: &Line, display: bool, named: bool) {
         let line = &*without_number(line);
         let place = self.document.place(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
@@ -244,6 +247,9 @@ impl<'a> Judge<'a> {
             purpose.role = Role::Define;
         }
         let held = self.hold_line(line, &links);
+        if named && held.iter().any(|h| h.standing != Standing::Entailed) {
+            return;
+        }
         let waits = held
             .iter()
             .any(|h| !h.unknown.is_empty() && h.standing != Standing::Settles);

@@ -7,7 +7,7 @@ use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Value, Valued, beyond};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -34,7 +34,12 @@ impl Lowering<'_> {
         }
         let mut values: Vec<(Sign, Value)> = vec![];
         for (sign, run) in runs {
-            values.push((sign, self.run(&run)?));
+            match self.run(&run) {
+                Err(Trouble::IllTyped(_)) if sign == Sign::Dot && run.len() > 1 => {
+                    values.extend(self.dotted_first(&run)?);
+                }
+                value => values.push((sign, value?)),
+            }
         }
         let custom = self.custom();
         for sign in [Sign::Tensor, Sign::Cross, Sign::Dot] {
@@ -49,9 +54,22 @@ impl Lowering<'_> {
                 values[at - 1].1 = self.joined(&left, sign, &right, custom)?;
             }
         }
-        match values.into_iter().next() {
-            Some((_, value)) => Ok(value),
-            None => beyond(EMPTY),
+        let mut values = values.into_iter().map(|(_, value)| value);
+        let Some(mut product) = values.next() else {
+            return beyond(EMPTY);
+        };
+        for value in values {
+            product = self.joined(&product, Sign::Juxtaposed, &value, custom)?;
+        }
+        Ok(product)
+    }
+
+    /// Of `b c` behind a dot, two vectors side by side: in `a · b c` the dot is that of a and b.
+    fn dotted_first(&mut self, run: &[&Node]) -> Result<[(Sign, Value); 2], Trouble> {
+        let (first, rest) = (self.run(&run[..1])?, self.run(&run[1..])?);
+        match first.is_vector() && !rest.is_scalar() {
+            true => Ok([(Sign::Dot, first), (Sign::Juxtaposed, rest)]),
+            false => beyond("a product of these"),
         }
     }
 
@@ -160,7 +178,21 @@ impl Lowering<'_> {
                 at += 2;
                 continue;
             }
-            values.push(self.value(run[at])?);
+            let value = self.value(run[at])?;
+            // Unit vectors side by side are a dyad.
+            let dyad = match values.last() {
+                Some(left) if has_hat(run[at - 1]) && has_hat(run[at]) => {
+                    self.dyad(left, &value)?
+                }
+                _ => None,
+            };
+            match dyad {
+                Some(dyad) => {
+                    values.pop();
+                    values.push(dyad);
+                }
+                None => values.push(value),
+            }
             at += 1;
         }
         let custom = self.custom();
@@ -172,6 +204,16 @@ impl Lowering<'_> {
             product = self.joined(&left, Sign::Juxtaposed, &product, custom)?;
         }
         Ok(product)
+    }
+
+    /// a b of two vectors that are no columns of numbers.
+    fn dyad(&mut self, a: &Value, b: &Value) -> Result<Option<Value>, Trouble> {
+        let itself = |v: &Value| v.is_vector() && v.basis[0] == Basis::Itself;
+        if !itself(a) || !itself(b) {
+            return Ok(None);
+        }
+        let custom = self.custom();
+        Ok(Some(self.system.times(a, &b.transposed(), custom)?))
     }
 
     /// A sum reaches over the factors behind it that have its index.
@@ -289,6 +331,11 @@ impl Lowering<'_> {
             Sign::Tensor => beyond("a tensor product of these"),
         }
     }
+}
+
+/// Whether a letter is marked as a unit vector.
+fn has_hat(node: &Node) -> bool {
+    matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.hat)
 }
 
 /// Whether a derivative stands before what it acts on.

@@ -67,3 +67,23 @@ $$ (C^T\vec u)^T(C^T\vec u) = \vec u^T\vec u $$
 ";
     assert_eq!(judged(sentences, text), "prpprp");
 }
+
+#[test]
+fn unit_vectors_side_by_side_are_a_dyad() {
+    let said = "N is an inertial frame.
+B is a frame fixed in the body, and its axes are principal axes of the body.
+$\\hat b_1$, $\\hat b_2$, $\\hat b_3$ are the axes of B.
+G is the mass centre of the body.
+$\\mathbf J$ is the inertia tensor of the body about G.
+$J_1$, $J_2$, $J_3$ are the principal moments of the body about G.
+$\\vec\\omega$ is the angular velocity of B relative to N.
+";
+    let text = r"
+$$ \mathbf J = J_1 \hat b_1\hat b_1 + J_2 \hat b_2\hat b_2 + J_3 \hat b_3\hat b_3 $$
+$$ \mathbf J = J_1 \hat b_1\hat b_1 + J_3 \hat b_2\hat b_2 + J_3 \hat b_3\hat b_3 $$
+$$ \hat b_1\hat b_1\cdot\vec\omega = (\hat b_1\cdot\vec\omega)\hat b_1 $$
+$$ \hat b_1\cdot\vec\omega\,\vec\omega = (\hat b_1\cdot\vec\omega)\vec\omega $$
+$$ \hat b_1\cdot\vec\omega\,\vec\omega = -(\hat b_1\cdot\vec\omega)\vec\omega $$
+";
+    assert_eq!(judged(said, text), "prppr");
+}

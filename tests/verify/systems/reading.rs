@@ -155,3 +155,23 @@ $$ \sin^2\varphi + \cos^{2}\varphi^{} = 1 $$
 ";
     assert!(judged(sentences, text).starts_with('p'));
 }
+
+/// A name and a colon before a line may name a case, which need not hold; what holds anyway is proved.
+#[test]
+fn a_line_that_is_only_named_is_proved_or_left_open() {
+    let said = "N is an inertial frame.
+B is a frame fixed in the body, and its axes are principal axes of the body.
+G is the mass centre of the body.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components on B of the angular velocity of B relative to N.
+$M_1$, $M_2$, $M_3$ are the components on B of the total moment on the body about G.
+";
+    let text = r"
+First component: $M_1 = I_1\dot\omega_1 - (I_2 - I_3)\omega_2\omega_3$.
+
+Symmetric body: $I_1 = I_2$.
+
+Wrong sign: $M_1 = I_1\dot\omega_1 + (I_2 - I_3)\omega_2\omega_3$.
+";
+    assert_eq!(judged(said, text), "puu");
+}
