@@ -212,3 +212,8 @@ fn signs_of_web_pages_are_those_that_they_name() {
         ),
     ]);
 }
+
+#[test]
+fn an_equals_sign_on_both_sides_of_a_row_break_is_one() {
+    each_reads(&[(r"\begin{align} a =& b =\\ =& c \end{align}", "a = b\n= c")]);
+}

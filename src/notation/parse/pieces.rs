@@ -350,11 +350,27 @@ fn join(pieces: Vec<Piece<'_>>) -> Vec<Piece<'_>> {
     let mut out: Vec<Piece<'_>> = vec![];
     for piece in pieces {
         match out.last_mut() {
+            Some(last) if repeats_equals(last, &piece) => {
+                let equals = last.tokens.iter().rposition(is_equals);
+                last.tokens.truncate(equals.unwrap_or(last.tokens.len()));
+                out.push(piece);
+            }
             Some(last) if goes_on(last, &piece) => last.tokens.extend(piece.tokens),
             _ => out.push(piece),
         }
     }
     out
+}
+
+fn is_equals(token: &Token<'_>) -> bool {
+    token.kind == Lexeme::Char('=')
+}
+
+/// `a = b = \\ = c`: the sign at the end of a row, and once more at the beginning of the next, is one.
+fn repeats_equals(last: &Piece<'_>, piece: &Piece<'_>) -> bool {
+    let ends = trimmed(&last.tokens).last().is_some_and(is_equals);
+    let begins = without_empty_groups(trimmed(&piece.tokens));
+    ends && piece.before == Break::Row && begins.first().is_some_and(is_equals)
 }
 
 fn goes_on(last: &Piece<'_>, piece: &Piece<'_>) -> bool {
