@@ -8,6 +8,7 @@ use crate::verify::declarations::Declared;
 use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
 use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::reason;
 use crate::verify::standing::judge::Judged;
 use crate::verify::standing::verdicts::Answer;
 use crate::verify::term::letters::At;
@@ -185,7 +186,7 @@ impl<'a> Rows<'a> {
         match self.judged.get(&line.span).copied() {
             Some((own, judged)) => self.tell(&mut finding, own, judged),
             None if line.continues => {
-                finding.reason = Some("the line goes on from no other".to_owned());
+                finding.reason = Some(reason::GOES_ON_FROM_NONE.to_owned());
             }
             None => finding.reason = Some("no words say that it holds".to_owned()),
         }

@@ -10,6 +10,7 @@ pub(super) const SLOPE_OF_VECTOR: &str =
     "a partial derivative of a vector in a number is not decided";
 pub(super) const OTHER_KIND: &str =
     "its letter stands for a thing of another kind in this document";
+pub(super) const GOES_ON_FROM_NONE: &str = "the line goes on from no other";
 /// A remark of a line that says when, and nothing more.
 pub(super) const NAMES_A_MOMENT: &str = "names a moment of the motion";
 pub(super) const AT_A_MOMENT: &str = "it speaks of a moment of the motion, and may hold then alone";

@@ -169,7 +169,7 @@ fn scripts_on_an_empty_base_belong_to_what_stands_beside_them() {
         (r"x{^2}", "(^ x 2)"),
         (r"x_k{}^2 - 1", "(+ (^ x_k 2) (- 1))"),
         (r"y = x{}^2", "y = (^ x 2)"),
-        (r"{A{^{^\top}_{B}}} r", "(* (transpose A_B) r)"),
+        (r"{A{^{^\top}_{B}}} r", "(* (T A_B) r)"),
         (r"\omega^{\prime 2}", "(^ omega' 2)"),
     ]);
     // Both might be meant.

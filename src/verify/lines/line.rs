@@ -121,7 +121,7 @@ impl Checker<'_> {
             match self.last_side.clone() {
                 Some(side) => sides.insert(0, side),
                 None => {
-                    finding.reason = Some("the line goes on from no other".to_owned());
+                    finding.reason = Some(reason::GOES_ON_FROM_NONE.to_owned());
                     return;
                 }
             }

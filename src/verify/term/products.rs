@@ -35,8 +35,9 @@ impl Lowering<'_> {
         let mut values: Vec<(Sign, Value)> = vec![];
         for (sign, run) in runs {
             match self.run(&run) {
-                Err(Trouble::IllTyped(_)) if sign == Sign::Dot && run.len() > 1 => {
-                    values.extend(self.dotted_first(&run)?);
+                Err(Trouble::IllTyped(why)) if sign == Sign::Dot => {
+                    let split = self.dotted_first(&run);
+                    values.extend(split.ok_or(Trouble::IllTyped(why))?);
                 }
                 value => values.push((sign, value?)),
             }
@@ -65,12 +66,11 @@ impl Lowering<'_> {
     }
 
     /// Of `b c` behind a dot, two vectors side by side: in `a · b c` the dot is that of a and b.
-    fn dotted_first(&mut self, run: &[&Node]) -> Result<[(Sign, Value); 2], Trouble> {
-        let (first, rest) = (self.run(&run[..1])?, self.run(&run[1..])?);
-        match first.is_vector() && !rest.is_scalar() {
-            true => Ok([(Sign::Dot, first), (Sign::Juxtaposed, rest)]),
-            false => beyond("a product of these"),
-        }
+    fn dotted_first(&mut self, run: &[&Node]) -> Option<[(Sign, Value); 2]> {
+        let (first, rest) = run.split_at_checked(1)?;
+        let (first, rest) = (self.run(first).ok()?, self.run(rest).ok()?);
+        let parts = first.is_vector() && !rest.is_scalar();
+        parts.then_some([(Sign::Dot, first), (Sign::Juxtaposed, rest)])
     }
 
     /// A letter without an axis that stands once in each of two factors: it is summed over, where that is the convention.
