@@ -48,6 +48,9 @@ pub(crate) const FRAME_ABOVE: &str = "frame at the upper right";
 /// How customs of a frame before or behind a letter begin.
 pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
 
+/// The noun of a matrix that takes components on axes to components on these axes after they have turned.
+pub(crate) const COMPONENT_ROTATION: &str = "passive rotation matrix";
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,6 +87,7 @@ mod tests {
             VECTOR_PART,
             SCALAR_FIRST,
             SCALAR_LAST,
+            COMPONENT_ROTATION,
         ];
         for head in heads {
             let entry = Lexicon::shared().entry(

@@ -4,8 +4,10 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, print, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
+use crate::verify::term::written::WrittenSymbols;
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
@@ -20,7 +22,13 @@ const KERNELS: [&str; 3] = ["cosine", "sine", "tangent"];
 const OF_POINTS: [&str; 3] = ["position", "velocity", "acceleration"];
 
 /// The declarations with one for each pair of things in the place of what is said for any.
-pub(crate) fn instances(declarations: &[Declaration]) -> Vec<Declaration> {
+pub(crate) fn instances(
+    declarations: &[Declaration],
+    written: &WrittenSymbols,
+) -> Vec<Declaration> {
+    let mut declarations = declarations.to_vec();
+    declarations.extend(named_by_labels(&declarations, written));
+    let declarations = &declarations;
     let frames = named(declarations, |what| what.head == "frame");
     let points = named(declarations, |what| {
         matches!(what.head, "point" | MASS_CENTRE | "particle")

@@ -9,7 +9,6 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::any_read::instances;
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
-use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{
     MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
@@ -57,9 +56,7 @@ pub(crate) fn build(
 ) -> Reading {
     // What holds under a condition is never taken as always true, and what is denied is no fact.
     let written = WrittenSymbols::new(written);
-    let mut declarations = declarations.to_vec();
-    declarations.extend(named_by_labels(&declarations, &written));
-    let (conditional, always): (Vec<Declaration>, Vec<Declaration>) = instances(&declarations)
+    let (conditional, always): (Vec<_>, Vec<_>) = instances(declarations, &written)
         .into_iter()
         .partition(|d| has_condition(d) || denies(d));
     let mut builder = Builder {

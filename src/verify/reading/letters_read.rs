@@ -2,7 +2,7 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
+    COMPONENT_ROTATION, DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -13,8 +13,8 @@ use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
-    COMPONENT_ROTATION, CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS,
-    PRODUCTS, UNIT_VECTOR, node_of, reach_of,
+    CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
+    node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;

@@ -24,9 +24,6 @@ pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
 /// The noun of the matrix that a cross product is.
 pub(crate) const CROSS_PRODUCT_MATRIX: &str = "cross-product matrix";
 
-/// The noun of a matrix that takes components on axes to components on these axes after they have turned.
-pub(crate) const COMPONENT_ROTATION: &str = "passive rotation matrix";
-
 /// The noun of a vector of length one.
 pub(crate) const UNIT_VECTOR: &str = "unit vector";
 

@@ -4,14 +4,13 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
+use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{
-    COMPONENT_ROTATION, CROSS_PRODUCT_MATRIX, letter_of, node_of, told,
-};
+use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, told};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};

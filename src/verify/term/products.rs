@@ -112,6 +112,18 @@ impl Lowering<'_> {
         Cow::Owned(all)
     }
 
+    /// The value of factors that belong together, and how many they are.
+    fn several(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
+        if let Some(raised) = self.raised_call(run) {
+            return Some((2, self.value(&raised)));
+        }
+        if let Some(found) = self.phrase(run) {
+            return Some(found);
+        }
+        let differential = run.len() > 1 && self.is_differential(run[0]);
+        differential.then(|| (2, self.differential(run[1])))
+    }
+
     /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
     fn raised_call(&self, run: &[&Node]) -> Option<Node> {
         let [letter, raised, ..] = run else {
@@ -163,19 +175,9 @@ impl Lowering<'_> {
                 values.push(self.value(&whole)?);
                 break;
             }
-            if let Some(raised) = self.raised_call(&run[at..]) {
-                values.push(self.value(&raised)?);
-                at += 2;
-                continue;
-            }
-            if let Some((length, value)) = self.phrase(&run[at..]) {
+            if let Some((length, value)) = self.several(&run[at..]) {
                 values.push(value?);
                 at += length;
-                continue;
-            }
-            if at + 1 < run.len() && self.is_differential(run[at]) {
-                values.push(self.differential(run[at + 1])?);
-                at += 2;
                 continue;
             }
             let value = self.value(run[at])?;
