@@ -2,6 +2,7 @@
 
 mod incline;
 mod loads;
+mod long_laws;
 mod matrices;
 mod members;
 mod parts;
