@@ -1,5 +1,6 @@
 //! What holds at a place of a document, and the proofs that follow from it.
 
+pub(crate) mod cases;
 pub(crate) mod images;
 pub(crate) mod parts;
 pub(crate) mod premises;
@@ -7,6 +8,7 @@ pub(crate) mod proof;
 pub(crate) mod relevant;
 pub(crate) mod small;
 pub(crate) mod squares;
+pub(crate) mod turned;
 pub(crate) mod world;
 
 /// Who says that something holds.
@@ -18,6 +20,8 @@ pub(crate) enum Source {
     Declared(String),
     /// What is constant by what holds, with its value at the start.
     Start,
+    /// A law of this name.
+    Law(&'static str),
 }
 
 impl Source {
@@ -27,6 +31,7 @@ impl Source {
             Self::Line(_, line) => format!("line {line}"),
             Self::Declared(sentence) => format!("declared: {sentence}"),
             Self::Start => "the initial values".to_owned(),
+            Self::Law(name) => (*name).to_owned(),
         }
     }
 }

@@ -13,6 +13,7 @@ pub(crate) mod label_read;
 pub(crate) mod letters_read;
 pub(crate) mod load_quantities_read;
 pub(crate) mod loads_read;
+pub(crate) mod lying_read;
 pub(crate) mod names;
 pub(crate) mod notation_read;
 pub(crate) mod order;

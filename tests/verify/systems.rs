@@ -3,6 +3,7 @@
 mod incline;
 mod letters;
 mod loads;
+mod long_laws;
 mod matrices;
 mod members;
 mod parts;

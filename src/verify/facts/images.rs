@@ -64,6 +64,7 @@ impl Facts {
         }
         if let Some(Law { name, value }) = &atoms.atom(variable).law
             && (!self.lawless || NO_MECHANICS.contains(name))
+            && !self.turned.contains(&variable)
         {
             return Some(value.clone());
         }

@@ -2,13 +2,14 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::verify::facts::Source;
+use crate::verify::facts::cases::Missing;
 use crate::verify::facts::images::Image;
 use crate::verify::facts::parts::Part;
 use crate::verify::facts::squares::is_kernel;
 use crate::verify::model::atoms::Atoms;
 use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Products of more terms than this are not worked out.
 pub(super) const MOST_TERMS: usize = 6_000;
@@ -85,12 +86,14 @@ pub(crate) struct Facts {
     time: usize,
     /// How much was worked out so far to put in premises.
     pub(super) work: usize,
-    /// A premise that could not be put in: while there is one, what fails by the others may hold.
-    missing: Option<Source>,
+    /// Premises that could not be put in: while there are any, what fails by the others may hold.
+    pub(super) missing: Missing,
     /// Whether some goal was beyond what is worked out with all of them.
     pub(crate) are_too_many: bool,
     /// Whether laws of mechanics say nothing here, but definitions and mathematics alone.
     pub(super) lawless: bool,
+    /// Letters whose laws were turned round: these tell other variables.
+    pub(super) turned: BTreeSet<Variable>,
 }
 
 impl Facts {
@@ -126,7 +129,7 @@ impl Facts {
             let put = self.put(atoms, &equation, source)?;
             match put {
                 Extended::Contradicts => return Ok(Extended::Contradicts),
-                Extended::Unsolved => self.miss(source),
+                Extended::Unsolved => self.leave(&equation, source),
                 _ => rate = self.new_rate(atoms, put, &equation, source),
             }
         }
@@ -178,15 +181,6 @@ impl Facts {
         }
     }
 
-    /// The premise that is not in force though it should be.
-    pub(crate) fn missing(&self) -> Option<&Source> {
-        self.missing.as_ref()
-    }
-
-    pub(crate) fn miss(&mut self, source: &Source) {
-        self.missing.get_or_insert_with(|| source.clone());
-    }
-
     /// Puts in an equation, and lets its rate wait.
     fn put_with_rate(
         &mut self,
@@ -197,9 +191,8 @@ impl Facts {
         waiting: &mut Vec<(Fraction, Source, u8)>,
     ) {
         match self.put(atoms, &equation, &source) {
-            Ok(Extended::Contradicts | Extended::Unsolved) | Err(OutOfBudget) => {
-                self.miss(&source);
-            }
+            Ok(Extended::Unsolved) => self.leave(&equation, &source),
+            Ok(Extended::Contradicts) | Err(OutOfBudget) => self.miss(&source),
             Ok(put) if order < 2 => {
                 if let Some(rate) = self.new_rate(atoms, put, &equation, &source) {
                     waiting.push((rate, source, order + 1));
@@ -254,14 +247,7 @@ impl Facts {
             return Ok(Extended::Unsolved);
         };
         let solved = Fraction::new(-rest, slope.clone()).ok_or(OutOfBudget)?;
-        let rule = Rule {
-            value: solved,
-            equation: written,
-            source: source.clone(),
-            time: self.tick(),
-        };
-        self.rules.insert(variable, rule);
-        self.forget_images_with(atoms, variable);
+        self.tell(atoms, variable, solved, written, source);
         if let Some(square) = atoms.atom(variable).square.clone() {
             let v = Polynomial::variable(variable);
             let relation = Fraction::from(v.clone() * v - square);
@@ -272,13 +258,55 @@ impl Facts {
         let mut again = self.squares_with(variable);
         again.extend(self.rates_of(atoms, variable));
         for rule in again {
-            match self.put(atoms, &Fraction::from(rule.equation), &rule.source)? {
+            let equation = Fraction::from(rule.equation);
+            match self.put(atoms, &equation, &rule.source)? {
                 Extended::Contradicts => return Ok(Extended::Contradicts),
-                Extended::Unsolved => self.miss(&rule.source),
+                Extended::Unsolved => self.leave(&equation, &rule.source),
                 _ => {}
             }
         }
         Ok(Extended::Solved(variable))
+    }
+
+    /// A rule tells a variable from now on.
+    fn tell(
+        &mut self,
+        atoms: &Atoms,
+        variable: Variable,
+        value: Fraction,
+        equation: Polynomial,
+        source: &Source,
+    ) {
+        let rule = Rule {
+            value,
+            equation,
+            source: source.clone(),
+            time: self.tick(),
+        };
+        self.rules.insert(variable, rule);
+        self.forget_images_with(atoms, variable);
+    }
+
+    /// Puts in an equation that is solved for this variable.
+    pub(super) fn put_solved(
+        &mut self,
+        atoms: &mut Atoms,
+        equation: &Fraction,
+        variable: Variable,
+        source: &Source,
+    ) -> Option<()> {
+        let normal = self.normal(atoms, equation).ok()?;
+        let value = normal.numerator();
+        let slope = value.coefficient_of(variable, 1);
+        let solved = Fraction::new(-value.coefficient_of(variable, 0), slope)?;
+        self.tell(
+            atoms,
+            variable,
+            solved,
+            equation.numerator().clone(),
+            source,
+        );
+        Some(())
     }
 
     /// The premises that goals needed so far.
@@ -301,7 +329,7 @@ impl Facts {
         if let Some(rule) = self.rules.get(&variable) {
             return Some(rule.time);
         }
-        if atoms.atom(variable).law.is_some() {
+        if atoms.atom(variable).law.is_some() && !self.turned.contains(&variable) {
             return Some(0);
         }
         self.told_at(atoms, atoms.atom(variable).rate_of?)

@@ -12,6 +12,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::lying_read::axis_of;
 use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
@@ -47,6 +48,15 @@ impl Builder<'_> {
                 {
                     let read = self.read_perpendicular(subjects, what, declaration);
                     read.unwrap_or_else(|| self.say_unused(declaration));
+                }
+                Statement::Does {
+                    subjects,
+                    verb: "lie",
+                    slots,
+                } => {
+                    if let Some(axis) = axis_of(slots) {
+                        self.read_lying(subjects, axis, declaration);
+                    }
                 }
                 Statement::Is { subjects, what } if what.head == "symmetric" => {
                     self.read_symmetry(subjects, what, declaration);

@@ -76,6 +76,16 @@ impl Builder<'_> {
         })
     }
 
+    /// Whether a sentence says that a letter is the reference value of another.
+    pub(super) fn is_reference(&self, letter: &Formula) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == REFERENCE => {
+                formulas(subjects).any(|other| other.source == letter.source)
+            }
+            _ => false,
+        })
+    }
+
     /// The letter of which something is the reference value or the disturbance; a disturbance of a reference value is one of
     /// the letter itself.
     fn of_letter(&self, what: &NounPhrase) -> Option<Formula> {

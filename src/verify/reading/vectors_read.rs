@@ -117,11 +117,8 @@ impl Builder<'_> {
             };
             match (value, quantity) {
                 (Some(value), _) => {
-                    let ground = self.reading.system.ground;
-                    if let Ok(rate) = self.system().rate_of_value(&value, ground) {
-                        for entry in rate.entries {
-                            self.hold(entry, declaration);
-                        }
+                    for entry in self.rates_of_constant(formula, &value) {
+                        self.hold(entry, declaration);
                     }
                 }
                 (None, Some(_)) => {}
@@ -135,6 +132,19 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// What vanishes where a value is constant: a vector is so in the inertial frame. A reference value stands for those of
+    /// the components.
+    fn rates_of_constant(&mut self, formula: &Formula, value: &Value) -> Vec<Fraction> {
+        if self.is_reference(formula) {
+            let atoms = &mut self.system().atoms;
+            let rates = value.entries.iter().map(|entry| atoms.derivative(entry));
+            return rates.collect();
+        }
+        let ground = self.reading.system.ground;
+        let rate = self.system().rate_of_value(value, ground);
+        rate.map_or(vec![], |rate| rate.entries.into_iter().collect())
     }
 
     /// "`c_\phi` and `s_\phi` are the cosine and the sine of `\phi`."

@@ -8,6 +8,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::shown;
+use num_traits::Zero;
 
 impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
@@ -16,13 +17,43 @@ impl Judge<'_> {
             held.doubt = Some(nothing_made_of(sentence));
             return;
         }
-        if let Some(premise) = self.facts.missing().map(Source::text) {
-            held.doubt = Some(format!(
-                "this premise is beyond what is worked out: {premise}"
-            ));
-            held.beyond = true;
-            return;
+        match self.facts.missing().map(Source::text) {
+            None => self.deny_by_world(held, residuals),
+            Some(_) if self.deny_in_all_cases(held) => {}
+            Some(premise) => {
+                held.doubt = Some(format!(
+                    "this premise is beyond what is worked out: {premise}"
+                ));
+                held.beyond = true;
+            }
         }
+    }
+
+    /// Whether a link fails in each case that premises leave which do not say what vanishes.
+    fn deny_in_all_cases(&mut self, held: &mut Held) -> bool {
+        let atoms = &mut self.reading.system.atoms;
+        let Some(cases) = self.facts.cases(atoms).filter(|cases| !cases.is_empty()) else {
+            return false;
+        };
+        let all = std::mem::take(&mut self.facts);
+        let fails = cases.into_iter().all(|case| {
+            self.facts = case;
+            let residuals = self.residuals(&held.sides);
+            let Ok(residuals) = residuals else {
+                return false;
+            };
+            self.deny_by_world(held, &residuals);
+            held.doubt.is_none() && !residuals.iter().all(Zero::is_zero)
+        });
+        self.facts = all;
+        if !fails {
+            (held.doubt, held.shown) = (None, None);
+        }
+        fails
+    }
+
+    /// Shows numbers in which a link fails, or tells why there are none.
+    fn deny_by_world(&mut self, held: &mut Held, residuals: &[Fraction]) {
         let small = self.reading.small_at(&self.at);
         let atoms = &self.reading.system.atoms;
         if small

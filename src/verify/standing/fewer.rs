@@ -3,8 +3,10 @@
 use crate::algebra::{Fraction, Proof};
 use crate::verify::facts::Source;
 use crate::verify::facts::parts::Part;
+use crate::verify::facts::premises::Facts;
 use crate::verify::facts::proof::prove;
-use crate::verify::facts::relevant::relevant;
+use crate::verify::facts::relevant::{Relevant, relevant};
+use crate::verify::facts::turned::spoken_of;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, Sides};
 use crate::verify::standing::judge::Judge;
@@ -30,13 +32,53 @@ impl Judge<'_> {
         held
     }
 
+    /// What it is worth by the premises that it needs, or in letters that are short.
+    pub(super) fn weigh_by_needed(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+        self.weigh_by_relevant(link, worked_out)
+            .or_else(|| self.weigh_keeping_letters(link, worked_out))
+    }
+
     /// What it is worth without the premises that only tell letters of which it does not speak.
-    pub(super) fn weigh_by_relevant(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+    fn weigh_by_relevant(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
         let atoms = &self.reading.system.atoms;
         let relevant = relevant(atoms, self.premises(), &worked_out.sides)?;
+        self.weigh_by_part(
+            link,
+            worked_out,
+            Part::of(relevant.premises),
+            relevant.exact,
+        )
+    }
+
+    /// What it is worth where the letters stay that laws tell by constants: what stands in these laws is told by them.
+    fn weigh_keeping_letters(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+        let atoms = &self.reading.system.atoms;
+        let (all, goal) = (self.premises(), &worked_out.sides);
+        let relevant = relevant(atoms, all.clone(), goal);
+        let Relevant { premises, exact } = relevant.unwrap_or(Relevant {
+            premises: all,
+            exact: true,
+        });
+        let letters = spoken_of(atoms, &premises, goal);
+        let atoms = &mut self.reading.system.atoms;
+        if !Facts::keeping(atoms, &letters).turns_any() {
+            return None;
+        }
+        let part = Part::of(premises).keeping(letters);
+        self.weigh_by_part(link, worked_out, part, exact)
+    }
+
+    /// What it is worth by a part of the premises; `exact` where what fails by them fails by all.
+    fn weigh_by_part(
+        &mut self,
+        link: &Link,
+        worked_out: &Sides,
+        part: Part,
+        exact: bool,
+    ) -> Option<Held> {
         let mut kept = std::mem::take(self.facts.needed_mut());
-        let known = kept.iter().position(|part| part.is_of(&relevant.premises));
-        let mut part = known.map_or_else(|| Part::of(relevant.premises), |n| kept.remove(n));
+        let known = kept.iter().position(|known| known.is_as(&part));
+        let mut part = known.map_or(part, |n| kept.remove(n));
         let facts = part.take(&mut self.reading.system.atoms);
         let all = std::mem::replace(&mut self.facts, facts);
         let residuals = self.residuals(&worked_out.sides);
@@ -48,7 +90,7 @@ impl Judge<'_> {
         }
         *self.facts.needed_mut() = kept;
         let held = held.ok().filter(|held| !held.beyond)?;
-        (relevant.exact || held.standing == Standing::Entailed).then_some(held)
+        (exact || held.standing == Standing::Entailed).then_some(held)
     }
 
     /// What follows of a part of the premises follows of all of them.

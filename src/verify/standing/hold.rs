@@ -293,7 +293,7 @@ impl Judge<'_> {
     /// What a link is worth whose sides are worked out.
     fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
         if self.facts.are_too_many
-            && let Some(held) = self.weigh_by_relevant(link, &worked_out)
+            && let Some(held) = self.weigh_by_needed(link, &worked_out)
         {
             return held;
         }
@@ -313,7 +313,7 @@ impl Judge<'_> {
         }
         let tried = std::mem::replace(&mut self.facts.are_too_many, true);
         let by_relevant = (!tried)
-            .then(|| self.weigh_by_relevant(link, &sides))
+            .then(|| self.weigh_by_needed(link, &sides))
             .flatten();
         by_relevant.unwrap_or_else(|| self.weigh_by_few_premises(held))
     }

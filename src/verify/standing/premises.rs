@@ -73,7 +73,8 @@ impl Judge<'_> {
                 Ok(Extended::Contradicts) => return Answer::Refuted,
                 Ok(Extended::Follows) => continue,
                 Ok(Extended::Solved(_) | Extended::Square) => {}
-                Ok(Extended::Unsolved) | Err(OutOfBudget) => self.facts.miss(source),
+                Ok(Extended::Unsolved) => self.facts.leave(&equation, source),
+                Err(OutOfBudget) => self.facts.miss(source),
             }
             let reach = match held.standing {
                 Standing::Settles => Reach::All,

@@ -1,0 +1,53 @@
+//! Points that lie on an axis.
+
+use crate::mechanics::cross;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::model::system::PointId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::MASS_CENTRE;
+
+/// The axis on which something is said to lie.
+pub(super) fn axis_of(slots: &[(Slot, Term)]) -> Option<&NounPhrase> {
+    match slot(slots, Slot::On)? {
+        Term::Phrase(axis) if matches!(axis.head, "axis" | "line") => Some(axis),
+        _ => None,
+    }
+}
+
+impl Builder<'_> {
+    /// "The mass centres of the hub and of the wheel lie on the axis through C along z": the way from C has no part across
+    /// the axis.
+    pub(super) fn read_lying(
+        &mut self,
+        subjects: &[Term],
+        axis: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let through = axis.slot(Slot::Through).and_then(|point| self.point(point));
+        let along = axis.slot(Slot::Along).cloned();
+        let along = along.and_then(|along| self.direction(&along, declaration, None));
+        let points: Option<Vec<_>> = subjects
+            .iter()
+            .map(|term| self.points_named_by(term))
+            .collect();
+        let (Some(through), Some(along), Some(points)) = (through, along, points) else {
+            return self.say_unused(declaration);
+        };
+        for point in points.into_iter().flatten() {
+            let way = self.system().position(point, through);
+            self.hold_zero(&cross(&along, &way), declaration);
+        }
+    }
+
+    /// The points that a term names: a point, or the mass centres of bodies.
+    fn points_named_by(&self, term: &Term) -> Option<Vec<PointId>> {
+        match term {
+            Term::Phrase(centres) if centres.head == MASS_CENTRE => {
+                let bodies = centres.all(Slot::Of).map(|body| self.body(body));
+                bodies.map(|body| Some(self.centre_of(body?))).collect()
+            }
+            _ => Some(vec![self.point(term)?]),
+        }
+    }
+}
