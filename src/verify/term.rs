@@ -6,6 +6,7 @@ pub(crate) mod dimensions;
 pub(crate) mod evaluate;
 pub(crate) mod functions;
 pub(crate) mod indices;
+pub(crate) mod integrals;
 pub(crate) mod known;
 pub(crate) mod labels;
 pub(crate) mod letters;

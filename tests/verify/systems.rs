@@ -1,6 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod incline;
+mod integrals;
 mod letters;
 mod loads;
 mod long_laws;

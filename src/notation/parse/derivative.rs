@@ -8,8 +8,8 @@ use super::script::in_frame;
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::notation::plain_words;
 use crate::notation::token::{Lexeme, Token};
-use differential::{Differential, above, order, script, total, total_mark, trim};
-pub(super) use differential::{mark, turning};
+use differential::{Differential, above, script, total, total_mark, trim};
+pub(super) use differential::{mark, order, turning};
 
 impl<'t, 'a> Parser<'t, 'a> {
     /// `\frac{a}{b}`: a derivative if differentials stand above and below, a quotient otherwise.

@@ -95,9 +95,14 @@ impl Parser<'_, '_> {
         self.error("an integral without a variable")
     }
 
-    /// `dx\,dy\,dz` is the element of volume.
+    /// `dx\,dy\,dz` and `d^3x` are the element of volume.
     fn volume(&mut self) -> Option<Node> {
         let start = self.at;
+        if let Some((length, _)) = self.cube_at(self.at) {
+            self.at += length;
+            self.differential_variable();
+            return Some(self.volume_since(start));
+        }
         let mut probe = self.clone();
         let mut axes = vec![];
         loop {
@@ -114,11 +119,21 @@ impl Parser<'_, '_> {
             probe.at += length;
         }
         self.at = probe.at;
+        Some(self.volume_since(start))
+    }
+
+    fn volume_since(&self, start: usize) -> Node {
         let symbol = Symbol {
             name: "V".into(),
             ..Symbol::default()
         };
-        Some(self.node(Kind::Symbol(symbol), start))
+        self.node(Kind::Symbol(symbol), start)
+    }
+
+    /// The `^3` of `d^3x` and how many tokens it takes.
+    fn cube_at(&self, at: usize) -> Option<(usize, u8)> {
+        derivative::order(self.tokens.get(at..)?)
+            .filter(|(length, times)| *length > 0 && *times == 3)
     }
 
     fn limit(&mut self) -> Option<(bool, Node)> {
@@ -152,10 +167,12 @@ impl Parser<'_, '_> {
     /// Whether a variable stands behind a d: a letter, or a group behind `\dd`.
     fn variable_at(&self, d: usize, at: usize) -> bool {
         let command = |name| matches!(name, "dd" | "dif" | "diff");
+        let cube = self.cube_at(at).map_or(0, |(length, _)| length);
+        let at = at + cube;
         match self.tokens.get(at).map(|t| t.kind) {
             Some(Lexeme::Letter(_) | Lexeme::Command(_)) => true,
             Some(Lexeme::Open) => {
-                matches!(self.tokens[d].kind, Lexeme::Command(name) if command(name))
+                cube > 0 || matches!(self.tokens[d].kind, Lexeme::Command(name) if command(name))
             }
             _ => false,
         }

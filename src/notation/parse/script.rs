@@ -28,6 +28,8 @@ impl<'t, 'a> Parser<'t, 'a> {
                     let tokens = self.argument();
                     node = self.subscript(node, tokens);
                 }
+                // `x'{}^2`: an empty group keeps a script apart from what is before it.
+                Some(Lexeme::Open) if self.empty_group_leads_a_script() => self.at += 2,
                 Some(Lexeme::Superscript) if self.script_leads_a_matrix() => break,
                 Some(Lexeme::Superscript) => {
                     self.at += 1;
@@ -50,6 +52,13 @@ impl<'t, 'a> Parser<'t, 'a> {
             node.span = self.since(start);
         }
         node
+    }
+
+    fn empty_group_leads_a_script(&self) -> bool {
+        let kind = |i: usize| self.tokens.get(self.at + i).map(|t| t.kind);
+        let script = matches!(kind(2), Some(Lexeme::Subscript | Lexeme::Superscript));
+        let near = self.tokens.get(self.at).is_some_and(|t| !t.spaced);
+        near && script && kind(1) == Some(Lexeme::Close)
     }
 
     /// Whether a frame stands apart from what is before it and right before a matrix: it belongs to that.

@@ -208,7 +208,7 @@ impl<'a> Reader<'a> {
         next
     }
 
-    /// ", also written `$c$`" behind what is said of some subjects.
+    /// ", also written `$c$`" behind what is said of some subjects, or behind the letters that these are said to be.
     pub(crate) fn renamed_behind(
         &mut self,
         subjects: &[Term],
@@ -216,9 +216,15 @@ impl<'a> Reader<'a> {
     ) -> Read<()> {
         let start = self.at;
         if self.take_separator() && self.at_renaming() && self.take("also written") {
+            let letter = |term: &Term| matches!(term, Term::Formula(_));
+            let others = match statements.last() {
+                Some(Statement::Is { subjects: told, .. }) if told.iter().all(letter) => told,
+                _ => subjects,
+            };
+            let others = others.to_vec();
             statements.push(Statement::Same {
                 subjects: self.terms()?,
-                others: subjects.to_vec(),
+                others,
             });
         } else {
             self.at = start;

@@ -16,6 +16,8 @@ pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
+/// The verb of what integrals do with a body, and letters under them with its places.
+pub(crate) const RUN_OVER: &str = "run over";
 /// A plane on whose two sides a body is alike.
 pub(crate) const PLANE_OF_SYMMETRY: &str = "plane of symmetry";
 /// The number e.

@@ -18,6 +18,8 @@ pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
 
 pub(crate) const OPEN_RELATION: &str = "this relation is not decided";
 pub(crate) const SMALL_BY_OTHERS: &str = "what is small is told by other letters";
+pub(crate) const ONE_ELEMENT: &str =
+    "something of a single element is left over, such as a density that may vary";
 pub(crate) const ALWAYS_THE_SAME: &str = "both sides are always the same";
 pub(crate) const MOSTLY_THE_SAME: &str = "both sides are the same, but where something vanishes";
 

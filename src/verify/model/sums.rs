@@ -6,8 +6,9 @@
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Rational, Variable};
 use crate::verify::model::atoms::{Key, Law, Motion, Nature, fraction};
-use crate::verify::model::system::{BodyId, FamilyId, PointId, System, Vector};
+use crate::verify::model::system::{BodyId, ELEMENT, FamilyId, PointId, System, Vector};
 use num_traits::{One, Zero};
+use std::collections::BTreeSet;
 
 impl System {
     /// The family that an index numbers.
@@ -39,6 +40,68 @@ impl System {
         let tag = self.tag(family).to_owned();
         let key = Key::of_member(subscripted("m", &tag, index), index);
         fraction(self.atoms.variable(key, Place::Parameter, Motion::Constant))
+    }
+
+    /// The volume of a member: its mass by the density, where that is the same for all.
+    pub(crate) fn member_volume(&mut self, family: FamilyId, index: &str) -> Fraction {
+        match self.families[family].density.clone() {
+            Some(density) => self.member_mass(family, index) / density,
+            None => self.own_volume(index),
+        }
+    }
+
+    /// The density of a member: its mass by its volume, or that of all.
+    pub(crate) fn member_density(&mut self, family: FamilyId, index: &str) -> Fraction {
+        match self.families[family].density.clone() {
+            Some(density) => density,
+            None => self.member_mass(family, index) / self.own_volume(index),
+        }
+    }
+
+    fn own_volume(&mut self, index: &str) -> Fraction {
+        let key = Key::of_member(subscripted("V", "", index), index);
+        fraction(self.atoms.variable(key, Place::Parameter, Motion::Constant))
+    }
+
+    /// Whether a value speaks of one element of a body.
+    pub(crate) fn is_of_element(&self, of: &Fraction) -> bool {
+        of.variables().into_iter().any(|v| {
+            let member = self.atoms.atom(v).key.member.as_ref();
+            let family = member.and_then(|index| self.family_of(index));
+            family.is_some_and(|family| self.families[family].name == ELEMENT)
+        })
+    }
+
+    /// Whether the volume of one element stands in a value.
+    pub(crate) fn has_volume_of_element(&self, of: &Fraction) -> bool {
+        of.variables().into_iter().any(|v| {
+            let key = &self.atoms.atom(v).key;
+            let member = key.member.as_deref();
+            member.is_some_and(|index| key.text == subscripted("V", "", index))
+        })
+    }
+
+    /// Whether the sums over a family of elements are told by the quantities of one rigid body.
+    pub(crate) fn is_rigid_whole(&self, family: FamilyId) -> bool {
+        let family = &self.families[family];
+        let body = family.body.map(|body| &self.bodies[body]);
+        let rigid = body.is_some_and(|body| body.frame.is_some() && body.parts.is_empty());
+        rigid || family.name != ELEMENT
+    }
+
+    /// The index of a family of which something stands in fractions; its first one where nothing has an index. `None` where
+    /// there are several.
+    pub(crate) fn index_met(&self, family: FamilyId, of: &[Fraction]) -> Option<String> {
+        let own = &self.families[family].indices;
+        let variables = of.iter().flat_map(Fraction::variables);
+        let met = variables.filter_map(|v| self.atoms.atom(v).key.member.as_ref());
+        let met: BTreeSet<&String> = met.collect();
+        let mut met = met.into_iter();
+        match (met.next(), met.next()) {
+            (None, _) => own.first().cloned(),
+            (Some(only), None) => own.contains(only).then(|| only.clone()),
+            _ => None,
+        }
     }
 
     /// The way from the mass centre of the body to a member.

@@ -121,6 +121,9 @@ pub(crate) struct Rotors {
     pub(crate) inertia: Fraction,
 }
 
+/// The name of the family of the elements over which integrals run.
+pub(crate) const ELEMENT: &str = "element";
+
 /// Like members of a body: its particles, its wheels.
 #[derive(Clone, Debug)]
 pub(crate) struct Family {
@@ -132,6 +135,8 @@ pub(crate) struct Family {
     pub(crate) indices: Vec<String>,
     /// The body that stands for each of them, where they move on their own.
     pub(crate) member: Option<BodyId>,
+    /// The density of each, where it is the same.
+    pub(crate) density: Option<Fraction>,
 }
 
 /// All that a document speaks of.

@@ -2,7 +2,7 @@
 
 use crate::verify::language::is_bodily;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::{BodyId, Family, Rotors};
+use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of};
@@ -24,7 +24,7 @@ const GROUNDS: [&str; 7] = [
 const COUNTS: [&str; 5] = ["two", "three", "four", "five", "six"];
 
 /// Members that any body has.
-const PARTICLES: [&str; 2] = ["particle", "element"];
+const PARTICLES: [&str; 2] = ["particle", ELEMENT];
 
 impl Builder<'_> {
     /// Gives each body its place, in the order in which they are named.
@@ -211,6 +211,7 @@ impl Builder<'_> {
             body,
             indices: vec![],
             member: None,
+            density: None,
         };
         self.reading.system.families.push(family);
         self.families
@@ -242,7 +243,9 @@ impl Builder<'_> {
                     continue;
                 }
                 let letter = index_letter(index);
-                if letter.chars().all(|c| c.is_ascii_lowercase()) && letter.len() == 1 {
+                // The elements are those of the only body.
+                let element = family == ELEMENT && self.bodies.len() == 1;
+                if element || letter.chars().all(|c| c.is_ascii_lowercase()) && letter.len() == 1 {
                     self.number_with(family, letter);
                 }
             }

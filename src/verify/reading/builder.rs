@@ -7,8 +7,8 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
-use crate::verify::reading::any_read::instances;
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
+use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::names::{
     MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
@@ -56,7 +56,7 @@ pub(crate) fn build(
 ) -> Reading {
     // What holds under a condition is never taken as always true, and what is denied is no fact.
     let written = WrittenSymbols::new(written);
-    let (conditional, always): (Vec<_>, Vec<_>) = instances(declarations, &written)
+    let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
         .partition(|d| has_condition(d) || denies(d));
     let mut builder = Builder {

@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::verify::language::statement::{Extent, Formula, Slot, Term};
+use crate::verify::term::labels::without_commands;
 use crate::verify::term::letters::Reach;
 
 /// The point of a body by which its mass moves.
@@ -123,18 +124,6 @@ pub(crate) fn index_letter(formula: &Formula) -> String {
             .filter(|c| c.is_alphanumeric())
             .collect(),
     }
-}
-
-/// A piece of LaTeX without its commands: `\\text{d}m` is `{d}m`.
-pub(crate) fn without_commands(source: &str) -> String {
-    let mut text = String::new();
-    let mut rest = source;
-    while let Some(at) = rest.find('\\') {
-        text.push_str(&rest[..at]);
-        rest = rest[at + 1..].trim_start_matches(|c: char| c.is_ascii_alphabetic());
-    }
-    text.push_str(rest);
-    text
 }
 
 /// The part of a document that an extent names.

@@ -1,5 +1,6 @@
 //! Rules for marks, labels and operators.
 
+use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, TWO_DOTS,
 };
@@ -8,10 +9,11 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, PRODUCTS, index_letter, node_of, reach_of, without_commands,
+    CROSS_PRODUCT_MATRIX, PRODUCTS, index_letter, name_of, node_of, reach_of,
 };
-use crate::verify::term::labels::plain;
+use crate::verify::term::labels::{plain, without_commands};
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
 
 impl Builder<'_> {
@@ -36,6 +38,58 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        self.number_by_labels();
+    }
+
+    /// "`I_{ij}` is entry (i, j) of `I` on B", "`c_i` is the component `i` of `c` on B": letters that no sentence tells of
+    /// number the axes.
+    fn number_by_labels(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let count = match what.head {
+                "entry" => 2,
+                "component" => 1,
+                _ => continue,
+            };
+            let Some(frame) = what.slot(Slot::On).and_then(|term| self.frame(term)) else {
+                continue;
+            };
+            let which = what.slot(Slot::Which).and_then(name_of);
+            for formula in formulas(subjects) {
+                let letters = last_label(formula);
+                let fits = letters.len() == count
+                    && letters.iter().all(|letter| ('i'..='n').contains(letter))
+                    && (count == 2 || which == Some(String::from_iter(&letters)));
+                for letter in letters.into_iter().filter(|_| fits) {
+                    if self.is_told_nothing(&letter.to_string()) {
+                        self.reading.letters.indices.push(IndexRule {
+                            letter: letter.to_string(),
+                            axes_of: Some(frame),
+                            reach: reach_of(&declaration.extent),
+                        });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether no sentence says what a letter is or numbers.
+    fn is_told_nothing(&self, letter: &str) -> bool {
+        let system = &self.reading.system;
+        let rules = &self.reading.letters.indices;
+        let subject = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, .. } | Statement::Same { subjects, .. } => subjects
+                .iter()
+                .any(|s| name_of(s).as_deref() == Some(letter)),
+            _ => false,
+        });
+        let numbers = rules.iter().any(|rule| rule.letter == letter);
+        !subject
+            && !numbers
+            && self.axes.get(letter).is_none()
+            && system.family_of(letter).is_none()
     }
 
     fn number_axes(&mut self, subjects: &[Term], frame: usize, declaration: &Declaration) {
@@ -254,4 +308,15 @@ pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
 /// A label without commands and braces.
 fn plain_label(label: &str) -> String {
     plain(&without_commands(label).replace(['{', '}', '$'], ""))
+}
+
+/// The letters of the last label at the lower right.
+fn last_label(formula: &Formula) -> Vec<char> {
+    match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::Symbol(symbol)) => symbol
+            .subscripts
+            .last()
+            .map_or_else(Vec::new, |label| plain(label).chars().collect()),
+        _ => vec![],
+    }
 }

@@ -8,6 +8,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
@@ -109,6 +110,8 @@ impl Builder<'_> {
             }
             "identity matrix" => Quantity::Identity,
             "mass" => Quantity::Mass(self.whole_of(phrase)?),
+            "volume" => self.volume(phrase)?,
+            DENSITY => self.density(phrase, declaration)?,
             _ => return self.dynamic_quantity(phrase, declaration, relative),
         })
     }

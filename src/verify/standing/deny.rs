@@ -8,6 +8,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::shown;
+use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
 
 impl Judge<'_> {
@@ -15,6 +16,10 @@ impl Judge<'_> {
     pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
             held.doubt = Some(nothing_made_of(sentence));
+            return;
+        }
+        if self.speaks_of_one_element(link, residuals) {
+            held.doubt = Some(messages::ONE_ELEMENT.into());
             return;
         }
         match self.facts.missing().map(Source::text) {
@@ -85,5 +90,15 @@ impl Judge<'_> {
             // Roots and lengths may still make it true.
             None => held.doubt = Some("no numbers were found in which it fails".into()),
         }
+    }
+
+    /// Whether a density, or what belongs to one element, is left over beside an integral over all of them: it may be
+    /// meant to be the same for each.
+    fn speaks_of_one_element(&self, link: &Link, residuals: &[Fraction]) -> bool {
+        let system = &self.reading.system;
+        let integral = has_integral(&link.left) || has_integral(&link.right);
+        let of_one =
+            |r: &Fraction| system.has_volume_of_element(r) || integral && system.is_of_element(r);
+        residuals.iter().any(of_one)
     }
 }

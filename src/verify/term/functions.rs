@@ -1,4 +1,4 @@
-//! Functions, sums over an index, and integrals over a body.
+//! Functions, and sums over an index.
 
 use crate::algebra::Fraction;
 use crate::mechanics;
@@ -125,6 +125,9 @@ impl Lowering<'_> {
         {
             return self.value(head);
         }
+        if self.is_density_at(head, arguments) {
+            return self.value(head);
+        }
         if let Some(value) = self.function_of_letters(head, arguments)? {
             return Ok(value);
         }
@@ -157,30 +160,6 @@ impl Lowering<'_> {
             ..symbol.clone()
         };
         self.unknown(&function).map(Some)
-    }
-
-    pub(super) fn integral(&mut self, integrand: &Node, variable: &Node, limits: bool) -> Valued {
-        let Kind::Symbol(symbol) = &variable.kind else {
-            return beyond("this integral");
-        };
-        let label = format!("d{}", symbol.name);
-        let families = &self.system.families;
-        let element = families
-            .iter()
-            .position(|f| f.indices.contains(&label) || f.indices.contains(&symbol.name));
-        if let (Some(family), false) = (element, limits) {
-            let index = families[family]
-                .indices
-                .first()
-                .cloned()
-                .unwrap_or_default();
-            let mass = Value::scalar(self.system.member_mass(family, &index));
-            let value = self.value(integrand)?;
-            let custom = self.custom();
-            let term = self.system.times(&mass, &value, custom)?;
-            return self.summed(&term, &index);
-        }
-        beyond("this integral")
     }
 
     pub(super) fn indexed_sum(&mut self, sum: &Node) -> Valued {

@@ -13,6 +13,18 @@ pub(crate) fn plain(label: &str) -> String {
         .collect()
 }
 
+/// A piece of LaTeX without its commands: `\\text{d}m` is `{d}m`.
+pub(crate) fn without_commands(source: &str) -> String {
+    let mut text = String::new();
+    let mut rest = source;
+    while let Some(at) = rest.find('\\') {
+        text.push_str(&rest[..at]);
+        rest = rest[at + 1..].trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    }
+    text.push_str(rest);
+    text
+}
+
 /// The letters of a label, of which the Greek ones have names of several: `alpha`, `beta` of `alphabeta`.
 pub(crate) fn letters_of(label: &str, is_letter: impl Fn(&str) -> bool) -> Vec<String> {
     let label = plain(label);

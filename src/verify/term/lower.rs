@@ -163,11 +163,7 @@ impl<'a> Lowering<'a> {
             Kind::Call(head, arguments) => self.call(head, arguments),
             Kind::InFrame(inner, label) if is_size(&label.text) => self.sized(inner),
             Kind::InFrame(inner, label) => self.in_frame(inner, &label.text),
-            Kind::Integral {
-                integrand,
-                variable,
-                limits,
-            } => self.integral(integrand, variable, limits.is_some()),
+            Kind::Integral { .. } => self.integral(node),
             Kind::IndexedSum { .. } => self.indexed_sum(node),
             Kind::WithUnit(number, unit) => self.with_unit(number, unit),
             Kind::PlusMinus(_) => beyond("a sign that is left open"),

@@ -34,6 +34,8 @@ impl Quantity {
             | Self::InertialForce { of, .. }
             | Self::Force(of) => *of = whole(of),
             Self::ExternalForce(_, own)
+            | Self::Volume(_, own)
+            | Self::Density(_, own)
             | Self::MemberScalar { index: own, .. }
             | Self::MemberVector { index: own, .. } => *own = index(own),
             Self::MomentOf { force, at, .. } => {
@@ -77,6 +79,7 @@ impl Quantity {
             | Self::Force(of) => matches!(of, Whole::Member(..)),
             Self::Distance { of, .. } => matches!(of, Spot::Member(..)),
             Self::ExternalForce(..) | Self::MemberScalar { .. } | Self::MemberVector { .. } => true,
+            Self::Volume(..) | Self::Density(..) => true,
             Self::MomentOf { at, force, .. } => {
                 matches!(at, Spot::Member(..)) || force.is_indexed()
             }

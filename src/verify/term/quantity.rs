@@ -68,6 +68,9 @@ pub(crate) enum Quantity {
     },
     Force(Whole),
     ExternalForce(FamilyId, String),
+    /// The volume of a member, and its mass by that.
+    Volume(FamilyId, String),
+    Density(FamilyId, String),
     /// The force of a turning frame, or its moment about a point.
     InertialForce {
         kind: Inertial,
@@ -272,6 +275,8 @@ impl System {
         let itself = |vector: Vector| Value::vector(&vector, Basis::Itself);
         Ok(match quantity {
             Quantity::Mass(of) => Value::scalar(self.mass_of(of)),
+            Quantity::Volume(family, index) => Value::scalar(self.member_volume(*family, index)),
+            Quantity::Density(family, index) => Value::scalar(self.member_density(*family, index)),
             Quantity::Inertia { of, about } => {
                 let tensor = self.inertia_of(of, *about);
                 Value::matrix(&tensor, [Basis::Itself; 2])

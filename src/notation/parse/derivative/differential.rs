@@ -94,7 +94,7 @@ fn grouped_mark(tokens: &[Token<'_>]) -> Option<(usize, bool)> {
     closed.then_some((length + 2 * opened, partial))
 }
 
-pub(super) fn order(tokens: &[Token<'_>]) -> Option<(usize, u8)> {
+pub(in crate::notation::parse) fn order(tokens: &[Token<'_>]) -> Option<(usize, u8)> {
     let kind = |i: usize| tokens.get(i).map(|t| t.kind);
     let digits = |k: Option<Lexeme<'_>>| match k {
         Some(Lexeme::Number(digits)) => digits.parse::<u8>().ok().filter(|n| (1..=8).contains(n)),
