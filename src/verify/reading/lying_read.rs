@@ -7,10 +7,14 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::MASS_CENTRE;
 
-/// The axis on which something is said to lie.
+/// The axis on which something is said to lie; one that lies there at a distance is placed by it.
 pub(super) fn axis_of(slots: &[(Slot, Term)]) -> Option<&NounPhrase> {
     match slot(slots, Slot::On)? {
-        Term::Phrase(axis) if matches!(axis.head, "axis" | "line") => Some(axis),
+        Term::Phrase(axis)
+            if matches!(axis.head, "axis" | "line") && slot(slots, Slot::At).is_none() =>
+        {
+            Some(axis)
+        }
         _ => None,
     }
 }

@@ -108,3 +108,17 @@ fn a_rotation_by_another_angle_than_the_argument_is_not_read() {
     let text = "$$ R_z(c) = R_z(-c)^T $$\n";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_point_on_an_axis_at_a_distance_is_placed_by_it() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the rod.
+O is a point fixed in N and in B.
+G is the mass centre of the rod.
+G lies on axis 3 of B at the distance $l$ from O.
+$e$ is the third axis of B.
+$r$ is the position of G from O.
+";
+    let text = "$$ r = l e $$\n$$ r = -l e $$\n";
+    assert_eq!(judged(sentences, text), "pr");
+}
