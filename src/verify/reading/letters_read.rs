@@ -24,9 +24,8 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 21] = [
+const THINGS: [&str; 20] = [
     PLANE_OF_SYMMETRY,
-    PRODUCTS,
     "frame",
     "point",
     MASS_CENTRE,
@@ -154,6 +153,7 @@ impl Builder<'_> {
         }
         match what.head {
             "component" => self.read_components(subjects, what, declaration),
+            PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
             "acceleration of gravity" => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),

@@ -126,15 +126,22 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// Whether products of inertia are integrals, where a sentence says what they are.
+    pub(super) fn products_are_integrals(&self) -> Option<bool> {
+        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if subjects.iter().any(products) => match what.head {
+                "integral" => Some(true),
+                "entry" => Some(false),
+                _ => None,
+            },
+            _ => None,
+        })
+    }
+
     /// Whether a sentence says that products of inertia are integrals: entries are entries where none does.
     fn says_integrals(&self) -> bool {
-        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                what.head == "integral" && subjects.iter().any(products)
-            }
-            _ => false,
-        })
+        self.products_are_integrals() == Some(true)
     }
 
     /// "`I_{jk}` are the entries of `I`", where j and k number axes: each by its numbers or by its axes.

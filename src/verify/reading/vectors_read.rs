@@ -5,12 +5,13 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::COMPONENT_ROTATION;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, told};
+use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
+use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -31,7 +32,12 @@ impl Builder<'_> {
         for formula in formulas(subjects) {
             // Where a frame turns about it, that sentence has told more.
             let known = self.quantity_of(formula, declaration);
+            // An axis is a unit vector.
+            let everywhere = declaration.extent == Extent::Document && along.is_none();
             let told = matches!(known, Some(Quantity::MemberVector { .. }))
+                || matches!(known, Some(Quantity::Axis(..)))
+                    && everywhere
+                    && what.head == UNIT_VECTOR
                 || matches!(known, Some(Quantity::UnitVector { .. })) && carried.is_none();
             if told {
                 continue;
@@ -273,6 +279,40 @@ impl Builder<'_> {
             let zero = Quantity::Known(Value::scalar(Zero::zero()));
             let product = entry_of(&tensor, row, column, frame);
             self.hold_quantities(&product, &zero, declaration);
+        }
+    }
+
+    /// "`I_{xy}` is a product of inertia of the body about O on B", where a sentence says what the products are: the labels
+    /// say which one.
+    pub(super) fn read_products(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let customary = self.reading.letters.component_frame;
+        let on = told(what.slot(Slot::On), customary, |term| self.frame(term));
+        let of = self.whole_of(what);
+        let tensor = of.and_then(|of| {
+            let about = self.about(what, &of)?;
+            Some(Quantity::Inertia { of, about })
+        });
+        let said = self.products_are_integrals();
+        let (Some(tensor), Some(on), Some(integral)) = (tensor, on, said) else {
+            return;
+        };
+        for formula in formulas(subjects) {
+            let Some([row, column]) = labelled_entry(formula) else {
+                continue;
+            };
+            let quantity = Quantity::Entry {
+                of: tensor.clone().boxed(),
+                row,
+                column,
+                on,
+                integral,
+            };
+            self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
     }
 

@@ -122,3 +122,30 @@ $r$ is the position of G from O.
     let text = "$$ r = l e $$\n$$ r = -l e $$\n";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn products_of_inertia_by_their_labels_follow_the_convention_that_is_said() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+O is a point fixed in N and in B.
+$I_{xy}$, $I_{xz}$ and $I_{yz}$ are the products of inertia of the body about O on B.
+$A$, $B$, $C$ are the moments of inertia of the body about the axes of B through O.
+$p$, $q$, $r$ are the components on B of the angular velocity of the body relative to N.
+$l$ is the component along the first axis of B of the angular momentum of the body about O relative to N.
+";
+    let text = "$$ l = A p - I_{xy} q - I_{xz} r $$\n$$ l = A p + I_{xy} q + I_{xz} r $$\n";
+    let with = |said: &str| judged(&format!("{sentences}{said}\n"), text);
+    assert_eq!(with("The products of inertia are integrals."), "pr");
+    assert_eq!(with("The products of inertia are entries."), "rp");
+    assert_eq!(with("$a$ is a constant."), "uu");
+}
+
+#[test]
+fn an_axis_that_is_said_to_be_a_unit_vector_is_still_the_axis() {
+    let sentences = "N is an inertial frame.
+$i$, $j$ and $k$ are the axes of N.
+$i$, $j$ and $k$ are unit vectors.
+";
+    let text = "$$ i \\times j = k $$\n$$ j \\times i = k $$\n";
+    assert_eq!(judged(sentences, text), "pr");
+}
