@@ -323,7 +323,9 @@ impl<'a> Judge<'a> {
             let told = |h: &Held| match h.standing {
                 Standing::Entailed => true,
                 Standing::Settles => waiting.second_time || h.unknown.is_empty(),
-                Standing::Denied => h.doubt.is_none(),
+                Standing::Denied => {
+                    h.doubt.is_none() && !may_define(links, &self.reading.letters, &self.at)
+                }
                 _ => h.unknown.is_empty(),
             };
             if held.iter().all(told) {

@@ -110,30 +110,18 @@ fn a_rotation_by_another_angle_than_the_argument_is_not_read() {
 }
 
 #[test]
-fn a_point_on_an_axis_at_a_distance_is_placed_by_it() {
-    let sentences = "N is an inertial frame.
-B is a frame fixed in the rod.
-O is a point fixed in N and in B.
-G is the mass centre of the rod.
-G lies on axis 3 of B at the distance $l$ from O.
-$e$ is the third axis of B.
-$r$ is the position of G from O.
-";
-    let text = "$$ r = l e $$\n$$ r = -l e $$\n";
-    assert_eq!(judged(sentences, text), "pr");
-}
-
-#[test]
 fn products_of_inertia_by_their_labels_follow_the_convention_that_is_said() {
     let sentences = "N is an inertial frame.
 B is a frame fixed in the body.
 O is a point fixed in N and in B.
 $I_{xy}$, $I_{xz}$ and $I_{yz}$ are the products of inertia of the body about O on B.
-$A$, $B$, $C$ are the moments of inertia of the body about the axes of B through O.
+$I_{xx}$, $I_{yy}$, $I_{zz}$ are the moments of inertia of the body about the axes of B through O.
 $p$, $q$, $r$ are the components on B of the angular velocity of the body relative to N.
-$l$ is the component along the first axis of B of the angular momentum of the body about O relative to N.
+$L$ is the component along x of the angular momentum of the body about O.
+$x$, $y$, $z$ are the axes of B.
 ";
-    let text = "$$ l = A p - I_{xy} q - I_{xz} r $$\n$$ l = A p + I_{xy} q + I_{xz} r $$\n";
+    let text =
+        "$$ L = I_{xx} p - I_{xy} q - I_{xz} r $$\n$$ L = I_{xx} p + I_{xy} q + I_{xz} r $$\n";
     let with = |said: &str| judged(&format!("{sentences}{said}\n"), text);
     assert_eq!(with("The products of inertia are integrals."), "pr");
     assert_eq!(with("The products of inertia are entries."), "rp");
