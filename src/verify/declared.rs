@@ -7,7 +7,8 @@ use crate::source::Span;
 use crate::verify::declarations::Declared;
 use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
-use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::language::statement::{Declaration, Statement};
+use crate::verify::reading::names::are_products;
 use crate::verify::reason;
 use crate::verify::standing::judge::Judged;
 use crate::verify::standing::verdicts::Answer;
@@ -112,9 +113,8 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
 
 /// The convention for products of inertia, and whether a sentence says it.
 fn convention(judgments: &[Judgment<'_>], declarations: &[Declaration]) -> Convention {
-    let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "products of inertia");
     let says = |declaration: &Declaration| match &declaration.statement {
-        Statement::Is { subjects, .. } => subjects.iter().any(products),
+        Statement::Is { subjects, .. } => subjects.iter().any(are_products),
         _ => false,
     };
     Convention {

@@ -6,7 +6,7 @@ use std::path::Path;
 /// What is counted, and how many there may be. When there are fewer, lower the number; never raise one.
 const MOST: [(&str, usize); 6] = [
     ("blocks `impl Checker`", 142),
-    ("literals of English in the old house, but for `words`", 806),
+    ("literals of English in the old house, but for `words`", 805),
     (
         "literals of English in the new rooms, but for `language`",
         102,

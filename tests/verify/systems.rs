@@ -27,6 +27,15 @@ fn judged(said: &str, text: &str) -> String {
     verdicts
 }
 
+/// Asserts the verdicts of the lines, whichever of the sentences stands first.
+fn judged_in_any_order(sentences: &[&str], text: &str, verdicts: &str) {
+    for turn in 0..sentences.len() {
+        let mut said = sentences.to_vec();
+        said.rotate_left(turn);
+        assert_eq!(judged(&said.join("\n"), text), verdicts, "{said:?}");
+    }
+}
+
 /// The verdicts of the lines, a letter each, and the sentences that are not understood.
 fn verdicts(said: &str, text: &str) -> (String, Vec<Misunderstood>) {
     let (document, _) = read("a document", text, Format::Markdown);

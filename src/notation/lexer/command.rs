@@ -390,12 +390,10 @@ fn unwrapped(mut text: &str) -> &str {
 fn index_behind(text: &str) -> Option<(&str, char)> {
     let (words, index) = text.trim_end().rsplit_once(' ')?;
     let words = words.trim();
-    let index = match index {
-        "i" => 'i',
-        "j" => 'j',
-        "k" => 'k',
-        "n" => 'n',
-        _ => return None,
-    };
+    let mut letters = index.chars();
+    let index = letters.next().filter(|letter| "ijkn".contains(*letter))?;
+    if letters.next().is_some() {
+        return None;
+    }
     matches!(words, "for" | "for all" | "for each" | "with" | "where").then_some((words, index))
 }

@@ -282,8 +282,8 @@ impl System {
     }
 }
 
-/// The matrix that takes components on a frame that is turned about an axis to components on its parent.
-fn about_axis(axis: usize, cosine: &Fraction, sine: &Fraction) -> Matrix {
+/// The matrix of the rotation about an axis: it takes components on a frame that is turned so to components on its parent.
+pub(crate) fn about_axis(axis: usize, cosine: &Fraction, sine: &Fraction) -> Matrix {
     Matrix::from_fn(|r, c| {
         if r == axis || c == axis {
             return whole(i64::from(r == c));

@@ -205,7 +205,7 @@ fn angles(declarations: &[Declaration]) -> Vec<Formula> {
 }
 
 /// The names for which a sentence speaks of any, where these are things: "for any frames X and Y".
-fn any_things(statement: &Statement) -> Option<Vec<String>> {
+pub(super) fn any_things(statement: &Statement) -> Option<Vec<String>> {
     let slots = match statement {
         Statement::Is { what, .. } => &what.slots,
         Statement::Does {

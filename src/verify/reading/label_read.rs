@@ -1,7 +1,7 @@
 //! Frames and points that no sentence introduces: a letter that is told "for any frames X and Y" names them by its labels.
 
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::reading::any_read::stands_for_point;
+use crate::verify::language::statement::{Declaration, NounPhrase, Statement, Term};
+use crate::verify::reading::any_read::{any_things, stands_for_point};
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::term::letters::spelled;
@@ -16,16 +16,17 @@ pub(crate) fn named_by_labels(
     let mut known = subjects(declarations);
     let mut made = vec![];
     for declaration in declarations {
-        let Some((letters, any)) = any_things(&declaration.statement) else {
+        let any = any_things(&declaration.statement).unwrap_or_default();
+        let letters = any.iter().flat_map(|name| name.chars());
+        let wild: Vec<char> = letters.filter(|c| c.is_uppercase()).collect();
+        if wild.is_empty() {
             continue;
-        };
-        let wild: Vec<char> = any.iter().filter_map(|name| name.chars().next()).collect();
-        for template in letters {
+        }
+        let subjects = formulas(declaration.statement.subjects());
+        for template in subjects.filter_map(node_of).map(spelled) {
             for (place, name) in written.like(&template, &wild) {
-                let thing = wild.iter().position(|c| *c == place).map(|at| &any[at]);
                 if known.insert(name.to_string()) {
-                    let of_point =
-                        thing.is_some_and(|thing| stands_for_point(&declaration.statement, thing));
+                    let of_point = stands_for_point(&declaration.statement, &place.to_string());
                     made.push(introduction(name, of_point, declaration));
                 }
             }
@@ -39,31 +40,6 @@ fn subjects(declarations: &[Declaration]) -> BTreeSet<String> {
     let subjects = declarations.iter().flat_map(|d| d.statement.subjects());
     let names = subjects.filter_map(name_of);
     names.map(|name| name.replace("~cal", "")).collect()
-}
-
-/// The letters that a sentence tells of, spelled, and the names of which it speaks as any.
-fn any_things(statement: &Statement) -> Option<(Vec<String>, Vec<String>)> {
-    let (subjects, slots) = match statement {
-        Statement::Is { subjects, what } => (subjects, &what.slots),
-        Statement::Does {
-            subjects,
-            verb: "take",
-            slots,
-        } => (subjects, slots),
-        _ => return None,
-    };
-    let any = slots.iter().filter_map(|(slot, term)| match (slot, term) {
-        (Slot::ForAny, Term::Name(name)) if is_short(name) => Some(name.clone()),
-        _ => None,
-    });
-    let any: Vec<String> = any.collect();
-    let letters = formulas(subjects).filter_map(node_of).map(spelled);
-    (!any.is_empty()).then(|| (letters.collect(), any))
-}
-
-fn is_short(name: &str) -> bool {
-    let mut letters = name.chars();
-    letters.next().is_some_and(char::is_uppercase) && letters.next().is_none()
 }
 
 fn introduction(name: char, of_point: bool, cause: &Declaration) -> Declaration {

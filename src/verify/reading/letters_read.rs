@@ -14,7 +14,7 @@ use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    node_of, reach_of,
+    are_products, node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
@@ -135,7 +135,7 @@ impl Builder<'_> {
 
     fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
         // What the products of inertia are is a rule of notation.
-        if matches!(subjects, [Term::Phrase(phrase)] if phrase.head == PRODUCTS) {
+        if subjects.len() == 1 && subjects.iter().all(are_products) {
             return;
         }
         // Without labels no custom says which product is which.

@@ -13,6 +13,11 @@ pub(crate) const MASS_CENTRE: &str = "mass centre";
 /// The noun of the entries of a tensor off its diagonal.
 pub(crate) const PRODUCTS: &str = "products of inertia";
 
+/// Whether a term names the products of inertia.
+pub(crate) fn are_products(term: &Term) -> bool {
+    matches!(term, Term::Phrase(phrase) if phrase.head == PRODUCTS)
+}
+
 /// The noun of the entries of a tensor on its principal axes.
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 

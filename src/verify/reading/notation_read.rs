@@ -11,7 +11,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, PRODUCTS, index_letter, name_of, node_of, reach_of,
+    CROSS_PRODUCT_MATRIX, are_products, index_letter, name_of, node_of, reach_of,
 };
 use crate::verify::term::labels::{plain, without_commands};
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
@@ -107,8 +107,7 @@ impl Builder<'_> {
 
     /// "Products of inertia are integrals."
     fn read_convention(&mut self, subjects: &[Term], what: &NounPhrase) {
-        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
-        if subjects.iter().any(products) {
+        if subjects.iter().any(are_products) {
             self.reading.letters.customs.integrals = what.head == "integral";
         }
     }

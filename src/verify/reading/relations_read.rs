@@ -11,7 +11,7 @@ use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::incline_read::is_incline;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{PRODUCTS, node_of, reach_of, told};
+use crate::verify::reading::names::{are_products, node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::labels::letters_of;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
@@ -128,13 +128,14 @@ impl Builder<'_> {
 
     /// Whether products of inertia are integrals, where a sentence says what they are.
     pub(super) fn products_are_integrals(&self) -> Option<bool> {
-        let products = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PRODUCTS);
         self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if subjects.iter().any(products) => match what.head {
-                "integral" => Some(true),
-                "entry" => Some(false),
-                _ => None,
-            },
+            Statement::Is { subjects, what } if subjects.iter().any(are_products) => {
+                match what.head {
+                    "integral" => Some(true),
+                    "entry" => Some(false),
+                    _ => None,
+                }
+            }
             _ => None,
         })
     }

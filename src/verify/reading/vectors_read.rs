@@ -4,14 +4,13 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
-use crate::verify::language::heads::COMPONENT_ROTATION;
+use crate::verify::language::heads::{COMPONENT_ROTATION, INERTIA_TENSOR};
 use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
-use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -290,29 +289,19 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        let customary = self.reading.letters.component_frame;
-        let on = told(what.slot(Slot::On), customary, |term| self.frame(term));
-        let of = self.whole_of(what);
-        let tensor = of.and_then(|of| {
-            let about = self.about(what, &of)?;
-            Some(Quantity::Inertia { of, about })
-        });
-        let said = self.products_are_integrals();
-        let (Some(tensor), Some(on), Some(integral)) = (tensor, on, said) else {
+        if self.products_are_integrals().is_none() {
             return;
-        };
-        for formula in formulas(subjects) {
-            let Some([row, column]) = labelled_entry(formula) else {
-                continue;
-            };
-            let quantity = Quantity::Entry {
-                of: tensor.clone().boxed(),
-                row,
-                column,
-                on,
-                integral,
-            };
-            self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+        let (on, of): (Vec<_>, Vec<_>) = what
+            .slots
+            .iter()
+            .cloned()
+            .partition(|(s, _)| *s == Slot::On);
+        let tensor = Term::Phrase(Box::new(NounPhrase::new(INERTIA_TENSOR, of)));
+        let slots = std::iter::once((Slot::Of, tensor)).chain(on);
+        let entries = NounPhrase::new("entry", slots.collect());
+        if self.read_entries(subjects, &entries, declaration).is_none() {
+            self.say_unused(declaration);
         }
     }
 

@@ -4,9 +4,10 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
+use crate::verify::model::frames::about_axis;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
 use num_traits::{One, ToPrimitive, Zero};
 use std::ops::Range;
 
@@ -65,20 +66,10 @@ impl Lowering<'_> {
         let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
             return beyond(OTHER_ARGUMENT);
         };
-        let last = (axis + 2) % 3;
-        let entry = |at: usize| match (at / 3, at % 3) {
-            (row, column) if row == axis || column == axis => {
-                if row == column {
-                    Fraction::one()
-                } else {
-                    Fraction::zero()
-                }
-            }
-            (row, column) if row == column => cosine.clone(),
-            (row, _) if row == last => sine.clone(),
-            _ => -sine.clone(),
-        };
-        Ok(Value::written(3, 3, (0..9).map(entry).collect()))
+        Ok(Value::matrix(
+            &about_axis(axis, &cosine, &sine),
+            [Basis::Written; 2],
+        ))
     }
 
     /// A letter before brackets: a function that the document defines, a function of time, or a product.

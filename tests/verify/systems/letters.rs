@@ -1,6 +1,6 @@
 //! Letters that labels or lines of the document tell of.
 
-use super::judged;
+use super::{judged, judged_in_any_order};
 
 #[test]
 fn labels_name_frames_that_no_sentence_introduces() {
@@ -52,11 +52,7 @@ fn a_letter_that_is_constant_is_still_what_another_sentence_says() {
         "$w$ is the velocity of P relative to N.",
     ];
     let text = "$$ w = \\omega (x v - y u) $$\n$$ w = \\omega (x v + y u) $$\n";
-    for turn in 0..sentences.len() {
-        let mut said = sentences.to_vec();
-        said.rotate_left(turn);
-        assert_eq!(judged(&said.join("\n"), text), "pr", "{said:?}");
-    }
+    judged_in_any_order(&sentences, text, "pr");
 }
 
 #[test]
@@ -88,7 +84,7 @@ $\\psi$, $\\theta$, $\\phi$ are the Euler angles of B relative to N in the order
 $R$ takes components on B to components on N.
 $R_z(a)$ is the rotation matrix about z by $a$, for any angle $a$.
 $R_x(a)$ and $R_y(a)$ are the rotation matrices by $a$ about x and y, for any angle $a$.
-$C_1(a)$ is the matrix that takes components on a frame to components on that frame after it has turned about x by the angle $a$, for any angle $a$.
+$C_1(a)$ is the passive rotation matrix about x by the angle $a$, for any angle $a$.
 ";
     let text = r"
 $$ R = R_z(\psi) R_y(\theta) R_x(\phi) $$
