@@ -1,5 +1,6 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
+mod angles;
 mod incline;
 mod integrals;
 mod letters;

@@ -46,7 +46,33 @@ impl Atoms {
         }
         let factor = angle.numerator().leading_coefficient();
         let unit = angle.clone() / Fraction::from(Polynomial::constant(factor.clone()));
+        if self.is_pi(&unit) {
+            // Of other parts of π nothing is known, and a kernel would be free to be anything.
+            let steps = (factor * Rational::from((12, 1))).to_integer()?;
+            let cosine = self.cosine_of_steps(steps)?;
+            return Some((cosine, self.cosine_of_steps(steps.checked_add(18)?)?));
+        }
         self.cosine_sine_of_multiple(&unit, &factor)
+    }
+
+    fn is_pi(&self, unit: &Fraction) -> bool {
+        let pi = self.find(&Key::new("\\pi"));
+        pi.is_some() && unit.as_variable() == pi
+    }
+
+    /// The cosine of so many times 15°, for multiples of 30° and 45°.
+    pub(crate) fn cosine_of_steps(&mut self, steps: i64) -> Option<Fraction> {
+        let half = Fraction::from_ratio(1, 2);
+        match steps.rem_euclid(24) {
+            steps @ 13..=23 => self.cosine_of_steps(24 - steps),
+            steps @ 7..=12 => Some(-self.cosine_of_steps(12 - steps)?),
+            0 => Some(Fraction::one()),
+            2 => Some(self.root(&whole(3))? * half),
+            3 => Some(self.root(&whole(2))? * half),
+            4 => Some(half),
+            6 => Some(Fraction::zero()),
+            _ => None,
+        }
     }
 
     /// Of p/q times a unit: the p-th multiple of the kernel of 1/q of it.
@@ -238,5 +264,31 @@ impl Atoms {
         })?;
         let outer = self.perfect_root(&Polynomial::term(common, factor))?;
         Some(outer * Polynomial::variable(sine))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_traits::ToPrimitive;
+
+    #[test]
+    fn cosines_of_common_angles_are_exact() {
+        let mut atoms = Atoms::default();
+        for steps in [0, 2, 3, 4, 6, 8, 9, 10, 12, 14, 18, 20, 22] {
+            let cosine = atoms.cosine_of_steps(steps).expect("a common angle");
+            let root = |v: Variable| match atoms.latex(v).as_str() {
+                "\\sqrt{3}" => 3f64.sqrt(),
+                _ => 2f64.sqrt(),
+            };
+            let value = cosine
+                .numerator()
+                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
+            let below = cosine
+                .denominator()
+                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
+            let angle = (15.0 * steps as f64).to_radians();
+            assert!((value / below - angle.cos()).abs() < 1e-12, "{steps}");
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::model::atoms::{Atoms, Key, Nature, whole};
 use crate::verify::reading::Premise;
 use crate::verify::standing::judge::Judge;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::collections::{BTreeMap, HashMap};
 
 /// First integrals are looked for at no more lines.
@@ -182,8 +182,8 @@ fn angle_at_start(atoms: &mut Atoms, value: &Fraction) -> Option<Vec<(Variable, 
     })?;
     Some(vec![
         (angle, whole_angle),
-        (cosine, cosine_of_steps(atoms, step)?),
-        (sine, cosine_of_steps(atoms, (step + 18) % 24)?),
+        (cosine, atoms.cosine_of_steps(step)?),
+        (sine, atoms.cosine_of_steps(step + 18)?),
     ])
 }
 
@@ -192,45 +192,4 @@ fn kernels_of(atoms: &mut Atoms, angle: Variable) -> Option<(Variable, Variable)
     let angle = crate::verify::model::atoms::fraction(angle);
     let (cosine, sine) = atoms.cosine_sine(&angle)?;
     Some((cosine.as_variable()?, sine.as_variable()?))
-}
-
-/// The cosine of so many times 15°, for multiples of 30° and 45°.
-fn cosine_of_steps(atoms: &mut Atoms, steps: i64) -> Option<Fraction> {
-    let half = Fraction::from_ratio(1, 2);
-    match steps {
-        13..=23 => cosine_of_steps(atoms, 24 - steps),
-        7..=12 => Some(-cosine_of_steps(atoms, 12 - steps)?),
-        0 => Some(Fraction::one()),
-        2 => Some(atoms.root(&whole(3))? * half),
-        3 => Some(atoms.root(&whole(2))? * half),
-        4 => Some(half),
-        6 => Some(Fraction::zero()),
-        _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use num_traits::ToPrimitive;
-
-    #[test]
-    fn cosines_of_common_angles_are_exact() {
-        let mut atoms = Atoms::default();
-        for steps in [0, 2, 3, 4, 6, 8, 9, 10, 12, 14, 18, 20, 22] {
-            let cosine = cosine_of_steps(&mut atoms, steps).expect("a common angle");
-            let root = |v: Variable| match atoms.latex(v).as_str() {
-                "\\sqrt{3}" => 3f64.sqrt(),
-                _ => 2f64.sqrt(),
-            };
-            let value = cosine
-                .numerator()
-                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
-            let below = cosine
-                .denominator()
-                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
-            let angle = (15.0 * steps as f64).to_radians();
-            assert!((value / below - angle.cos()).abs() < 1e-12, "{steps}");
-        }
-    }
 }
