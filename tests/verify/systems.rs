@@ -5,16 +5,20 @@ mod incline;
 mod integrals;
 mod letters;
 mod loads;
+
 mod long_laws;
 mod matrices;
 mod members;
+mod named_loads;
 mod parts;
 mod quaternions;
 mod reading;
 mod rolling;
 mod sound;
 mod start;
+mod tensors;
 mod textbook;
+mod told_places;
 
 use polhode::notation::sentences;
 use polhode::notation::{document::Format, read};

@@ -153,8 +153,8 @@ impl<'a> Splitter<'a> {
                 Lexeme::Ampersand if outside => {
                     ampersands += 1;
                     let column = ampersands % 2 == 0 && COLUMNS.contains(&environment);
-                    if (column && !Self::relation_follows(&tokens[i..]))
-                        || (ampersands == 1 && environment == "cases")
+                    let condition = ampersands == 1 && environment == "cases";
+                    if ((column || condition) && !Self::relation_follows(&tokens[i..]))
                         || self.holds_line()
                     {
                         self.flush(Break::Gap);

@@ -105,6 +105,9 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
     }
 }
 
+/// Words by which a list of parts of the document goes on.
+const GOES_ON: [&str; 4] = ["and", "or", "but", "except"];
+
 /// A sentence that is not understood: of which parts of the document, and of which letters it speaks.
 fn unread(
     tokens: &[Token],
@@ -121,8 +124,12 @@ fn unread(
         reader.at = 0;
         reader.extents().ok().filter(|extents| !extents.is_empty())
     });
-    let extents = extents.unwrap_or_else(|| vec![Extent::Document]);
+    let mut extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let touched = reader.touched(extents != [Extent::Document]);
+    // Parts that go on in words that are not understood may be anywhere.
+    if GOES_ON.contains(&reader.word()) {
+        extents = vec![Extent::Document];
+    }
     let letters = reader.letters_told().unwrap_or_default();
     let of_extent = |extent, touched: &Touched| Declaration {
         statement: Statement::Unread {

@@ -7,6 +7,18 @@ use super::statement::{NounPhrase, Slot, Statement, Term};
 use super::words::{Kind, Token};
 
 impl Reader<'_> {
+    /// "the first and the third axis": what stands between two numbers.
+    pub(super) fn take_joint_before_ordinal(&mut self) {
+        let start = self.at;
+        let joined = self.take_separator() && {
+            self.take("the");
+            ORDINALS.contains(&self.word())
+        };
+        if !joined {
+            self.at = start;
+        }
+    }
+
     /// "and `$p$` its small disturbance", "and `$g$` the acceleration of gravity": the verb is the one before, and so is
     /// whose it is. Says whether there is one.
     pub(crate) fn gap(&mut self, statements: &mut Vec<Statement>) -> Read<bool> {

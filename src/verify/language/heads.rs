@@ -20,6 +20,8 @@ pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 pub(crate) const RUN_OVER: &str = "run over";
 /// A plane on whose two sides a body is alike.
 pub(crate) const PLANE_OF_SYMMETRY: &str = "plane of symmetry";
+/// The number whose square is −1.
+pub(crate) const IMAGINARY_UNIT: &str = "imaginary unit";
 /// The number e.
 pub(crate) const NATURAL_BASE: &str = "base of the natural logarithm";
 /// A unit vector that stands on a surface.
@@ -106,3 +108,17 @@ mod tests {
         }
     }
 }
+/// Nouns of forces of one kind, of which a body has no more than one.
+pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
+    ["thrust", "lift", "drag", "aerodynamic force", "buoyancy"];
+/// Nouns of moments of one kind.
+pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
+    "control moment",
+    "disturbance moment",
+    "motor moment",
+    "friction moment",
+    "restoring moment",
+    "aerodynamic moment",
+];
+/// Products that no letter names.
+pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";

@@ -193,7 +193,8 @@ fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
 }
 
 /// What may be of each subject in turn.
-const PARTED: [Slot; 7] = [
+const PARTED: [Slot; 8] = [
+    Slot::Which,
     Slot::Of,
     Slot::About,
     Slot::RelativeTo,

@@ -317,11 +317,12 @@ impl<'a> Reader<'a> {
                 self.at += adjective.length;
                 let says = adjective.entry.name != "whole";
                 adjectives.extend(says.then_some(adjective.entry));
-            } else if let Some(skipped) = self.unknown_before_name() {
-                self.at += skipped;
             } else if let Some(n) = ORDINALS.iter().position(|o| *o == self.word()) {
                 self.at += 1;
                 slots.push((Slot::Which, Term::Numbers(vec![n + 1])));
+                self.take_joint_before_ordinal();
+            } else if let Some(skipped) = self.unknown_before_name() {
+                self.at += skipped;
             } else {
                 let unknown = self.kind() == Some(Kind::Word)
                     && !self.lexicon.begins(self.word())
@@ -332,8 +333,10 @@ impl<'a> Reader<'a> {
                 }
             }
         };
+        // Axes that are counted are single ones.
+        let counted = entry.name == "axes" && !slots.is_empty();
         let mut phrase = NounPhrase {
-            head: entry.name,
+            head: if counted { "axis" } else { entry.name },
             adjectives: adjectives.iter().map(|entry| entry.name).collect(),
             slots,
         };

@@ -12,11 +12,20 @@ pub(crate) enum Lasting {
     Blow,
 }
 
+/// What a load is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Called {
+    /// By a letter, as it is written.
+    Letter(String),
+    /// By its noun, as what acts on a body.
+    Noun(String, BodyId),
+    Nothing,
+}
+
 /// A load on a body.
 #[derive(Clone, Debug)]
 pub(crate) struct Load {
-    /// The writing of its letter.
-    pub(crate) letter: String,
+    pub(crate) called: Called,
     /// Where the force acts; a couple acts nowhere.
     pub(crate) at: Option<PointId>,
     /// The force, or the moment of the couple.
@@ -75,13 +84,15 @@ impl System {
         loads: &[Load],
         lasting: Lasting,
     ) -> Vector {
-        let mut rest = self.whole_moment(body, about, lasting);
-        for load in loads {
-            rest -= match load.at {
-                Some(at) => mechanics::cross(&self.position(at, about), &load.value),
-                None => load.value.clone(),
-            };
-        }
-        rest
+        self.whole_moment(body, about, lasting) - self.moment_of_loads(loads, about)
+    }
+
+    /// The moment of some loads about a point.
+    pub(crate) fn moment_of_loads(&self, loads: &[Load], about: PointId) -> Vector {
+        let moments = loads.iter().map(|load| match load.at {
+            Some(at) => mechanics::cross(&self.position(at, about), &load.value),
+            None => load.value.clone(),
+        });
+        moments.fold(Vector::zeros(), |sum, moment| sum + moment)
     }
 }

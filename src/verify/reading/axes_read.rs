@@ -1,10 +1,10 @@
 //! The letters of axes, and the frame that components are worked with on.
 
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::{CUSTOMARY, slot};
-use crate::verify::reading::names::{PRINCIPAL_MOMENTS, name_of, node_of};
+use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
@@ -65,8 +65,24 @@ impl Builder<'_> {
                 _ => {}
             }
         }
+        self.read_axes_by_vectors();
         self.read_incline();
         self.reading.letters.customs.named_axes = self.axes.of_one_frame();
+    }
+
+    /// "`$n$` is the unit vector along z": a letter of that axis.
+    fn read_axes_by_vectors(&mut self) {
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && let [subject] = subjects.as_slice()
+                && let Some((frame, axis)) = what
+                    .slot(Slot::Along)
+                    .filter(|_| what.head == UNIT_VECTOR && declaration.extent == Extent::Document)
+                    .and_then(|along| self.axis_of_frame(along))
+            {
+                self.name_axis(subject, frame, axis, declaration);
+            }
+        }
     }
 
     pub(super) fn read_triad(

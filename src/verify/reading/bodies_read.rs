@@ -181,16 +181,10 @@ impl Builder<'_> {
                     }
                     None => parts.push(self.add_named_body(part)),
                 },
-                Term::Phrase(particle) if particle.head == "particle" => {
-                    if let Some(of) = particle.slot(Slot::Of).and_then(|term| self.body(term)) {
-                        let name = format!("particle of {}", self.reading.system.bodies[of].name);
-                        let own = self.add_named_body(&name);
-                        self.points_of.push((own, of));
-                        parts.push(own);
-                    } else {
-                        self.say_unused(declaration);
-                    }
-                }
+                Term::Phrase(phrase) => match self.parts_of_phrase(phrase) {
+                    Some(own) => parts.extend(own),
+                    None => self.say_unused(declaration),
+                },
                 _ => self.say_unused(declaration),
             }
         }
@@ -200,6 +194,24 @@ impl Builder<'_> {
             return;
         }
         self.reading.system.bodies[whole].parts = parts;
+    }
+
+    /// "the particles P1 and P2", "a particle of the rod".
+    fn parts_of_phrase(&mut self, phrase: &NounPhrase) -> Option<Vec<BodyId>> {
+        let named = phrase.slots.iter().all(|(slot, _)| *slot == Slot::Which);
+        if named && !phrase.slots.is_empty() {
+            let names: Option<Vec<String>> = phrase.all(Slot::Which).map(name_of).collect();
+            let own = names?.into_iter().map(|name| self.add_named_body(&name));
+            return Some(own.collect());
+        }
+        let of = phrase
+            .slot(Slot::Of)
+            .filter(|_| phrase.head == "particle")?;
+        let of = self.body(of)?;
+        let name = format!("particle of {}", self.reading.system.bodies[of].name);
+        let own = self.add_named_body(&name);
+        self.points_of.push((own, of));
+        Some(vec![own])
     }
 
     fn add_family(&mut self, name: &str, body: Option<BodyId>) {
@@ -349,25 +361,28 @@ impl Builder<'_> {
             if !(WHOLES.contains(&what.head) || self.is_shape(what.head)) {
                 continue;
             }
-            let [subject] = subjects.as_slice() else {
-                continue;
-            };
-            let Some(body) = self.body(subject) else {
-                continue;
-            };
-            if self.is_shape(what.head) && self.shape_body(body, what, declaration).is_none() {
-                self.say_unused(declaration);
-            }
-            for size in what.all(Slot::Of).cloned().collect::<Vec<_>>() {
-                if let Term::Phrase(phrase) = &size
-                    && phrase.head == "mass"
-                    && let Some(Term::Formula(formula)) = phrase.slot(Slot::Which)
-                {
-                    self.name_mass(body, &formula.clone(), declaration);
+            for subject in subjects {
+                if let Some(body) = self.body(subject) {
+                    self.read_sizes(body, what, declaration);
                 }
             }
         }
         self.find_bases();
+    }
+
+    /// "P is a particle of mass `$m$`", "the rods are thin rods of length `$l$`".
+    fn read_sizes(&mut self, body: BodyId, what: &NounPhrase, declaration: &Declaration) {
+        if self.is_shape(what.head) && self.shape_body(body, what, declaration).is_none() {
+            self.say_unused(declaration);
+        }
+        for size in what.all(Slot::Of) {
+            if let Term::Phrase(phrase) = size
+                && phrase.head == "mass"
+                && let Some(Term::Formula(formula)) = phrase.slot(Slot::Which)
+            {
+                self.name_mass(body, formula, declaration);
+            }
+        }
     }
 
     fn name_mass(

@@ -54,8 +54,8 @@ pub(crate) fn build(
     written: BTreeSet<String>,
     first: usize,
 ) -> Reading {
-    // What holds under a condition is never taken as always true, and what is denied is no fact.
     let written = WrittenSymbols::new(written);
+    // What holds under a condition is never taken as always true, and what is denied is no fact.
     let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
         .partition(|d| has_condition(d) || denies(d));
@@ -86,6 +86,7 @@ pub(crate) fn build(
     builder.finish_bodies();
     builder.place_contacts();
     builder.read_letters();
+    builder.hold_told_places();
     builder.make_up_of_references();
     builder.read_premises();
     builder.read_obeyed();
@@ -279,19 +280,13 @@ impl Builder<'_> {
         self.body(term).map(Whole::Body)
     }
 
-    /// The body that a phrase is of; the only one where it says none.
+    /// The body that a phrase is of; the only one where it says none, and none where it says several.
     pub(super) fn whole_of(&self, phrase: &NounPhrase) -> Option<Whole> {
-        match phrase.slot(Slot::Of) {
-            Some(term) => self.whole(term),
-            None => (!self.reading.system.bodies.is_empty()).then_some(Whole::Body(0)),
+        match phrase.all(Slot::Of).collect::<Vec<_>>().as_slice() {
+            [term] => self.whole(term),
+            [_, ..] => None,
+            [] => (!self.reading.system.bodies.is_empty()).then_some(Whole::Body(0)),
         }
-    }
-
-    /// Whether sentences tell what a formula is: its letters, or angles and rates by which something turns.
-    pub(super) fn is_told(&mut self, formula: &Formula, declaration: &Declaration) -> bool {
-        let quantity = self.quantity_of(formula, declaration);
-        let value = self.mentioned_value(formula, declaration);
-        quantity.is_some() || value.is_some_and(|value| self.reading.system.is_told(&value))
     }
 
     /// What a letter stands for at the place of a declaration.

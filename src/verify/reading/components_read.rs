@@ -3,10 +3,12 @@
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
+use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{index_letter, node_of};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::Meaning;
@@ -21,6 +23,7 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
+        let what = &self.axes_behind_load(what);
         let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
         let of = what.slot(Slot::Of).cloned();
         let of = of.and_then(|term| self.operand(&term, declaration));
@@ -69,6 +72,24 @@ impl Builder<'_> {
                 self.denote(formula, Meaning::Quantity(quantity), declaration);
             }
         }
+    }
+
+    /// "the components of the thrust on B": a load is on a body, and what is a frame alone are the axes of the components.
+    fn axes_behind_load(&self, what: &NounPhrase) -> NounPhrase {
+        let mut what = what.clone();
+        if let (None, Some(Term::Phrase(load))) = (what.slot(Slot::On), what.slot(Slot::Of))
+            && (names_load(load) || matches!(load.head, FORCE | MOMENT | WEIGHT))
+            && let Some(upon) = load.slot(Slot::Of)
+            && self.body(upon).is_none()
+            && self.frame(upon).is_some()
+        {
+            let (axes, mut load) = (upon.clone(), load.clone());
+            load.slots.retain(|(slot, _)| *slot != Slot::Of);
+            what.slots.retain(|(slot, _)| *slot != Slot::Of);
+            let split = [(Slot::Of, Term::Phrase(load)), (Slot::On, axes)];
+            what.slots.extend(split);
+        }
+        what
     }
 
     /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.

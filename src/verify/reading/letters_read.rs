@@ -2,7 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
+    COMPONENT_ROTATION, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL,
+    OTHER_PRODUCTS, PLANE_OF_SYMMETRY,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -12,9 +13,10 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
+use crate::verify::reading::named_loads_read::{may_be_size, names_load};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    are_products, node_of, reach_of,
+    are_products, is_of_products, node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
@@ -136,10 +138,13 @@ impl Builder<'_> {
     fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
         // What the products of inertia are is a rule of notation.
         if subjects.len() == 1 && subjects.iter().all(are_products) {
+            if !matches!(what.head, "integral" | "entry" | "zero") {
+                self.say_unused(declaration);
+            }
             return;
         }
         // Without labels no custom says which product is which.
-        if what.head == PRODUCTS && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
+        if is_of_products(what) && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
             return self.say_unused(declaration);
         }
         if is_force_at(what) {
@@ -153,11 +158,12 @@ impl Builder<'_> {
         }
         match what.head {
             "component" => self.read_components(subjects, what, declaration),
-            PRODUCTS => self.read_products(subjects, what, declaration),
+            PRODUCTS | OTHER_PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
             "acceleration of gravity" => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
+            IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             DISTURBANCE if what.slots.is_empty() => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
@@ -223,6 +229,9 @@ impl Builder<'_> {
                 .is_some()
         {
             return;
+        }
+        if names_load(what) && subjects.iter().any(|subject| may_be_size(subject, what)) {
+            return self.say_unused(declaration);
         }
         let Some(quantity) = self.quantity(what, declaration) else {
             return self.say_unused(declaration);
@@ -335,6 +344,13 @@ impl Builder<'_> {
         if let (Ok(left), Ok(right)) = (left, right) {
             self.hold_equal(&left, &right, declaration);
         }
+    }
+
+    /// Whether sentences tell what a formula is: its letters, or angles and rates by which something turns.
+    pub(super) fn is_told(&mut self, formula: &Formula, declaration: &Declaration) -> bool {
+        let quantity = self.quantity_of(formula, declaration);
+        let value = self.mentioned_value(formula, declaration);
+        quantity.is_some() || value.is_some_and(|value| self.reading.system.is_told(&value))
     }
 
     pub(super) fn is_scalar(&mut self, quantity: &Quantity) -> bool {

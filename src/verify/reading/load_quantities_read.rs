@@ -6,6 +6,7 @@ use crate::verify::model::loads::Lasting;
 use crate::verify::model::system::PointId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::FORCES;
+use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::POTENTIAL;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -78,6 +79,14 @@ impl Builder<'_> {
                 let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
                 let about = about.and_then(|term| self.point(term))?;
                 about_point(self.inertial_force(load)?, about)
+            }
+            Term::Phrase(load) if names_load(load) => {
+                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
+                let about = match about {
+                    Some(term) => self.point(term)?,
+                    None => self.centre_of(self.body_of(load)?),
+                };
+                self.named_moment(load, about)
             }
             Term::Phrase(load) if load.head == "weight" => {
                 let body = self.body_of(load)?;

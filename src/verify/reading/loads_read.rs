@@ -2,14 +2,13 @@
 
 use crate::algebra::Place;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::loads::{Lasting, Load};
+use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Basis, Value};
 
 /// Nouns of what acts at a point.
 pub(super) const FORCES: [&str; 7] = [
@@ -140,7 +139,7 @@ impl Builder<'_> {
     fn push_load(&mut self, acting: &Acting<'_>, value: Vector) {
         let letter = node_of(acting.letter).map(spelled).unwrap_or_default();
         self.system().loads.push(Load {
-            letter,
+            called: Called::Letter(letter),
             at: acting.at,
             value,
             lasting: lasting_of(acting.head),
@@ -176,11 +175,11 @@ impl Builder<'_> {
     }
 
     /// A load by its letter.
-    fn load(&self, letter: &Formula, lasting: Lasting) -> Option<Load> {
-        let writing = spelled(node_of(letter)?);
+    pub(super) fn load(&self, letter: &Formula, lasting: Lasting) -> Option<Load> {
+        let called = Called::Letter(spelled(node_of(letter)?));
         let mut loads = self.reading.system.loads.iter();
         loads
-            .find(|load| load.letter == writing && load.lasting == lasting)
+            .find(|load| load.called == called && load.lasting == lasting)
             .cloned()
     }
 
@@ -193,88 +192,6 @@ impl Builder<'_> {
     pub(super) fn acting_there(&self, letter: &Formula) -> Option<(PointId, Vector)> {
         let load = self.load(letter, Lasting::Always)?;
         Some((load.at?, load.value))
-    }
-
-    /// "The weight and the force at O are the only loads on the top." One force that nothing tells is what the others
-    /// leave of the whole; about the point where it acts it has no moment.
-    pub(super) fn only_loads(
-        &mut self,
-        premise: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let body = self.body_of(premise)?;
-        let lasting = lasting_of(premise.head);
-        if lasting == Lasting::Blow && !self.rests_before_blow(body) {
-            return None;
-        }
-        let (mut loads, mut open): (Vec<Load>, Option<(PointId, Option<Formula>)>) = (vec![], None);
-        for load in premise.all(Slot::With) {
-            if let Term::Formula(letter) = load {
-                let particle = self.reading.system.bodies[body].frame.is_none();
-                match self.load(letter, lasting) {
-                    Some(load) => loads.push(load),
-                    // A force on a particle acts where that is.
-                    None if particle && open.is_none() => {
-                        open = Some((self.centre_of(body), Some(letter.clone())));
-                    }
-                    None => return None,
-                }
-                continue;
-            }
-            let Term::Phrase(load) = load else {
-                return None;
-            };
-            if let Some(known) = self.told_loads(load, premise, lasting) {
-                loads.extend(known);
-                continue;
-            }
-            let letters: Vec<&Formula> = letters_of(load);
-            let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
-            if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1
-            {
-                return None;
-            }
-            let letter = letters.first().map(|letter| (*letter).clone());
-            // Another sentence may name the force at this point.
-            match (self.loads_at(at, lasting).as_slice(), &letter) {
-                ([named], None) => {
-                    loads.push(named.clone());
-                    continue;
-                }
-                ([_, ..], None) => return None,
-                _ => {}
-            }
-            match (&open, letter) {
-                (None, letter) => open = Some((at, letter)),
-                (Some(_), letter) => {
-                    loads.push(self.open_load(load.head, at, letter, declaration)?)
-                }
-            }
-        }
-        self.hold_loads(body, &loads, open, lasting, declaration);
-        Some(())
-    }
-
-    /// The weight, or loads by letters that other sentences tell.
-    fn told_loads(
-        &mut self,
-        load: &NounPhrase,
-        premise: &NounPhrase,
-        lasting: Lasting,
-    ) -> Option<Vec<Load>> {
-        if load.head == "weight" {
-            let weight = self.weight(premise)?;
-            let body = self.body_of(premise)?;
-            return Some(vec![Load {
-                letter: String::new(),
-                at: Some(self.centre_of(body)),
-                value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
-                lasting,
-            }]);
-        }
-        let letters = letters_of(load).into_iter();
-        let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();
-        known.filter(|known| !known.is_empty())
     }
 
     pub(super) fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
@@ -301,46 +218,10 @@ impl Builder<'_> {
             self.denote(letter, meaning, declaration);
         }
         Some(Load {
-            letter: String::new(),
+            called: Called::Nothing,
             at: Some(at),
             value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
             lasting: lasting_of(head),
-        })
-    }
-
-    fn hold_loads(
-        &mut self,
-        body: usize,
-        loads: &[Load],
-        open: Option<(PointId, Option<Formula>)>,
-        lasting: Lasting,
-        declaration: &Declaration,
-    ) {
-        let about = match &open {
-            Some((at, _)) => *at,
-            None => self.centre_of(body),
-        };
-        if let Some((_, Some(letter))) = &open {
-            let rest = self.system().rest_of_load(body, loads, lasting);
-            let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
-            self.denote(letter, Meaning::Quantity(known), declaration);
-        }
-        let moment = self.system().rest_of_moment(body, about, loads, lasting);
-        self.hold_zero(&moment, declaration);
-        if open.is_none() {
-            let rest = self.system().rest_of_load(body, loads, lasting);
-            self.hold_zero(&rest, declaration);
-        }
-    }
-
-    /// "The rod is at rest before the impulse."
-    fn rests_before_blow(&self, body: usize) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } if rests_before(what) => {
-                let mut bodies = subjects.iter().map(|subject| self.body(subject));
-                bodies.any(|of| of == Some(body))
-            }
-            _ => false,
         })
     }
 }
@@ -365,14 +246,14 @@ pub(super) fn rests_before(what: &NounPhrase) -> bool {
         })
 }
 
-fn lasting_of(head: &str) -> Lasting {
+pub(super) fn lasting_of(head: &str) -> Lasting {
     match head {
         IMPULSE => Lasting::Blow,
         _ => Lasting::Always,
     }
 }
 
-fn letters_of(load: &NounPhrase) -> Vec<&Formula> {
+pub(super) fn letters_of(load: &NounPhrase) -> Vec<&Formula> {
     let mut letters = vec![];
     for term in load.all(Slot::Which) {
         if let Term::Formula(letter) = term {

@@ -3,7 +3,8 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
-use crate::verify::language::statement::{Extent, Formula, Slot, Term};
+use crate::verify::language::heads::OTHER_PRODUCTS;
+use crate::verify::language::statement::{Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::term::labels::without_commands;
 use crate::verify::term::letters::Reach;
 
@@ -15,7 +16,12 @@ pub(crate) const PRODUCTS: &str = "products of inertia";
 
 /// Whether a term names the products of inertia.
 pub(crate) fn are_products(term: &Term) -> bool {
-    matches!(term, Term::Phrase(phrase) if phrase.head == PRODUCTS)
+    matches!(term, Term::Phrase(phrase) if is_of_products(phrase))
+}
+
+/// Whether a noun is that of products of inertia.
+pub(crate) fn is_of_products(phrase: &NounPhrase) -> bool {
+    [PRODUCTS, OTHER_PRODUCTS].contains(&phrase.head)
 }
 
 /// The noun of the entries of a tensor on its principal axes.

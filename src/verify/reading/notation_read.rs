@@ -107,7 +107,7 @@ impl Builder<'_> {
 
     /// "Products of inertia are integrals."
     fn read_convention(&mut self, subjects: &[Term], what: &NounPhrase) {
-        if subjects.iter().any(are_products) {
+        if subjects.iter().any(are_products) && matches!(what.head, "integral" | "entry") {
             self.reading.letters.customs.integrals = what.head == "integral";
         }
     }

@@ -91,7 +91,7 @@ impl Builder<'_> {
                     for name in subjects.iter().filter_map(name_of_particle) {
                         let particle = self.particle(&name);
                         let spoken = entry(&mut all, &name);
-                        spoken.lies = Some(index);
+                        spoken.lies = Some(index).filter(|_| whole).or(spoken.lies);
                         spoken.centre_of = spoken.centre_of.or(particle);
                     }
                 }
@@ -239,7 +239,7 @@ impl Builder<'_> {
         (0, system.free_vector(&text, Place::Coordinate, member))
     }
 
-    /// "G lies at the distance a from O along z", "P is placed from O by r".
+    /// "G lies at the distance a from O along z", "G lies on the third axis of B at the distance a from O", "P is placed from O by r".
     fn told_way(&mut self, index: usize, moves_on_its_own: bool) -> Option<(PointId, Vector)> {
         let declaration = &self.declarations[index];
         let Statement::Does { slots, .. } = &declaration.statement else {
@@ -251,8 +251,11 @@ impl Builder<'_> {
             let value = self.formula_value(&by.clone(), declaration)?;
             return Some((from, value.to_vector().ok()?));
         }
-        let along = slot(slots, Slot::Along)?.clone();
-        let along = self.direction(&along, declaration, None)?;
+        let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?.clone();
+        let along = match self.axis_of_frame(&along) {
+            Some((frame, axis)) => self.system().axis(frame, axis),
+            None => self.direction(&along, declaration, None)?,
+        };
         let distance = slot(slots, Slot::At)?.clone();
         let changes = moves_on_its_own || self.has_rate(&distance);
         let distance = self.scalar_term(&distance, declaration)?;
@@ -305,6 +308,37 @@ impl Builder<'_> {
                 };
                 let way = self.system().position(point, centre);
                 self.hold_zero(&way, declaration);
+            }
+        }
+    }
+
+    /// What is told of places by letters that other sentences tell, for a part of the document, or once more.
+    pub(super) fn hold_told_places(&mut self) {
+        for (index, declaration) in self.declarations.iter().enumerate() {
+            let Statement::Does {
+                subjects,
+                verb: "lie" | "place",
+                slots,
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            let by_way = slot(slots, Slot::By).or(slot(slots, Slot::At)).is_some();
+            for name in subjects
+                .iter()
+                .filter_map(name_of_particle)
+                .filter(|_| by_way)
+            {
+                let Some(&point) = self.points.get(&name) else {
+                    continue;
+                };
+                let indexed = name.contains('_') || name == EACH;
+                let Some((from, way)) = self.told_way(index, indexed) else {
+                    self.say_unused(declaration);
+                    continue;
+                };
+                let other = self.system().position(point, from) - way;
+                self.hold_zero(&other, declaration);
             }
         }
     }

@@ -13,7 +13,9 @@ use crate::verify::model::system::{FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::lying_read::axis_of;
-use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
+use crate::verify::reading::names::{
+    MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
+};
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -34,13 +36,8 @@ impl Builder<'_> {
                 }
                 Statement::Premise(premise) => self.read_premise(premise, declaration),
                 Statement::Is { subjects, what } if what.head == "zero" && !what.is("not") => {
-                    for formula in crate::verify::reading::letters_read::formulas(subjects) {
-                        if let Some(value) = self.formula_value(&formula.clone(), declaration) {
-                            for entry in value.entries {
-                                self.hold(entry, declaration);
-                            }
-                        }
-                    }
+                    let read = self.read_zeros(subjects, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
                 }
                 Statement::Holds(formula) => self.read_formula(formula, declaration),
                 Statement::Is { subjects, what }
@@ -67,6 +64,42 @@ impl Builder<'_> {
                 }
                 _ => {}
             }
+        }
+    }
+
+    /// "`$a$` and `$b$` are zero."
+    fn read_zeros(&mut self, subjects: &[Term], declaration: &Declaration) -> Option<()> {
+        for subject in subjects {
+            match subject {
+                Term::Formula(formula) => {
+                    if let Some(value) = self.formula_value(&formula.clone(), declaration) {
+                        self.hold_zeros(value, declaration);
+                    }
+                }
+                Term::Phrase(phrase) => self.zero_quantity(phrase, declaration)?,
+                _ => return None,
+            }
+        }
+        Some(())
+    }
+
+    /// "The total force on B is zero": at all times.
+    fn zero_quantity(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        if phrase.slot(Slot::At).is_some() {
+            return None;
+        }
+        if is_of_products(phrase) {
+            return self.zero_products(phrase, declaration);
+        }
+        let quantity = self.quantity(phrase, declaration)?;
+        let value = self.system().value_of(&quantity).ok()?;
+        self.hold_zeros(value, declaration);
+        Some(())
+    }
+
+    fn hold_zeros(&mut self, value: Value, declaration: &Declaration) {
+        for entry in value.entries {
+            self.hold(entry, declaration);
         }
     }
 
@@ -98,7 +131,9 @@ impl Builder<'_> {
             "principal axes" => self.principal_axes(premise, declaration),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
-            "load" | "impulse" if premise.is("only") => self.only_loads(premise, declaration),
+            "load" | "force" | "impulse" if premise.is("only") => {
+                self.only_loads(premise, declaration)
+            }
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),
@@ -114,6 +149,9 @@ impl Builder<'_> {
                 }),
                 _ => None,
             },
+            _ if premise.is("zero") && !premise.is("not") => {
+                self.zero_quantity(premise, declaration)
+            }
             _ => None,
         };
         if done.is_none() {

@@ -10,6 +10,7 @@ use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
+use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
     UNIT_VECTOR, name_of, opposite, told,
@@ -178,6 +179,7 @@ impl Builder<'_> {
             head if inertial(head).is_some() => self.inertial_force(phrase)?,
             "weight" => self.weight(phrase)?,
             "moment" => self.moment(phrase, declaration)?,
+            _ if names_load(phrase) => self.named_force(phrase)?,
             _ => return self.energy(phrase, relative),
         })
     }

@@ -11,7 +11,7 @@ use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::incline_read::is_incline;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{are_products, node_of, reach_of, told};
+use crate::verify::reading::names::{node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::labels::letters_of;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
@@ -124,25 +124,6 @@ impl Builder<'_> {
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
         Some(())
-    }
-
-    /// Whether products of inertia are integrals, where a sentence says what they are.
-    pub(super) fn products_are_integrals(&self) -> Option<bool> {
-        self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if subjects.iter().any(are_products) => {
-                match what.head {
-                    "integral" => Some(true),
-                    "entry" => Some(false),
-                    _ => None,
-                }
-            }
-            _ => None,
-        })
-    }
-
-    /// Whether a sentence says that products of inertia are integrals: entries are entries where none does.
-    fn says_integrals(&self) -> bool {
-        self.products_are_integrals() == Some(true)
     }
 
     /// "`I_{jk}` are the entries of `I`", where j and k number axes: each by its numbers or by its axes.

@@ -4,6 +4,7 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
+use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::vectors_read::entry_of;
 use crate::verify::term::quantity::{Quantity, Whole};
@@ -18,14 +19,26 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         for subject in subjects {
-            let axis = what
+            let held = what
                 .slot(Slot::About)
-                .and_then(|about| self.axis_of_frame(about));
-            match (self.body(subject), axis) {
-                (Some(body), Some((_, axis))) => self.hold_symmetry(body, axis, declaration),
-                _ => self.say_unused(declaration),
-            }
+                .and_then(|about| self.read_symmetric_body(subject, about, declaration));
+            held.unwrap_or_else(|| self.say_unused(declaration));
         }
+    }
+
+    fn read_symmetric_body(
+        &mut self,
+        subject: &Term,
+        about: &Term,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let body = self.body(subject)?;
+        let frame = self.reading.system.bodies[body].frame?;
+        let axis = match self.axis_of_frame(about) {
+            Some((frame, axis)) => self.system().axis(frame, axis),
+            None => self.direction(about, declaration, Some(frame))?,
+        };
+        self.hold_symmetry(body, &axis, declaration)
     }
 
     /// "The plane of x and z is a plane of symmetry of the aircraft": no product of inertia has the axis across it.
@@ -59,21 +72,15 @@ impl Builder<'_> {
     }
 
     /// A body that is symmetric about an axis has I = I_t 1 + (I_s − I_t) n nᵀ.
-    fn hold_symmetry(&mut self, body: usize, axis: usize, declaration: &Declaration) {
-        let Some(frame) = self.reading.system.bodies[body].frame else {
-            return;
-        };
+    fn hold_symmetry(&mut self, body: usize, n: &Vector, declaration: &Declaration) -> Option<()> {
         let of = Whole::Body(body);
         // The axis passes through the point about which all is told.
         let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));
         let tensor = Quantity::Inertia { of, about };
-        let n = self.system().axis(frame, axis);
-        let Ok(tensor) = self.system().value_of(&tensor).and_then(|v| v.to_matrix()) else {
-            return;
-        };
+        let tensor = self.system().value_of(&tensor).ok()?.to_matrix().ok()?;
         // I n is along n, and I is the same for all directions across.
-        let along = mechanics::apply(&tensor, &n);
-        self.hold_zero(&mechanics::cross(&n, &along), declaration);
+        let along = mechanics::apply(&tensor, n);
+        self.hold_zero(&mechanics::cross(n, &along), declaration);
         let spin = n.dot(&along);
         let across = (tensor.trace() - spin.clone()) * Fraction::from_ratio(1, 2);
         for row in 0..3 {
@@ -84,5 +91,6 @@ impl Builder<'_> {
                 self.hold(tensor[(row, column)].clone() - told, declaration);
             }
         }
+        Some(())
     }
 }

@@ -4,7 +4,7 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
-use crate::verify::language::heads::{COMPONENT_ROTATION, INERTIA_TENSOR};
+use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
@@ -24,10 +24,15 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
-        let along = what
-            .slot(Slot::Along)
-            .cloned()
-            .and_then(|term| self.operand(&term, declaration));
+        let along = match what.slot(Slot::Along).cloned() {
+            // Of a vector that no sentence tells it is only said that it has a direction.
+            Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
+            Some(term) => match self.axis_quantity(&term, declaration) {
+                Some(along) => Some(along),
+                None => return self.say_unused(declaration),
+            },
+            None => None,
+        };
         for formula in formulas(subjects) {
             // Where a frame turns about it, that sentence has told more.
             let known = self.quantity_of(formula, declaration);
@@ -104,6 +109,21 @@ impl Builder<'_> {
             let value = self.formula_value(&formula.clone(), declaration);
             for entry in value.into_iter().flat_map(|value| value.entries) {
                 self.system().atoms.set_positive(&entry);
+            }
+        }
+    }
+
+    /// A constant whose square is −1.
+    pub(super) fn read_imaginary_unit(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            let unit = Quantity::Scalar {
+                text: formula.source.clone(),
+                constant: true,
+            };
+            let value = self.system().value_of(&unit);
+            self.denote(formula, Meaning::Quantity(unit), declaration);
+            if let Some(unit) = value.ok().and_then(|value| value.to_scalar().ok()) {
+                self.hold(unit.clone() * unit + whole(1), declaration);
             }
         }
     }
@@ -278,30 +298,6 @@ impl Builder<'_> {
             let zero = Quantity::Known(Value::scalar(Zero::zero()));
             let product = entry_of(&tensor, row, column, frame);
             self.hold_quantities(&product, &zero, declaration);
-        }
-    }
-
-    /// "`I_{xy}` is a product of inertia of the body about O on B", where a sentence says what the products are: the labels
-    /// say which one.
-    pub(super) fn read_products(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) {
-        if self.products_are_integrals().is_none() {
-            return;
-        }
-        let (on, of): (Vec<_>, Vec<_>) = what
-            .slots
-            .iter()
-            .cloned()
-            .partition(|(s, _)| *s == Slot::On);
-        let tensor = Term::Phrase(Box::new(NounPhrase::new(INERTIA_TENSOR, of)));
-        let slots = std::iter::once((Slot::Of, tensor)).chain(on);
-        let entries = NounPhrase::new("entry", slots.collect());
-        if self.read_entries(subjects, &entries, declaration).is_none() {
-            self.say_unused(declaration);
         }
     }
 

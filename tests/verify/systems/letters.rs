@@ -1,6 +1,6 @@
 //! Letters that labels or lines of the document tell of.
 
-use super::{judged, judged_in_any_order};
+use super::{judged, judged_in_any_order, verdicts};
 
 #[test]
 fn labels_name_frames_that_no_sentence_introduces() {
@@ -132,4 +132,38 @@ $i$, $j$ and $k$ are unit vectors.
 ";
     let text = "$$ i \\times j = k $$\n$$ j \\times i = k $$\n";
     assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn the_imaginary_unit_has_the_square_minus_one() {
+    let sentences = "N is an inertial frame, and B is a frame fixed in the body.
+G is the mass centre of the body.
+No moment acts on the body about G.
+$I$, $I$ and $J$ are the principal moments of the body about G on B.
+$p$, $q$, $r$ are the components on B of the angular velocity of B relative to N.
+$i$ is the imaginary unit.
+$\\eta = p + i q$.
+$\\Omega = \\frac{J - I}{I} r$.
+";
+    let text = r"
+$$ \dot\eta = i \Omega \eta $$
+$$ \dot\eta = -i \Omega \eta $$
+$$ \dot\eta = \Omega \eta $$
+$$ i^3 = -i $$
+$$ i^3 = i $$
+$$ (p + i q)(p - i q) = p^2 + q^2 $$
+";
+    assert_eq!(judged(sentences, text), "puupup");
+}
+
+#[test]
+fn parts_of_a_document_that_are_not_understood_may_be_anywhere() {
+    let sentences = "N is an inertial frame.
+$p$ is the mass of P.
+P is a particle.
+$q$ is the mass of Q.
+Q is a particle.
+On line 9 and in the first formula of line 1 $p$ is the foot of G.
+";
+    assert_eq!(verdicts(sentences, "$$ p = q $$\n").0, "u");
 }

@@ -1,0 +1,111 @@
+//! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
+
+use crate::notation::ast::Kind;
+use crate::verify::language::heads::{FORCES_OF_A_KIND, MOMENTS_OF_A_KIND};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::loads::{Called, Lasting, Load};
+use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
+
+/// Whether a phrase names a load by its noun, and not by the point where it acts.
+pub(super) fn names_load(phrase: &NounPhrase) -> bool {
+    let mut kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
+    kinds.any(|kind| *kind == phrase.head) && phrase.slot(Slot::At).is_none()
+}
+
+/// Whether what is said to be a load may be its size alone: a letter that is not written as a vector, of which no components
+/// are told.
+pub(super) fn may_be_size(subject: &Term, what: &NounPhrase) -> bool {
+    let Term::Formula(formula) = subject else {
+        return false;
+    };
+    let is_vector = match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::Symbol(symbol)) => symbol.style.vector || symbol.style.tensor,
+        _ => false,
+    };
+    !is_vector && what.slot(Slot::On).is_none() && what.slot(Slot::Along).is_none()
+}
+
+impl Builder<'_> {
+    /// The force of a load and its couple: what a noun names first is unknown, and the same wherever the noun stands again.
+    pub(super) fn named_load(
+        &mut self,
+        phrase: &NounPhrase,
+        on: Option<BodyId>,
+    ) -> Option<Vec<Load>> {
+        if !names_load(phrase) {
+            return None;
+        }
+        let body = match phrase.slot(Slot::Of) {
+            Some(_) => self.body_of(phrase)?,
+            None => on.or_else(|| self.body_of(phrase))?,
+        };
+        let noun = [phrase.adjectives.as_slice(), &[phrase.head]]
+            .concat()
+            .join(" ");
+        let called = Called::Noun(noun, body);
+        if self.loads_called(&called).is_empty() {
+            if FORCES_OF_A_KIND.contains(&phrase.head) {
+                let centre = self.centre_of(body);
+                self.push_named_load(&called, &format!("F_{{{}}}", phrase.head), Some(centre))?;
+            }
+            self.push_named_load(&called, &format!("M_{{{}}}", phrase.head), None)?;
+        }
+        Some(self.loads_called(&called))
+    }
+
+    fn loads_called(&self, called: &Called) -> Vec<Load> {
+        let loads = self.reading.system.loads.iter();
+        loads
+            .filter(|load| load.called == *called)
+            .cloned()
+            .collect()
+    }
+
+    fn push_named_load(&mut self, called: &Called, text: &str, at: Option<PointId>) -> Option<()> {
+        let quantity = Quantity::Vector {
+            text: text.to_owned(),
+            carried: None,
+        };
+        let value = self.system().value_of(&quantity).ok()?.to_vector().ok()?;
+        self.system().loads.push(Load {
+            called: called.clone(),
+            at,
+            value,
+            lasting: Lasting::Always,
+        });
+        Some(())
+    }
+
+    /// The force of a load that a noun names, or its moment where the noun is of one.
+    pub(super) fn named_force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let loads = self.named_load(phrase, None)?;
+        let value = Value::vector(&loads.first()?.value, Basis::Itself);
+        Some(Quantity::Known(value))
+    }
+
+    /// The moment about a point of a load that a noun names.
+    pub(super) fn named_moment(&mut self, phrase: &NounPhrase, about: PointId) -> Option<Quantity> {
+        let loads = self.named_load(phrase, None)?;
+        let moment = self.reading.system.moment_of_loads(&loads, about);
+        Some(Quantity::Known(Value::vector(&moment, Basis::Itself)))
+    }
+
+    /// The loads that a letter stands for, where a sentence says which load it is.
+    pub(super) fn loads_of_letter(
+        &mut self,
+        letter: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Vec<Load>> {
+        let quantity = self.quantity_of(letter, declaration)?;
+        let value = self.system().value_of(&quantity).ok()?.to_vector().ok()?;
+        let loads = &self.reading.system.loads;
+        let own = loads
+            .iter()
+            .find(|load| matches!(load.called, Called::Noun(..)) && load.value == value)?;
+        Some(self.loads_called(&own.called.clone()))
+    }
+}

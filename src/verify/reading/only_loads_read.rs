@@ -1,0 +1,189 @@
+//! "The weight and the force at O are the only loads on the top": what the loads on a body come to.
+
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::loads::{Called, Lasting, Load};
+use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::loads_read::{FORCES, lasting_of, letters_of, rests_before};
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
+
+/// The loads on a body that a sentence lists, and the one force that nothing tells.
+struct Listed {
+    body: BodyId,
+    lasting: Lasting,
+    loads: Vec<Load>,
+    open: Option<(PointId, Option<Formula>)>,
+}
+
+impl Builder<'_> {
+    /// "The weight and the force at O are the only loads on the top." One force that nothing tells is what the others
+    /// leave of the whole; about the point where it acts it has no moment. Of the only forces nothing is said of moments.
+    pub(super) fn only_loads(
+        &mut self,
+        premise: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let body = self.body_of(premise)?;
+        let lasting = lasting_of(premise.head);
+        if lasting == Lasting::Blow && !self.rests_before_blow(body) {
+            return None;
+        }
+        let mut listed = Listed {
+            body,
+            lasting,
+            loads: vec![],
+            open: None,
+        };
+        for load in premise.all(Slot::With) {
+            match load {
+                Term::Formula(letter) => {
+                    self.list_letter(letter, premise, &mut listed, declaration)?
+                }
+                Term::Phrase(load) => self.list_load(load, premise, &mut listed, declaration)?,
+                _ => return None,
+            }
+        }
+        self.hold_loads(&listed, premise.head == "force", declaration);
+        Some(())
+    }
+
+    fn list_letter(
+        &mut self,
+        letter: &Formula,
+        premise: &NounPhrase,
+        listed: &mut Listed,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        if let Some(load) = self.load(letter, listed.lasting) {
+            listed.loads.push(load);
+            return Some(());
+        }
+        if let Some(loads) = self.loads_of_letter(letter, declaration) {
+            listed.loads.extend(loads);
+            return Some(());
+        }
+        let particle = self.reading.system.bodies[listed.body].frame.is_none();
+        let at = self.centre_of(listed.body);
+        if premise.head == "force"
+            && let Some(told) = self.quantity_of(letter, declaration)
+        {
+            let value = self.system().value_of(&told).ok()?.to_vector().ok()?;
+            listed.loads.push(Load {
+                called: Called::Nothing,
+                at: Some(at),
+                value,
+                lasting: listed.lasting,
+            });
+            return Some(());
+        }
+        // A force on a particle acts where that is.
+        if listed.open.is_some() || !particle && premise.head != "force" {
+            return None;
+        }
+        listed.open = Some((at, Some(letter.clone())));
+        Some(())
+    }
+
+    fn list_load(
+        &mut self,
+        load: &NounPhrase,
+        premise: &NounPhrase,
+        listed: &mut Listed,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let lasting = listed.lasting;
+        if let Some(known) = self.told_loads(load, premise, lasting) {
+            listed.loads.extend(known);
+            return Some(());
+        }
+        let letters: Vec<&Formula> = letters_of(load);
+        if let ("force", None, [letter]) = (premise.head, load.slot(Slot::At), letters.as_slice()) {
+            return self.list_letter(letter, premise, listed, declaration);
+        }
+        let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
+        if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
+            return None;
+        }
+        let letter = letters.first().map(|letter| (*letter).clone());
+        // Another sentence may name the force at this point.
+        match (self.loads_at(at, lasting).as_slice(), &letter) {
+            ([named], None) => {
+                listed.loads.push(named.clone());
+                return Some(());
+            }
+            ([_, ..], None) => return None,
+            _ => {}
+        }
+        match &listed.open {
+            None => listed.open = Some((at, letter)),
+            Some(_) => {
+                let open = self.open_load(load.head, at, letter, declaration)?;
+                listed.loads.push(open);
+            }
+        }
+        Some(())
+    }
+
+    /// The weight, a load by its noun, or loads by letters that other sentences tell.
+    fn told_loads(
+        &mut self,
+        load: &NounPhrase,
+        premise: &NounPhrase,
+        lasting: Lasting,
+    ) -> Option<Vec<Load>> {
+        if load.head == "weight" {
+            let weight = self.weight(premise)?;
+            let body = self.body_of(premise)?;
+            return Some(vec![Load {
+                called: Called::Nothing,
+                at: Some(self.centre_of(body)),
+                value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
+                lasting,
+            }]);
+        }
+        let letters = letters_of(load).into_iter();
+        let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();
+        let known = known.filter(|known| !known.is_empty());
+        let body = self.body_of(premise);
+        known.or_else(|| self.named_load(load, body))
+    }
+
+    fn hold_loads(&mut self, listed: &Listed, only_forces: bool, declaration: &Declaration) {
+        let Listed {
+            body,
+            lasting,
+            loads,
+            open,
+        } = listed;
+        let about = match open {
+            Some((at, _)) => *at,
+            None => self.centre_of(*body),
+        };
+        let rest = self.system().rest_of_load(*body, loads, *lasting);
+        match open {
+            Some((_, Some(letter))) => {
+                let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
+                self.denote(letter, Meaning::Quantity(known), declaration);
+            }
+            Some(_) => {}
+            None => self.hold_zero(&rest, declaration),
+        }
+        if !only_forces {
+            let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
+            self.hold_zero(&moment, declaration);
+        }
+    }
+
+    /// "The rod is at rest before the impulse."
+    fn rests_before_blow(&self, body: usize) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if rests_before(what) => {
+                let mut bodies = subjects.iter().map(|subject| self.body(subject));
+                bodies.any(|of| of == Some(body))
+            }
+            _ => false,
+        })
+    }
+}

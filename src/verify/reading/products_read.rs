@@ -1,0 +1,115 @@
+//! Products of inertia: by their labels, by what is said of their sign, and those that vanish.
+
+use crate::verify::language::heads::{INERTIA_TENSOR, OTHER_PRODUCTS};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{are_products, told};
+use crate::verify::reading::vectors_read::entry_of;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+
+/// The places of the products, each of which stands twice in a tensor.
+const PLACES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
+
+impl Builder<'_> {
+    /// Whether products of inertia are integrals, where a sentence says what they are.
+    pub(super) fn products_are_integrals(&self) -> Option<bool> {
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if subjects.iter().any(are_products) => {
+                match what.head {
+                    "integral" => Some(true),
+                    "entry" => Some(false),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether a sentence says that products of inertia are integrals: entries are entries where none does.
+    pub(super) fn says_integrals(&self) -> bool {
+        self.products_are_integrals() == Some(true)
+    }
+
+    /// "`I_{xy}` is a product of inertia of the body about O on B", where a sentence says what the products are: the labels
+    /// say which one.
+    pub(super) fn read_products(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        if self.products_are_integrals().is_none() {
+            return;
+        }
+        let (on, of): (Vec<_>, Vec<_>) = what
+            .slots
+            .iter()
+            .cloned()
+            .partition(|(s, _)| *s == Slot::On);
+        let tensor = Term::Phrase(Box::new(NounPhrase::new(INERTIA_TENSOR, of)));
+        let slots = std::iter::once((Slot::Of, tensor)).chain(on);
+        let entries = NounPhrase::new("entry", slots.collect());
+        if self.read_entries(subjects, &entries, declaration).is_none() {
+            self.say_unused(declaration);
+        }
+    }
+
+    /// "The products of inertia of the body about G on B are zero", "the other products of inertia are zero".
+    pub(super) fn zero_products(
+        &mut self,
+        products: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let others = products.head == OTHER_PRODUCTS;
+        let (tensor, on, named) = match self.named_products().filter(|_| others) {
+            Some(named) => named,
+            None if others => return None,
+            None => {
+                let of = self.whole_of(products)?;
+                let about = self.about(products, &of)?;
+                let customary = self.reading.letters.component_frame;
+                let on = told(products.slot(Slot::On), customary, |t| self.frame(t))?;
+                (Quantity::Inertia { of, about }, on, vec![])
+            }
+        };
+        let zero = Quantity::Sum(vec![]);
+        for (row, column) in PLACES {
+            if !named.contains(&(row, column)) {
+                let product = entry_of(&tensor, row, column, on);
+                self.hold_quantities(&product, &zero, declaration);
+            }
+        }
+        Some(())
+    }
+
+    /// The products that letters name, where all are of one tensor on one frame.
+    fn named_products(&self) -> Option<(Quantity, FrameId, Vec<(usize, usize)>)> {
+        let mut found: Option<(Quantity, FrameId, Vec<(usize, usize)>)> = None;
+        for letter in &self.reading.letters.letters {
+            let Meaning::Quantity(Quantity::Entry {
+                of,
+                row,
+                column,
+                on,
+                ..
+            }) = &letter.meaning
+            else {
+                continue;
+            };
+            if row == column {
+                continue;
+            }
+            let place = (*row.min(column), *row.max(column));
+            match &mut found {
+                None => found = Some(((**of).clone(), *on, vec![place])),
+                Some((tensor, frame, places)) if *tensor == **of && frame == on => {
+                    places.push(place);
+                }
+                Some(_) => return None,
+            }
+        }
+        found
+    }
+}

@@ -1,0 +1,72 @@
+//! What is said of an inertia tensor in words: products that vanish, symmetry.
+
+use super::judged;
+
+const AIRCRAFT: &str = "E is an inertial frame, and B is a frame fixed in the aircraft.
+C is the mass centre of the aircraft.
+x, y, z are the axes of B.
+$p$, $q$, $r$ are the components on B of the angular velocity of B relative to E.
+$I_x$, $I_y$, $I_z$ are the moments of inertia of the aircraft about the axes of B through C.
+$L$ is the component x on B of the total moment on the aircraft about C.
+The products of inertia are integrals.
+";
+
+const ROLL: &str = r"
+$$ L = I_x \dot p - J_{xz}(\dot r + p q) - (I_y - I_z) q r $$
+$$ L = I_x \dot p + J_{xz}(\dot r + p q) - (I_y - I_z) q r $$
+";
+
+#[test]
+fn the_other_products_are_those_that_no_letter_names() {
+    for others in [
+        "The other products of inertia are zero.",
+        "The remaining products of inertia vanish.",
+    ] {
+        let sentences = format!(
+            "{AIRCRAFT}$J_{{xz}}$ is the product of inertia of the aircraft about C in the axes x and z of B.\n{others}\n"
+        );
+        assert_eq!(judged(&sentences, ROLL), "pr", "{others}");
+    }
+}
+
+#[test]
+fn without_a_letter_for_one_there_are_no_other_products() {
+    let sentences = format!("{AIRCRAFT}The other products of inertia are zero.\n");
+    assert_eq!(
+        judged(&sentences, "$$ L = I_x \\dot p - (I_y - I_z) q r $$\n"),
+        "u"
+    );
+}
+
+#[test]
+fn all_products_may_vanish() {
+    let sentences =
+        format!("{AIRCRAFT}The products of inertia of the aircraft about C on B are zero.\n");
+    let text = "$$ L = I_x \\dot p - (I_y - I_z) q r $$\n$$ L = I_x \\dot p + (I_y - I_z) q r $$\n";
+    assert_eq!(judged(&sentences, text), "pr");
+}
+
+#[test]
+fn a_body_is_symmetric_about_a_letter_of_an_axis() {
+    let sentences = "N is an inertial frame, and B is a frame fixed in the body.
+G is the mass centre of the body.
+The axes of B are principal axes of the body.
+$a$ and $b$ are the first and third axes of B.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.
+The body is symmetric about $b$.
+";
+    assert_eq!(
+        judged(sentences, "$$ I_1 = I_2 $$\n$$ I_1 = I_3 $$\n"),
+        "pr"
+    );
+}
+
+#[test]
+fn a_total_force_may_be_said_to_vanish() {
+    let sentences = "N is an inertial frame.
+G is the mass centre of the body.
+The total force on the body is zero.
+$v$ is the velocity of G relative to N.
+";
+    assert_eq!(judged(sentences, "$$ \\dot v = 0 $$\n$$ v = 0 $$\n"), "pr");
+}
