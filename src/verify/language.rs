@@ -10,6 +10,7 @@
 mod anaphora;
 mod bodies;
 mod clause;
+mod constancy;
 pub(crate) mod cues;
 mod decide;
 mod declare;
@@ -20,6 +21,7 @@ mod gaps;
 mod hanging;
 pub(crate) mod heads;
 mod implied;
+mod in_turn;
 mod kept;
 mod kinds;
 mod lexicon;

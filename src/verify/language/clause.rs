@@ -1,6 +1,7 @@
 //! Whole sentences.
 
 use super::gaps::alike_at_end;
+use super::in_turn::does_in_turn;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
 use super::reader::{COPULAS, Read, Reader};
@@ -344,23 +345,23 @@ impl<'a> Reader<'a> {
         {
             return Ok(said);
         }
-        Ok(vec![Statement::Does {
-            subjects: subjects.to_vec(),
-            verb: verb.entry.name,
-            slots,
-        }])
+        Ok(does_in_turn(subjects, verb.entry.name, &slots))
     }
 }
 
 /// "The rod has the length `$l$` and the mass `$m$`": `$l$` is its length, and `$m$` its mass.
 fn possessions(subjects: &[Term], slots: &[(Slot, Term)]) -> Option<Vec<Statement>> {
     let mut said = vec![];
-    for subject in subjects {
+    for (number, subject) in subjects.iter().enumerate() {
         for (_, term) in slots {
             let Term::Phrase(phrase) = term else {
                 return None;
             };
-            let letters: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
+            let mut letters: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
+            // "The hub and the wheel have the masses `$M$` and `$m$`": each its own.
+            if subjects.len() > 1 && letters.len() == subjects.len() {
+                letters = vec![letters.swap_remove(number)];
+            }
             if letters.is_empty() || !letters.iter().all(|l| matches!(l, Term::Formula(_))) {
                 return None;
             }

@@ -1,6 +1,6 @@
 //! What statement a subject and a noun behind "is" make.
 
-use super::implied::each_of_its_own;
+use super::in_turn::each_of_its_own;
 use super::lexicon::{Class, Entry};
 use super::sign::{is_operator, operating};
 use super::statement::{Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};

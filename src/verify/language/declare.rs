@@ -3,7 +3,9 @@
 use super::anaphora::{referring, with_its};
 use super::bodies::introduced;
 use super::clause::Said;
+use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
+use super::in_turn::part_respectively;
 use super::kept::{kept, speak_of_subjects};
 use super::kinds::{name_the_only_one, show_frames, tell_mass_centres};
 use super::lexicon::Lexicon;
@@ -75,6 +77,8 @@ pub fn read_declarations(
             }
         }
     }
+    let mut declarations = part_respectively(declarations);
+    tell_constants(&mut declarations);
     show_frames(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);

@@ -120,5 +120,7 @@ pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
     "restoring moment",
     "aerodynamic moment",
 ];
+/// What a motion is said to be without being another one.
+pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
 /// Products that no letter names.
 pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";

@@ -2,7 +2,7 @@
 
 use super::lexicon::Class;
 use super::reader::{Read, Reader, is_glue};
-use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::statement::{NounPhrase, Slot, Term};
 use super::words::Kind;
 
 /// Words before a noun that nobody knows, at most.
@@ -130,76 +130,3 @@ impl Reader<'_> {
         (skipped > 0 && (name || place)).then_some(skipped)
     }
 }
-
-/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`", "the angular momenta of the body about O and about G", "the moments of
-/// inertia about the axes through O along `$x$` and `$z$`": what hangs on a noun, or on the axes that it is about, as often
-/// as there are subjects is said of each in turn.
-pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
-    let letters = subjects.iter().all(|t| matches!(t, Term::Formula(_)));
-    let count = subjects.len();
-    if count < 2 || !letters || !is_parted(&what, count) {
-        return vec![Statement::Is { subjects, what }];
-    }
-    let one = |(number, subject): (usize, Term)| Statement::Is {
-        subjects: vec![subject],
-        what: in_turn(&what, number, count),
-    };
-    subjects.into_iter().enumerate().map(one).collect()
-}
-
-/// Whether something hangs on a noun, or on its axes, so many times.
-fn is_parted(what: &NounPhrase, count: usize) -> bool {
-    PARTED.iter().any(|&slot| hangs_in_turn(what, slot, count))
-        || axes_of(what).is_some_and(|axes| is_parted(axes, count))
-}
-
-/// Whether a slot has so many terms, one for each subject.
-fn hangs_in_turn(what: &NounPhrase, slot: Slot, count: usize) -> bool {
-    let terms: Vec<&Term> = what.all(slot).collect();
-    let letters = terms.iter().all(|t| matches!(t, Term::Formula(_)));
-    let things = terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
-    terms.len() == count && (slot != Slot::Of || letters || things)
-}
-
-/// The axes that something is about.
-fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
-    match what.slot(Slot::About)? {
-        Term::Phrase(axes) if axes.head == "axes" => Some(axes),
-        _ => None,
-    }
-}
-
-/// What is said of one of the subjects.
-fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
-    let mut own = what.clone();
-    for slot in PARTED {
-        if hangs_in_turn(what, slot, count) {
-            let mut place = 0..count;
-            own.slots
-                .retain(|(s, _)| *s != slot || place.next() == Some(number));
-        }
-    }
-    if let Some(axes) = axes_of(what).filter(|axes| is_parted(axes, count)) {
-        let axis = NounPhrase {
-            head: "axis",
-            ..in_turn(axes, number, count)
-        };
-        let about = own.slots.iter_mut().find(|(slot, _)| *slot == Slot::About);
-        about
-            .into_iter()
-            .for_each(|(_, term)| *term = Term::Phrase(Box::new(axis.clone())));
-    }
-    own
-}
-
-/// What may be of each subject in turn.
-const PARTED: [Slot; 8] = [
-    Slot::Which,
-    Slot::Of,
-    Slot::About,
-    Slot::RelativeTo,
-    Slot::On,
-    Slot::Along,
-    Slot::Through,
-    Slot::From,
-];

@@ -300,6 +300,7 @@ impl<'a> Reader<'a> {
     /// Article, adjectives, noun, and which one: "the constant rate `$\Omega$`". An adjective that no noun follows is
     /// the head itself: "constant".
     pub(crate) fn named(&mut self) -> Read<(NounPhrase, &'a Entry)> {
+        let article = self.word();
         self.take_any(&ARTICLES);
         let mut adjectives: Vec<&'a Entry> = vec![];
         let mut slots = vec![];
@@ -340,6 +341,12 @@ impl<'a> Reader<'a> {
             adjectives: adjectives.iter().map(|entry| entry.name).collect(),
             slots,
         };
+        // "a force on P" is one of several, "the force on P" is all of them.
+        let one =
+            matches!(article, "a" | "an") || article != "the" && inflection == Inflection::Ending;
+        if one && adjectives.is_empty() && entry.slot("on") == Some(Slot::Upon) {
+            phrase.adjectives.push("one");
+        }
         if entry.class != Class::Adjective {
             let many = entry.plural || inflection == Inflection::Ending;
             self.apposition(&mut phrase, many)?;

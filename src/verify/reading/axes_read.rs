@@ -255,8 +255,12 @@ impl Builder<'_> {
                 self.axis_of_frame(phrase.slot(Slot::Along)?)
             }
             Term::Phrase(phrase) if phrase.head == "axis" => {
-                let frame = self.frame(phrase.slot(Slot::Of)?)?;
-                Some((frame, self.number_of_axis(phrase.slot(Slot::Which)?)?))
+                let which = phrase.slot(Slot::Which)?;
+                match phrase.slot(Slot::Of) {
+                    Some(frame) => Some((self.frame(frame)?, self.number_of_axis(which)?)),
+                    // "the z axis"
+                    None => self.axes.get(&name_of(which)?).copied(),
+                }
             }
             _ => self.axes.get(&name_of(term)?).copied(),
         }

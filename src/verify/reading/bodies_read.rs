@@ -1,11 +1,11 @@
 //! Bodies, their parts, and the families that their members make.
 
 use crate::verify::language::is_bodily;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of};
+use crate::verify::reading::names::{MASS_CENTRE, index_letter, is_letter, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::{Quantity, Whole};
 
@@ -61,6 +61,7 @@ impl Builder<'_> {
                 self.reading.system.bodies[body].frame = Some(frame);
             }
         }
+        self.fix_bodies_in_frames();
         for (name, &body) in &self.bodies {
             let known = self.reading.system.bodies[body].frame.is_some();
             if let Some(&frame) = self.frames.get(name).filter(|_| !known) {
@@ -71,6 +72,32 @@ impl Builder<'_> {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }
         self.add_frames_of_bodies();
+    }
+
+    /// "The hub is fixed in N": it has the frame for its own.
+    fn fix_bodies_in_frames(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let fixed = matches!(what.head, "fixed") && declaration.extent == Extent::Document;
+            let frame = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+            let Some(frame) = frame.filter(|_| fixed) else {
+                continue;
+            };
+            for body in subjects
+                .iter()
+                .filter_map(|subject| self.body(subject))
+                .collect::<Vec<_>>()
+            {
+                let name = &self.reading.system.bodies[body].name;
+                let own = self.reading.system.bodies[body].frame.is_some()
+                    || self.particles().contains(name);
+                if !own {
+                    self.reading.system.bodies[body].frame = Some(frame);
+                }
+            }
+        }
     }
 
     fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {
@@ -392,6 +419,10 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let quantity = Quantity::Mass(Whole::Body(body));
+        // A formula of letters waits for what tells these.
+        if !is_letter(formula) {
+            return;
+        }
         match self.told_there(formula, declaration) {
             // Two bodies with one letter have the same mass.
             Some(told) => self.hold_quantities(&told, &quantity, declaration),

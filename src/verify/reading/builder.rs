@@ -10,6 +10,7 @@ use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
+use crate::verify::reading::misheard::heard_or_unread;
 use crate::verify::reading::names::{
     MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
 };
@@ -58,6 +59,7 @@ pub(crate) fn build(
     // What holds under a condition is never taken as always true, and what is denied is no fact.
     let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
+        .map(heard_or_unread)
         .partition(|d| has_condition(d) || denies(d));
     let mut builder = Builder {
         declarations: &always,
@@ -87,6 +89,8 @@ pub(crate) fn build(
     builder.place_contacts();
     builder.read_letters();
     builder.hold_told_places();
+    builder.hold_masses();
+    builder.hold_fixed_frames();
     builder.make_up_of_references();
     builder.read_premises();
     builder.read_obeyed();
@@ -285,8 +289,21 @@ impl Builder<'_> {
         match phrase.all(Slot::Of).collect::<Vec<_>>().as_slice() {
             [term] => self.whole(term),
             [_, ..] => None,
-            [] => (!self.reading.system.bodies.is_empty()).then_some(Whole::Body(0)),
+            [] => self.only_body().map(Whole::Body),
         }
+    }
+
+    /// The only body, or the one of which all others are parts.
+    pub(super) fn only_body(&self) -> Option<BodyId> {
+        let bodies = &self.reading.system.bodies;
+        let own: Vec<BodyId> = (0..bodies.len())
+            .filter(|&b| bodies[b].members.is_none())
+            .collect();
+        let is_part =
+            |whole: BodyId, other: BodyId| other == whole || bodies[whole].parts.contains(&other);
+        own.iter()
+            .copied()
+            .find(|&whole| own.iter().all(|&other| is_part(whole, other)))
     }
 
     /// What a letter stands for at the place of a declaration.

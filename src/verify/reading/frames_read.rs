@@ -2,6 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, opposite};
@@ -178,6 +179,9 @@ impl Builder<'_> {
         let Some(about) = slot(said.slots, Slot::About).cloned() else {
             return;
         };
+        let backwards = opposite(&about);
+        let sign = whole(if backwards.is_some() { -1 } else { 1 });
+        let about = backwards.unwrap_or(about);
         if let Term::Phrase(axis) = &about
             && let Some(point) = axis.slot(Slot::Through)
         {
@@ -190,8 +194,11 @@ impl Builder<'_> {
         let angle = slot(said.slots, Slot::By).cloned();
         let rate = slot(said.slots, Slot::At).cloned();
         let shared = self.shared_axis(along_of(&about), frame, relative);
-        let angle = angle.and_then(|term| self.scalar_term(&term, said.declaration));
-        let rate = rate.and_then(|term| self.scalar_term(&term, said.declaration));
+        let mut number = |term| {
+            self.scalar_term(&term, said.declaration)
+                .map(|n| n * sign.clone())
+        };
+        let (angle, rate) = (angle.and_then(&mut number), rate.and_then(&mut number));
         if whole && of_parent && free {
             self.reading.system.frames[frame].turn = match (angle, rate, shared) {
                 (Some(angle), _, Some(axis)) => Turn::Angle(axis, Box::new(angle)),
@@ -200,6 +207,10 @@ impl Builder<'_> {
                     Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
                 }
                 (angle, rate, _) => {
+                    // Nothing tells how the axes lie when the angle is zero.
+                    if angle.is_some() {
+                        self.say_unused(said.declaration);
+                    }
                     let Some(along) = self.direction(&about, said.declaration, Some(relative))
                     else {
                         return;
@@ -256,8 +267,7 @@ impl Builder<'_> {
                 let other = if of == frame { relative } else { frame };
                 let there = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
                 let mut named = self.axes.iter().filter(there).peekable();
-                let label = |name: &str| name.rsplit('_').next().map(str::to_owned);
-                let same = |(n, _): (&String, &(FrameId, usize))| label(n) == label(&name);
+                let same = |(n, _): (&String, &(FrameId, usize))| same_label(n, &name);
                 (named.peek().is_none() || named.any(same)).then_some(axis)
             }
             // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
@@ -292,8 +302,11 @@ impl Builder<'_> {
         }
         match term {
             Term::Phrase(phrase) if matches!(phrase.head, "axis" | "line") => {
-                let along = phrase.slot(Slot::Along)?.clone();
-                self.direction(&along, declaration, carried)
+                if let Some((frame, axis)) = self.axis_of_frame(term) {
+                    return Some(self.system().axis(frame, axis));
+                }
+                let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
+                self.direction(&along.clone(), declaration, carried)
             }
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) {
@@ -327,6 +340,19 @@ impl Builder<'_> {
             _ => None,
         }
     }
+}
+
+/// Whether two axes are called alike: `b_3` and `n_3`, `Z` and `z`.
+fn same_label(one: &str, other: &str) -> bool {
+    let [one, other] = [one, other].map(|name| {
+        let label = name.rsplit('_').next().unwrap_or(name);
+        let label = label.trim_start_matches("\\hat ").to_lowercase();
+        let place = CUSTOMARY
+            .iter()
+            .find_map(|names| names.iter().position(|n| *n == label));
+        (place, label)
+    });
+    one.1 == other.1 || one.0.is_some() && one.0 == other.0
 }
 
 impl Builder<'_> {

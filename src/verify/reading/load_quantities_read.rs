@@ -16,6 +16,10 @@ impl Builder<'_> {
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
         }
+        // One of several, or of one body on another, is not the total force.
+        if phrase.is("one") || phrase.slot(Slot::Upon).is_some() {
+            return None;
+        }
         let of = self.whole_of(phrase)?;
         match of {
             Whole::Member(family, index) if phrase.is("external") => {
@@ -69,6 +73,9 @@ impl Builder<'_> {
             && let Some(body) = self.reading.system.families[*family].body
         {
             return Some(self.drive(&rotors, body));
+        }
+        if phrase.is("one") || phrase.slot(Slot::Upon).is_some() {
+            return None;
         }
         match phrase.slot(Slot::Of)? {
             Term::Formula(formula) => {

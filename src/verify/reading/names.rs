@@ -96,6 +96,11 @@ pub(crate) fn letter_of(term: &Term) -> Option<&Formula> {
     }
 }
 
+/// Whether a formula is a letter, with or without marks and labels.
+pub(crate) fn is_letter(formula: &Formula) -> bool {
+    node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
+}
+
 /// What an axis is along: z for "the axis through G along z".
 pub(crate) fn along_of(axis: &Term) -> &Term {
     match axis {

@@ -66,7 +66,13 @@ impl Builder<'_> {
                     if matches!(what.head, "point" | MASS_CENTRE | "fixed" | "origin") =>
                 {
                     for name in subjects.iter().filter_map(name_of) {
-                        self.speak_of_point(&mut all, &name, what, whole);
+                        match self
+                            .particle(&name)
+                            .filter(|_| what.head == "fixed" && whole)
+                        {
+                            Some(body) => self.speak_of_centre(&mut all, &name, body, what),
+                            None => self.speak_of_point(&mut all, &name, what, whole),
+                        }
                     }
                 }
                 // "P is a particle fixed in B": its mass centre is.
@@ -117,8 +123,14 @@ impl Builder<'_> {
         }
         let spoken = entry(all, name);
         spoken.fixed_in.extend(self.frames_fixed(what));
+        if what.head == "origin" {
+            let of = what.all(Slot::Of).filter_map(|term| self.frame(term));
+            spoken.fixed_in.extend(of);
+        }
         if what.head == MASS_CENTRE {
-            for body in what.all(Slot::Of).filter_map(|term| self.body(term)) {
+            let said = what.all(Slot::Of).filter_map(|term| self.body(term));
+            let only = what.slot(Slot::Of).is_none().then(|| self.only_body());
+            for body in said.chain(only.flatten()) {
                 match spoken.centre_of {
                     None => spoken.centre_of = Some(body),
                     Some(known) if known == body => {}
@@ -240,7 +252,11 @@ impl Builder<'_> {
     }
 
     /// "G lies at the distance a from O along z", "G lies on the third axis of B at the distance a from O", "P is placed from O by r".
-    fn told_way(&mut self, index: usize, moves_on_its_own: bool) -> Option<(PointId, Vector)> {
+    pub(super) fn told_way(
+        &mut self,
+        index: usize,
+        moves_on_its_own: bool,
+    ) -> Option<(PointId, Vector)> {
         let declaration = &self.declarations[index];
         let Statement::Does { slots, .. } = &declaration.statement else {
             return None;
@@ -312,37 +328,6 @@ impl Builder<'_> {
         }
     }
 
-    /// What is told of places by letters that other sentences tell, for a part of the document, or once more.
-    pub(super) fn hold_told_places(&mut self) {
-        for (index, declaration) in self.declarations.iter().enumerate() {
-            let Statement::Does {
-                subjects,
-                verb: "lie" | "place",
-                slots,
-            } = &declaration.statement
-            else {
-                continue;
-            };
-            let by_way = slot(slots, Slot::By).or(slot(slots, Slot::At)).is_some();
-            for name in subjects
-                .iter()
-                .filter_map(name_of_particle)
-                .filter(|_| by_way)
-            {
-                let Some(&point) = self.points.get(&name) else {
-                    continue;
-                };
-                let indexed = name.contains('_') || name == EACH;
-                let Some((from, way)) = self.told_way(index, indexed) else {
-                    self.say_unused(declaration);
-                    continue;
-                };
-                let other = self.system().position(point, from) - way;
-                self.hold_zero(&other, declaration);
-            }
-        }
-    }
-
     pub(super) fn hold_zero(&mut self, vector: &Vector, declaration: &Declaration) {
         for k in 0..3 {
             if !num_traits::Zero::is_zero(&vector[k]) {
@@ -353,7 +338,7 @@ impl Builder<'_> {
 }
 
 /// The name of a point or a body, or of the particle that stands for each.
-fn name_of_particle(term: &Term) -> Option<String> {
+pub(super) fn name_of_particle(term: &Term) -> Option<String> {
     match term {
         Term::Member { family, .. } if family == "particle" => Some(EACH.to_owned()),
         _ => name_of(term),

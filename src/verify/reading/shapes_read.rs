@@ -2,14 +2,20 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::heads::MASS;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{letter_of, name_of};
+use crate::verify::reading::names::{is_letter, letter_of, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeSet;
+
+/// What may be said of a uniform shape without making it another one.
+const PLAIN: [&str; 8] = [
+    "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
+];
 
 impl Builder<'_> {
     /// Whether a noun is that of a shape with sizes.
@@ -49,7 +55,7 @@ impl Builder<'_> {
     }
 
     /// The names of the bodies that are said to be particles.
-    fn particles(&self) -> BTreeSet<String> {
+    pub(super) fn particles(&self) -> BTreeSet<String> {
         let said = self.declarations.iter().flat_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "particle" => subjects.as_slice(),
             _ => &[],
@@ -68,6 +74,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let shape = mechanics::Shape::by_name(what.head)?;
+        if !is_plain_shape(what, &shape.sizes()) {
+            return None;
+        }
         let mut sizes: Vec<Fraction> = vec![];
         for wanted in shape.sizes() {
             if wanted.count != 1 {
@@ -113,20 +122,37 @@ impl Builder<'_> {
             Term::Phrase(size) if size.head == wanted => letter_of(term).cloned(),
             _ => None,
         });
+        let told = told.or_else(|| self.said_size(body, wanted));
         let name = &self.reading.system.bodies[body].name;
         let own = || format!("\\text{{{wanted} of {name}}}");
+        if let Some(formula) = told.as_ref().filter(|formula| !is_letter(formula)) {
+            return self.formula_value(formula, declaration)?.to_scalar().ok();
+        }
         let quantity = Quantity::Scalar {
             text: told
                 .as_ref()
                 .map_or_else(own, |formula| formula.source.clone()),
             constant: true,
         };
-        if let Some(formula) = told {
+        if let Some(formula) = told.filter(|formula| is_letter(formula)) {
             self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
         }
         let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
         self.system().atoms.set_positive(&size);
         Some(size)
+    }
+
+    /// "`$r$` is the radius of the disc", in a sentence of its own.
+    fn said_size(&self, body: BodyId, wanted: &str) -> Option<Formula> {
+        let mut said = self.declarations.iter();
+        said.find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == wanted => {
+                let of = what.slot(Slot::Of).and_then(|term| self.body(term))?;
+                let letter = subjects.first().and_then(letter_of)?;
+                (of == body && subjects.len() == 1).then(|| letter.clone())
+            }
+            _ => None,
+        })
     }
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
@@ -174,4 +200,15 @@ impl Builder<'_> {
         let turn = self.system().rotation(work, frame);
         (axis == 2).then(|| mechanics::inertia_in_axes(&turn, tensor))
     }
+}
+
+/// Whether all that is said of a shape is known to it: a hollow one is another, and so is one with a size more.
+fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
+    let known = |size: &str| size == MASS || sizes.iter().any(|wanted| wanted.name == size);
+    what.adjectives.iter().all(|said| PLAIN.contains(said))
+        && what.slots.iter().all(|(slot, term)| match (slot, term) {
+            (Slot::Of, Term::Phrase(size)) => known(size.head),
+            (Slot::With, _) => false,
+            _ => true,
+        })
 }

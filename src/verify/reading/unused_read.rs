@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::verify::language::only_names;
-use crate::verify::language::statement::{Declaration, Formula, Statement, Term, Touched};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, Touched};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
@@ -24,6 +24,11 @@ const HEARD: [&str; 10] = [
     "place",
 ];
 
+/// Places of which the model knows nothing.
+const UNPLACED: [&str; 8] = [
+    "middle", "end", "rim", "corner", "centre", "apex", "pivot", "base",
+];
+
 /// After so many sentences that were too much no more are taken in.
 const MOST_BEYOND: usize = 4;
 
@@ -36,7 +41,13 @@ impl Builder<'_> {
                 Statement::Does {
                     verb: "incline", ..
                 } => inclined,
+                Statement::Does {
+                    verb: "lie", slots, ..
+                } => [Slot::At, Slot::On, Slot::From]
+                    .iter()
+                    .any(|s| slots.iter().any(|(slot, _)| slot == s)),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
+                Statement::Is { what, .. } => !UNPLACED.contains(&what.head),
                 Statement::Unread { .. } => false,
                 _ => true,
             };

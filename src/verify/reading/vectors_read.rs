@@ -12,7 +12,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
-use crate::verify::term::quantity::Quantity;
+use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
 use num_traits::Zero;
 
@@ -25,6 +25,7 @@ impl Builder<'_> {
     ) {
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
         let along = match what.slot(Slot::Along).cloned() {
+            None if what.slot(Slot::To).is_some() => self.way_between(what),
             // Of a vector that no sentence tells it is only said that it has a direction.
             Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
             Some(term) => match self.axis_quantity(&term, declaration) {
@@ -70,6 +71,16 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
+    }
+
+    /// "the unit vector from O to G": along the position of the one from the other.
+    fn way_between(&mut self, what: &NounPhrase) -> Option<Quantity> {
+        let from = what.slot(Slot::From).and_then(|term| self.point(term))?;
+        let to = what.slot(Slot::To).and_then(|term| self.point(term))?;
+        Some(Quantity::Position {
+            of: Spot::Point(to),
+            from,
+        })
     }
 
     /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."

@@ -67,6 +67,11 @@ impl System {
                 on,
                 integral,
             } => {
+                // A rotation matrix is an array: from components on one frame to those on another.
+                if let Quantity::Rotation { from, to } = **of {
+                    let (r, c) = (self.axis(to, *row), self.axis(from, *column));
+                    return Ok(Value::scalar(r.dot(&c)));
+                }
                 let tensor = self.value_of(of)?.to_matrix()?;
                 let (r, c) = (self.axis(*on, *row), self.axis(*on, *column));
                 let entry = r.dot(&mechanics::apply(&tensor, &c));

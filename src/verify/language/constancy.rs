@@ -1,0 +1,56 @@
+//! "the constant rate `$\Omega$`" says of the letter that it is constant.
+
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// Adjectives of what does not change.
+const UNCHANGING: [&str; 2] = ["constant", "steady"];
+
+/// Says of letters that they are constant, in a sentence of its own, where an adjective does.
+pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let mut letters = vec![];
+        match &mut declaration.statement {
+            Statement::Is { subjects, what } if what.head != CONSTANT => {
+                let formula = |term: &&Term| matches!(term, Term::Formula(_));
+                if take_adjective(what) {
+                    letters.extend(subjects.iter().filter(formula).cloned());
+                }
+                constant_in(&mut what.slots, &mut letters);
+            }
+            Statement::Does { slots, .. } => constant_in(slots, &mut letters),
+            _ => {}
+        }
+        if !letters.is_empty() {
+            told.push(Declaration {
+                statement: Statement::Is {
+                    subjects: letters,
+                    what: NounPhrase::new(CONSTANT, vec![]),
+                },
+                ..declaration.clone()
+            });
+        }
+    }
+    declarations.extend(told);
+}
+
+const CONSTANT: &str = "constant";
+
+fn take_adjective(phrase: &mut NounPhrase) -> bool {
+    let said = phrase.adjectives.len();
+    phrase.adjectives.retain(|a| !UNCHANGING.contains(a));
+    phrase.adjectives.len() < said
+}
+
+fn constant_in(slots: &mut [(Slot, Term)], letters: &mut Vec<Term>) {
+    for (_, term) in slots {
+        if let Term::Phrase(phrase) = term {
+            let own: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
+            let named = !own.is_empty() && own.iter().all(|t| matches!(t, Term::Formula(_)));
+            if named && take_adjective(phrase) {
+                letters.extend(own);
+            }
+            constant_in(&mut phrase.slots, letters);
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! What a sentence says of several things in turn: "P and Q lie at the distances `$a$` and `$b$` from O".
+
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// The word for it.
+const RESPECTIVELY: &str = "respectively";
+
+/// "`$p$` and `$q$` are the rates of `$a$` and `$b$`", "the angular momenta of the body about O and about G", "the moments of
+/// inertia about the axes through O along `$x$` and `$z$`": what hangs on a noun, or on the axes that it is about, as often
+/// as there are subjects is said of each in turn.
+pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
+    let letters = subjects.iter().all(|t| matches!(t, Term::Formula(_)));
+    let count = subjects.len();
+    let parted = match letters {
+        true => is_parted(&what, count),
+        false => hangs_in_turn(&what, Slot::Of, count) || has_sizes_in_turn(&what, count),
+    };
+    if count < 2 || !parted {
+        return vec![Statement::Is { subjects, what }];
+    }
+    let one = |(number, subject): (usize, Term)| Statement::Is {
+        subjects: vec![subject],
+        what: in_turn(&what, number, count),
+    };
+    subjects.into_iter().enumerate().map(one).collect()
+}
+
+/// Whether something hangs on a noun, or on its axes, so many times.
+fn is_parted(what: &NounPhrase, count: usize) -> bool {
+    PARTED.iter().any(|&slot| hangs_in_turn(what, slot, count))
+        || axes_of(what).is_some_and(|axes| is_parted(axes, count))
+}
+
+/// Whether a slot has so many terms, one for each subject.
+fn hangs_in_turn(what: &NounPhrase, slot: Slot, count: usize) -> bool {
+    let terms: Vec<&Term> = what.all(slot).collect();
+    let letters = terms.iter().all(|t| matches!(t, Term::Formula(_)));
+    let things = terms.iter().all(|t| !matches!(t, Term::Phrase(_)));
+    terms.len() == count && (slot != Slot::Of || letters || things)
+}
+
+/// The axes that something is about.
+fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
+    match what.slot(Slot::About)? {
+        Term::Phrase(axes) if axes.head == "axes" => Some(axes),
+        _ => None,
+    }
+}
+
+/// What is said of one of the subjects.
+fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
+    let mut own = what.clone();
+    for slot in PARTED {
+        if hangs_in_turn(what, slot, count) {
+            keep_one(&mut own.slots, slot, number);
+        }
+    }
+    keep_own_letters(&mut own.slots, number, count);
+    if let Some(axes) = axes_of(what).filter(|axes| is_parted(axes, count)) {
+        let axis = NounPhrase {
+            head: "axis",
+            ..in_turn(axes, number, count)
+        };
+        let about = own.slots.iter_mut().find(|(slot, _)| *slot == Slot::About);
+        about
+            .into_iter()
+            .for_each(|(_, term)| *term = Term::Phrase(Box::new(axis.clone())));
+    }
+    own
+}
+
+/// What may be of each subject in turn.
+const PARTED: [Slot; 8] = [
+    Slot::Which,
+    Slot::Of,
+    Slot::About,
+    Slot::RelativeTo,
+    Slot::On,
+    Slot::Along,
+    Slot::Through,
+    Slot::From,
+];
+
+/// "of mass `$M$` and `$m$`": as many letters as there are things.
+fn has_sizes_in_turn(what: &NounPhrase, count: usize) -> bool {
+    what.slots.iter().any(|(_, term)| own_letters(term, count))
+}
+
+fn own_letters(term: &Term, count: usize) -> bool {
+    match term {
+        Term::Phrase(phrase) => {
+            let letters: Vec<&Term> = phrase.all(Slot::Which).collect();
+            letters.len() == count && letters.iter().all(|l| matches!(l, Term::Formula(_)))
+        }
+        _ => false,
+    }
+}
+
+fn keep_one(slots: &mut Vec<(Slot, Term)>, slot: Slot, number: usize) {
+    let mut place = 0..;
+    slots.retain(|(s, _)| *s != slot || place.next() == Some(number));
+}
+
+fn keep_own_letters(slots: &mut [(Slot, Term)], number: usize, count: usize) {
+    for (_, term) in slots {
+        if own_letters(term, count)
+            && let Term::Phrase(phrase) = term
+        {
+            keep_one(&mut phrase.slots, Slot::Which, number);
+        }
+    }
+}
+
+/// What a verb says of each of its subjects, where as many things hang on it: "A and B turn about `$x$` and `$y$`".
+pub(crate) fn does_in_turn(
+    subjects: &[Term],
+    verb: &'static str,
+    slots: &[(Slot, Term)],
+) -> Vec<Statement> {
+    let count = subjects.len();
+    let listed = |slot: Slot| slots.iter().filter(|(s, _)| *s == slot).count() == count;
+    let shared: Vec<Slot> = SHARED_BY_VERBS.into_iter().filter(|s| listed(*s)).collect();
+    let letters = slots.iter().any(|(_, term)| own_letters(term, count));
+    if count < 2 || shared.is_empty() && !letters {
+        return vec![Statement::Does {
+            subjects: subjects.to_vec(),
+            verb,
+            slots: slots.to_vec(),
+        }];
+    }
+    let one = |(number, subject): (usize, &Term)| {
+        let mut own = slots.to_vec();
+        for slot in &shared {
+            keep_one(&mut own, *slot, number);
+        }
+        keep_own_letters(&mut own, number, count);
+        Statement::Does {
+            subjects: vec![subject.clone()],
+            verb,
+            slots: own,
+        }
+    };
+    subjects.iter().enumerate().map(one).collect()
+}
+
+/// What may hang on a verb for each of its subjects.
+const SHARED_BY_VERBS: [Slot; 7] = [
+    Slot::About,
+    Slot::Along,
+    Slot::At,
+    Slot::By,
+    Slot::From,
+    Slot::On,
+    Slot::RelativeTo,
+];
+
+/// "O and P are points fixed in N and B, respectively": as the word says, each of its own.
+pub(crate) fn part_respectively(declarations: Vec<Declaration>) -> Vec<Declaration> {
+    let mut parted = vec![];
+    for declaration in declarations {
+        match &declaration.statement {
+            Statement::Is { subjects, what }
+                if declaration.text.contains(RESPECTIVELY)
+                    && subjects.len() > 1
+                    && hangs_in_turn(what, Slot::FixedIn, subjects.len()) =>
+            {
+                for (number, subject) in subjects.iter().enumerate() {
+                    let mut own = what.clone();
+                    keep_one(&mut own.slots, Slot::FixedIn, number);
+                    parted.push(Declaration {
+                        statement: Statement::Is {
+                            subjects: vec![subject.clone()],
+                            what: own,
+                        },
+                        ..declaration.clone()
+                    });
+                }
+            }
+            _ => parted.push(declaration),
+        }
+    }
+    parted
+}

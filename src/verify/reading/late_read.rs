@@ -1,0 +1,105 @@
+//! What is told of places, masses and rests by letters and frames that other sentences tell: premises, once all are known.
+
+use crate::verify::language::heads::MASS;
+use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::bodies_read::EACH;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{is_letter, name_of};
+use crate::verify::reading::points_read::name_of_particle;
+use crate::verify::term::quantity::{Quantity, Whole};
+
+impl Builder<'_> {
+    /// "Q is a particle of mass `$2m$`."
+    pub(super) fn hold_masses(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let sizes = what.all(Slot::Of).filter_map(|size| match size {
+                Term::Phrase(size) if size.head == MASS => match size.slot(Slot::Which) {
+                    Some(Term::Formula(formula)) => Some(formula.clone()),
+                    _ => None,
+                },
+                _ => None,
+            });
+            for formula in sizes.filter(|formula| !is_letter(formula)) {
+                for subject in subjects {
+                    let Some(body) = self.body(subject) else {
+                        continue;
+                    };
+                    match self.formula_value(&formula, declaration) {
+                        Some(value) => {
+                            let mass = Quantity::Mass(Whole::Body(body));
+                            self.hold_quantities(&mass, &Quantity::Known(value), declaration);
+                        }
+                        None => self.say_unused(declaration),
+                    }
+                }
+            }
+        }
+    }
+
+    /// What is told of places by letters that other sentences tell, for a part of the document, or once more.
+    pub(super) fn hold_told_places(&mut self) {
+        for (index, declaration) in self.declarations.iter().enumerate() {
+            let Statement::Does {
+                subjects,
+                verb: "lie" | "place",
+                slots,
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            let by_way = slot(slots, Slot::By).or(slot(slots, Slot::At)).is_some();
+            for name in subjects
+                .iter()
+                .filter_map(name_of_particle)
+                .filter(|_| by_way)
+            {
+                let Some(&point) = self.points.get(&name) else {
+                    continue;
+                };
+                let indexed = name.contains('_') || name == EACH;
+                let Some((from, way)) = self.told_way(index, indexed) else {
+                    self.say_unused(declaration);
+                    continue;
+                };
+                let other = self.system().position(point, from) - way;
+                self.hold_zero(&other, declaration);
+            }
+        }
+    }
+
+    /// "K is a frame fixed in N", "A and B are frames fixed in the body": one does not turn against the other.
+    pub(super) fn hold_fixed_frames(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if !matches!(what.head, "frame" | "fixed") {
+                continue;
+            }
+            let others: Vec<FrameId> = self.frames_of(what).collect();
+            let own = subjects.iter().filter_map(name_of);
+            let own: Vec<FrameId> = own
+                .filter_map(|name| self.frames.get(&name).copied())
+                .collect();
+            for frame in own {
+                for &other in others.iter().filter(|&&other| other != frame) {
+                    let turns = self.system().angular_velocity(frame, other);
+                    self.hold_zero(&turns, declaration);
+                }
+            }
+        }
+    }
+
+    /// The frames that something is fixed in, or of the bodies that it is fixed in.
+    fn frames_of(&self, what: &NounPhrase) -> impl Iterator<Item = FrameId> {
+        what.all(Slot::FixedIn).filter_map(|term| {
+            let body = || self.reading.system.bodies[self.body(term)?].frame;
+            self.frame(term).or_else(body)
+        })
+    }
+}
