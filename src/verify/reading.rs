@@ -31,12 +31,14 @@ pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
+pub(crate) mod rest_read;
 pub(crate) mod shapes_read;
 pub(crate) mod symmetry_read;
 pub(crate) mod turns_read;
 pub(crate) mod unused;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
+pub(crate) mod wholes;
 
 use crate::algebra::Fraction;
 use crate::verify::Role;

@@ -334,10 +334,9 @@ impl<'a> Reader<'a> {
                 }
             }
         };
-        // Axes that are counted are single ones.
-        let counted = entry.name == "axes" && !slots.is_empty();
+        let counted_axes = entry.name == "axes" && !slots.is_empty();
         let mut phrase = NounPhrase {
-            head: if counted { "axis" } else { entry.name },
+            head: if counted_axes { "axis" } else { entry.name },
             adjectives: adjectives.iter().map(|entry| entry.name).collect(),
             slots,
         };

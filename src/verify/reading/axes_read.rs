@@ -165,6 +165,46 @@ impl Builder<'_> {
         }
     }
 
+    /// The number of an axis that is the same on both frames.
+    pub(super) fn shared_axis(
+        &self,
+        about: &Term,
+        frame: FrameId,
+        relative: FrameId,
+    ) -> Option<usize> {
+        let Some(name) = name_of(about) else {
+            // "the first axis of B"
+            let (of, axis) = self.axis_of_frame(about)?;
+            return (of == frame || of == relative).then_some(axis);
+        };
+        let own = [frame, relative].into_iter().find_map(|of| {
+            let axis = self.axes.of(&name, of)?;
+            Some((of, axis))
+        });
+        match own.or_else(|| self.axes.get(&name).copied()) {
+            // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
+            Some((of, axis)) if of == frame || of == relative => {
+                let other = if of == frame { relative } else { frame };
+                let there = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
+                let mut named = self.axes.iter().filter(there).peekable();
+                let same = |(n, _): (&String, &(FrameId, usize))| same_label(n, &name);
+                (named.peek().is_none() || named.any(same)).then_some(axis)
+            }
+            // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
+            Some(_)
+                if self
+                    .axes
+                    .iter()
+                    .any(|(_, &(of, _))| of == frame || of == relative) =>
+            {
+                None
+            }
+            _ => CUSTOMARY
+                .iter()
+                .find_map(|names| names.iter().position(|n| *n == name)),
+        }
+    }
+
     /// The frames that turn by an angle about an axis that they share with their parent.
     pub(super) fn easy_links(&self) -> Vec<FrameId> {
         let mut easy = vec![];
@@ -286,4 +326,17 @@ impl Builder<'_> {
             .find_map(|names| names.iter().position(|n| *n == name));
         self.axes.get(&name).map(|(_, axis)| *axis).or(custom)
     }
+}
+
+/// Whether two axes are called alike: `b_3` and `n_3`, `Z` and `z`.
+fn same_label(one: &str, other: &str) -> bool {
+    let [one, other] = [one, other].map(|name| {
+        let label = name.rsplit('_').next().unwrap_or(name);
+        let label = label.trim_start_matches("\\hat ").to_lowercase();
+        let place = CUSTOMARY
+            .iter()
+            .find_map(|names| names.iter().position(|n| *n == label));
+        (place, label)
+    });
+    one.1 == other.1 || one.0.is_some() && one.0 == other.0
 }

@@ -1,7 +1,7 @@
 //! Bodies, their parts, and the families that their members make.
 
 use crate::verify::language::is_bodily;
-use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
@@ -72,32 +72,6 @@ impl Builder<'_> {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }
         self.add_frames_of_bodies();
-    }
-
-    /// "The hub is fixed in N": it has the frame for its own.
-    fn fix_bodies_in_frames(&mut self) {
-        for declaration in self.declarations {
-            let Statement::Is { subjects, what } = &declaration.statement else {
-                continue;
-            };
-            let fixed = matches!(what.head, "fixed") && declaration.extent == Extent::Document;
-            let frame = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
-            let Some(frame) = frame.filter(|_| fixed) else {
-                continue;
-            };
-            for body in subjects
-                .iter()
-                .filter_map(|subject| self.body(subject))
-                .collect::<Vec<_>>()
-            {
-                let name = &self.reading.system.bodies[body].name;
-                let own = self.reading.system.bodies[body].frame.is_some()
-                    || self.particles().contains(name);
-                if !own {
-                    self.reading.system.bodies[body].frame = Some(frame);
-                }
-            }
-        }
     }
 
     fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {

@@ -5,7 +5,7 @@ use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::source::Source as Text;
 use crate::verify::facts::Source;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::axes_read::{NamedAxes, Vertical};
 use crate::verify::reading::elements_read::with_elements;
@@ -18,7 +18,7 @@ use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::quantity::{Quantity, Spot, Whole};
+use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
 use crate::verify::term::written::WrittenSymbols;
 use std::collections::{BTreeMap, BTreeSet};
@@ -269,41 +269,6 @@ impl Builder<'_> {
             return Some(Spot::Member(family, index_letter(index)));
         }
         self.point(term).map(Spot::Point)
-    }
-
-    pub(super) fn body(&self, term: &Term) -> Option<BodyId> {
-        let name = name_of(term)?;
-        self.bodies.get(&name).copied()
-    }
-
-    pub(super) fn whole(&self, term: &Term) -> Option<Whole> {
-        if let Term::Member { family, index } = term {
-            let family = *self.families.get(family)?;
-            return Some(Whole::Member(family, index_letter(index)));
-        }
-        self.body(term).map(Whole::Body)
-    }
-
-    /// The body that a phrase is of; the only one where it says none, and none where it says several.
-    pub(super) fn whole_of(&self, phrase: &NounPhrase) -> Option<Whole> {
-        match phrase.all(Slot::Of).collect::<Vec<_>>().as_slice() {
-            [term] => self.whole(term),
-            [_, ..] => None,
-            [] => self.only_body().map(Whole::Body),
-        }
-    }
-
-    /// The only body, or the one of which all others are parts.
-    pub(super) fn only_body(&self) -> Option<BodyId> {
-        let bodies = &self.reading.system.bodies;
-        let own: Vec<BodyId> = (0..bodies.len())
-            .filter(|&b| bodies[b].members.is_none())
-            .collect();
-        let is_part =
-            |whole: BodyId, other: BodyId| other == whole || bodies[whole].parts.contains(&other);
-        own.iter()
-            .copied()
-            .find(|&whole| own.iter().all(|&other| is_part(whole, other)))
     }
 
     /// What a letter stands for at the place of a declaration.

@@ -200,29 +200,9 @@ impl Builder<'_> {
         };
         let (angle, rate) = (angle.and_then(&mut number), rate.and_then(&mut number));
         if whole && of_parent && free {
-            self.reading.system.frames[frame].turn = match (angle, rate, shared) {
-                (Some(angle), _, Some(axis)) => Turn::Angle(axis, Box::new(angle)),
-                (None, Some(rate), Some(axis)) => Turn::Rate(Axis::Number(axis), Box::new(rate)),
-                (None, None, Some(axis)) => {
-                    Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
-                }
-                (angle, rate, _) => {
-                    // Nothing tells how the axes lie when the angle is zero.
-                    if angle.is_some() {
-                        self.say_unused(said.declaration);
-                    }
-                    let Some(along) = self.direction(&about, said.declaration, Some(relative))
-                    else {
-                        return;
-                    };
-                    let rate = match (rate, angle) {
-                        (Some(rate), _) => rate,
-                        (None, Some(angle)) => self.system().atoms.derivative(&angle),
-                        (None, None) => self.own_rate(frame),
-                    };
-                    Turn::Rate(Axis::Along(Box::new(along)), Box::new(rate))
-                }
-            };
+            if let Some(turn) = self.turn_of(frame, relative, &about, (angle, rate), shared, said) {
+                self.reading.system.frames[frame].turn = turn;
+            }
             return;
         }
         if whole
@@ -232,6 +212,38 @@ impl Builder<'_> {
             return;
         }
         self.hold_turn(frame, relative, &about, angle, rate, said.declaration);
+    }
+
+    /// How a frame turns by an angle or at a rate.
+    fn turn_of(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        about: &Term,
+        (angle, rate): (Option<Fraction>, Option<Fraction>),
+        shared: Option<usize>,
+        said: &Said<'_>,
+    ) -> Option<Turn> {
+        Some(match (angle, rate, shared) {
+            (Some(angle), _, Some(axis)) => Turn::Angle(axis, Box::new(angle)),
+            (None, Some(rate), Some(axis)) => Turn::Rate(Axis::Number(axis), Box::new(rate)),
+            (None, None, Some(axis)) => {
+                Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
+            }
+            (angle, rate, _) => {
+                // Nothing tells how the axes lie when the angle is zero.
+                if angle.is_some() {
+                    self.say_unused(said.declaration);
+                }
+                let along = self.direction(about, said.declaration, Some(relative))?;
+                let rate = match (rate, angle) {
+                    (Some(rate), _) => rate,
+                    (None, Some(angle)) => self.system().atoms.derivative(&angle),
+                    (None, None) => self.own_rate(frame),
+                };
+                Turn::Rate(Axis::Along(Box::new(along)), Box::new(rate))
+            }
+        })
     }
 
     /// A rate that has no letter.
@@ -247,42 +259,6 @@ impl Builder<'_> {
             .ok()
             .and_then(|v| v.to_scalar().ok());
         value.unwrap_or_else(Zero::zero)
-    }
-
-    /// The number of an axis that is the same on both frames.
-    pub(super) fn shared_axis(
-        &self,
-        about: &Term,
-        frame: FrameId,
-        relative: FrameId,
-    ) -> Option<usize> {
-        let name = name_of(about)?;
-        let own = [frame, relative].into_iter().find_map(|of| {
-            let axis = self.axes.of(&name, of)?;
-            Some((of, axis))
-        });
-        match own.or_else(|| self.axes.get(&name).copied()) {
-            // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
-            Some((of, axis)) if of == frame || of == relative => {
-                let other = if of == frame { relative } else { frame };
-                let there = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
-                let mut named = self.axes.iter().filter(there).peekable();
-                let same = |(n, _): (&String, &(FrameId, usize))| same_label(n, &name);
-                (named.peek().is_none() || named.any(same)).then_some(axis)
-            }
-            // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
-            Some(_)
-                if self
-                    .axes
-                    .iter()
-                    .any(|(_, &(of, _))| of == frame || of == relative) =>
-            {
-                None
-            }
-            _ => CUSTOMARY
-                .iter()
-                .find_map(|names| names.iter().position(|n| *n == name)),
-        }
     }
 
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
@@ -340,19 +316,6 @@ impl Builder<'_> {
             _ => None,
         }
     }
-}
-
-/// Whether two axes are called alike: `b_3` and `n_3`, `Z` and `z`.
-fn same_label(one: &str, other: &str) -> bool {
-    let [one, other] = [one, other].map(|name| {
-        let label = name.rsplit('_').next().unwrap_or(name);
-        let label = label.trim_start_matches("\\hat ").to_lowercase();
-        let place = CUSTOMARY
-            .iter()
-            .find_map(|names| names.iter().position(|n| *n == label));
-        (place, label)
-    });
-    one.1 == other.1 || one.0.is_some() && one.0 == other.0
 }
 
 impl Builder<'_> {

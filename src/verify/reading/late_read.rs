@@ -1,12 +1,11 @@
-//! What is told of places, masses and rests by letters and frames that other sentences tell: premises, once all are known.
+//! What is told of places and masses by letters that other sentences tell: premises, once all are known.
 
 use crate::verify::language::heads::MASS;
-use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::FrameId;
+use crate::verify::language::statement::{Slot, Statement, Term};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{is_letter, name_of};
+use crate::verify::reading::names::is_letter;
 use crate::verify::reading::points_read::name_of_particle;
 use crate::verify::term::quantity::{Quantity, Whole};
 
@@ -70,36 +69,5 @@ impl Builder<'_> {
                 self.hold_zero(&other, declaration);
             }
         }
-    }
-
-    /// "K is a frame fixed in N", "A and B are frames fixed in the body": one does not turn against the other.
-    pub(super) fn hold_fixed_frames(&mut self) {
-        for declaration in self.declarations {
-            let Statement::Is { subjects, what } = &declaration.statement else {
-                continue;
-            };
-            if !matches!(what.head, "frame" | "fixed") {
-                continue;
-            }
-            let others: Vec<FrameId> = self.frames_of(what).collect();
-            let own = subjects.iter().filter_map(name_of);
-            let own: Vec<FrameId> = own
-                .filter_map(|name| self.frames.get(&name).copied())
-                .collect();
-            for frame in own {
-                for &other in others.iter().filter(|&&other| other != frame) {
-                    let turns = self.system().angular_velocity(frame, other);
-                    self.hold_zero(&turns, declaration);
-                }
-            }
-        }
-    }
-
-    /// The frames that something is fixed in, or of the bodies that it is fixed in.
-    fn frames_of(&self, what: &NounPhrase) -> impl Iterator<Item = FrameId> {
-        what.all(Slot::FixedIn).filter_map(|term| {
-            let body = || self.reading.system.bodies[self.body(term)?].frame;
-            self.frame(term).or_else(body)
-        })
     }
 }

@@ -47,7 +47,10 @@ impl Builder<'_> {
                     .iter()
                     .any(|s| slots.iter().any(|(slot, _)| slot == s)),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
-                Statement::Is { what, .. } => !UNPLACED.contains(&what.head),
+                Statement::Is { what, .. } => {
+                    let of = what.slot(Slot::Of).and_then(|term| self.body(term));
+                    of.is_none() || !UNPLACED.contains(&what.head)
+                }
                 Statement::Unread { .. } => false,
                 _ => true,
             };

@@ -1,0 +1,65 @@
+//! What is at rest in a frame: bodies that have it for their own, and frames that do not turn against it.
+
+use crate::verify::language::statement::{Extent, NounPhrase, Slot, Statement};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::name_of;
+
+impl Builder<'_> {
+    /// "The hub is fixed in N": it has the frame for its own.
+    pub(super) fn fix_bodies_in_frames(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let fixed = matches!(what.head, "fixed") && declaration.extent == Extent::Document;
+            let frame = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+            let Some(frame) = frame.filter(|_| fixed) else {
+                continue;
+            };
+            for body in subjects
+                .iter()
+                .filter_map(|subject| self.body(subject))
+                .collect::<Vec<_>>()
+            {
+                let name = &self.reading.system.bodies[body].name;
+                let own = self.reading.system.bodies[body].frame.is_some()
+                    || self.particles().contains(name);
+                if !own {
+                    self.reading.system.bodies[body].frame = Some(frame);
+                }
+            }
+        }
+    }
+
+    /// "K is a frame fixed in N", "A and B are frames fixed in the body": one does not turn against the other.
+    pub(super) fn hold_fixed_frames(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if !matches!(what.head, "frame" | "fixed") {
+                continue;
+            }
+            let others: Vec<FrameId> = self.frames_of(what).collect();
+            let own = subjects.iter().filter_map(name_of);
+            let own: Vec<FrameId> = own
+                .filter_map(|name| self.frames.get(&name).copied())
+                .collect();
+            for frame in own {
+                for &other in others.iter().filter(|&&other| other != frame) {
+                    let turns = self.system().angular_velocity(frame, other);
+                    self.hold_zero(&turns, declaration);
+                }
+            }
+        }
+    }
+
+    /// The frames that something is fixed in, or of the bodies that it is fixed in.
+    fn frames_of(&self, what: &NounPhrase) -> impl Iterator<Item = FrameId> {
+        what.all(Slot::FixedIn).filter_map(|term| {
+            let body = || self.reading.system.bodies[self.body(term)?].frame;
+            self.frame(term).or_else(body)
+        })
+    }
+}
