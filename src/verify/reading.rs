@@ -24,6 +24,7 @@ pub(crate) mod points_read;
 pub(crate) mod premises_read;
 pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
+pub(crate) mod reactions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod shapes_read;

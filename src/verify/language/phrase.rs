@@ -88,7 +88,10 @@ impl<'a> Reader<'a> {
             || self.at_renaming()
             || matches!(self.word(), "respectively" | "no")
             || self.in_predicate && self.at_clause();
-        self.starts_term() && !other && self.find(&[Class::Adverb]).is_none()
+        self.starts_term()
+            && !other
+            && !self.hangs_on_more()
+            && self.find(&[Class::Adverb]).is_none()
     }
 
     /// Whether a quantity comes next, with its article or without.
@@ -135,7 +138,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A name as written.
-    fn name(&mut self) -> Term {
+    pub(crate) fn name(&mut self) -> Term {
         let name = self
             .peek()
             .map_or(String::new(), |token| token.text.clone());

@@ -300,6 +300,11 @@ impl Atoms {
         self.lengths.push((square, letter));
     }
 
+    /// Whether a letter is told to be a length.
+    pub(crate) fn is_length(&self, letter: Variable) -> bool {
+        self.lengths.iter().any(|(_, length)| *length == letter)
+    }
+
     /// The angle of which a variable is the sine or cosine.
     pub(crate) fn angle_of(&self, variable: Variable) -> Option<&Fraction> {
         match &self.atom(variable).nature {

@@ -355,8 +355,12 @@ impl Builder<'_> {
             let Some(body) = self.body(subject) else {
                 continue;
             };
-            if self.is_shape(what.head) && self.shape_body(body, what, declaration).is_none() {
-                self.say_unused(declaration);
+            match self.is_shape(what.head) {
+                true if self.shape_body(body, what, declaration).is_none() => {
+                    self.say_unused(declaration);
+                }
+                true => {}
+                false => self.round_body(body, what, declaration),
             }
             for size in what.all(Slot::Of).cloned().collect::<Vec<_>>() {
                 if let Term::Phrase(phrase) = &size

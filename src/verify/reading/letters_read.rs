@@ -3,6 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, DOWNHILL, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, PLANE_OF_SYMMETRY,
+    UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -11,17 +12,19 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
+use crate::verify::reading::loads_read::{is_force_at, rests_for_long, tells_gravity};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
     are_products, node_of, reach_of,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
+use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 20] = [
@@ -142,7 +145,7 @@ impl Builder<'_> {
         if what.head == PRODUCTS && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
             return self.say_unused(declaration);
         }
-        if is_force_at(what) {
+        if is_force_at(what) || is_reaction(what) {
             return;
         }
         if rests_for_long(what) {
@@ -155,7 +158,7 @@ impl Builder<'_> {
             "component" => self.read_components(subjects, what, declaration),
             PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
-            "acceleration of gravity" => self.read_gravity(subjects, declaration),
+            _ if tells_gravity(what) => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
@@ -170,7 +173,8 @@ impl Builder<'_> {
             | "damping" => {
                 self.read_size(subjects, declaration);
             }
-            DOWNHILL | NORMAL if self.normal_of_incline().is_some() => {}
+            DOWNHILL | UPHILL if self.is_tilted() => {}
+            NORMAL if self.normal_of_incline().is_some() => {}
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
             CROSS_PRODUCT_MATRIX | "rotation matrix" | COMPONENT_ROTATION
@@ -292,6 +296,10 @@ impl Builder<'_> {
         square: crate::algebra::Fraction,
         declaration: &Declaration,
     ) {
+        if let Some(root) = self.system().atoms.known_root(&square) {
+            let known = Quantity::Known(Value::scalar(root));
+            return self.denote(formula, Meaning::Quantity(known), declaration);
+        }
         let quantity = Quantity::Scalar {
             text: formula.source.clone(),
             constant: false,

@@ -1,12 +1,14 @@
 //! Loads that sentences name, and what it says that there are no others.
 
 use crate::algebra::Place;
+use crate::verify::language::heads::GRAVITY;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::node_of;
+use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -36,6 +38,7 @@ struct Acting<'s> {
 impl Builder<'_> {
     /// "The force `F` acts at P", "`T` is the thrust at P along z".
     pub(super) fn read_loads(&mut self) {
+        self.read_reactions();
         for declaration in self.declarations {
             let read = match &declaration.statement {
                 Statement::Does {
@@ -43,6 +46,11 @@ impl Builder<'_> {
                     verb: "act",
                     slots,
                 } => self.read_acting(subjects, slots, declaration),
+                Statement::Is { what, .. }
+                    if is_reaction(what) && self.contact_of(what).is_some() =>
+                {
+                    Some(())
+                }
                 Statement::Is { subjects, what } if is_force_at(what) => {
                     let said = |subject| (what.head, subject);
                     let mut all = subjects.iter().map(said);
@@ -123,6 +131,11 @@ impl Builder<'_> {
             Some(term) => Some(self.point(term)?),
             None => None,
         };
+        if let Some(known) = self.load(letter, lasting_of(head))
+            && known.at == at
+        {
+            return Some(());
+        }
         if at.is_some() != FORCES.contains(&head) || at.is_none() && head != "moment" {
             return None;
         }
@@ -132,6 +145,11 @@ impl Builder<'_> {
             at,
             along: slot(slots, Slot::Along),
         };
+        if let Some(along) = self.told_direction(head, letter, declaration) {
+            let value = self.directed_force(letter, &along, declaration)?;
+            self.push_load(&acting, value);
+            return Some(());
+        }
         let value = self.value_of_load(&acting, declaration)?;
         self.push_load(&acting, value);
         Some(())
@@ -144,6 +162,7 @@ impl Builder<'_> {
             at: acting.at,
             value,
             lasting: lasting_of(acting.head),
+            part: false,
         });
     }
 
@@ -176,7 +195,7 @@ impl Builder<'_> {
     }
 
     /// A load by its letter.
-    fn load(&self, letter: &Formula, lasting: Lasting) -> Option<Load> {
+    pub(super) fn load(&self, letter: &Formula, lasting: Lasting) -> Option<Load> {
         let writing = spelled(node_of(letter)?);
         let mut loads = self.reading.system.loads.iter();
         loads
@@ -270,6 +289,7 @@ impl Builder<'_> {
                 at: Some(self.centre_of(body)),
                 value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
                 lasting,
+                part: false,
             }]);
         }
         let letters = letters_of(load).into_iter();
@@ -279,7 +299,8 @@ impl Builder<'_> {
 
     pub(super) fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
-        let there = loads.filter(|load| load.at == Some(at) && load.lasting == lasting);
+        let there =
+            loads.filter(|load| load.at == Some(at) && load.lasting == lasting && !load.part);
         there.cloned().collect()
     }
 
@@ -305,6 +326,7 @@ impl Builder<'_> {
             at: Some(at),
             value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
             lasting: lasting_of(head),
+            part: false,
         })
     }
 
@@ -350,6 +372,14 @@ pub(super) fn is_force_at(what: &NounPhrase) -> bool {
     FORCES.contains(&what.head) && what.slot(Slot::At).is_some()
 }
 
+/// Whether a noun is the acceleration of gravity, or how great it is.
+pub(super) fn tells_gravity(what: &NounPhrase) -> bool {
+    let of = what.slot(Slot::Of);
+    what.head == GRAVITY
+        || what.head == "magnitude"
+            && matches!(of, Some(Term::Phrase(phrase)) if phrase.head == GRAVITY)
+}
+
 /// Whether it is said that something is at rest, and of no blow that comes then.
 pub(super) fn rests_for_long(what: &NounPhrase) -> bool {
     what.head == AT_REST && !rests_before(what)
@@ -372,7 +402,7 @@ fn lasting_of(head: &str) -> Lasting {
     }
 }
 
-fn letters_of(load: &NounPhrase) -> Vec<&Formula> {
+pub(super) fn letters_of(load: &NounPhrase) -> Vec<&Formula> {
     let mut letters = vec![];
     for term in load.all(Slot::Which) {
         if let Term::Formula(letter) = term {

@@ -24,10 +24,13 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
-        let along = what
-            .slot(Slot::Along)
-            .cloned()
-            .and_then(|term| self.operand(&term, declaration));
+        let along = match what.slot(Slot::Along).cloned() {
+            Some(term) => match self.direction_named(&term, declaration) {
+                Some(along) => Some(along),
+                None => return self.say_unused(declaration),
+            },
+            None => None,
+        };
         for formula in formulas(subjects) {
             // Where a frame turns about it, that sentence has told more.
             let known = self.quantity_of(formula, declaration);
@@ -44,6 +47,7 @@ impl Builder<'_> {
             let text = formula.source.clone();
             let quantity = match (what.head, &along) {
                 ("vector", _) => Quantity::Vector { text, carried },
+                (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
                 (_, Some(along)) => {
                     let size = Quantity::Magnitude(along.clone().boxed());
                     let size = self
@@ -64,6 +68,14 @@ impl Builder<'_> {
                 None => quantity,
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// What a unit vector is along: an axis, or a vector by its letter.
+    fn direction_named(&mut self, term: &Term, declaration: &Declaration) -> Option<Quantity> {
+        match self.operand(term, declaration) {
+            Some(along) => Some(along),
+            None => self.axis_quantity(term, declaration),
         }
     }
 
@@ -244,7 +256,18 @@ impl Builder<'_> {
             .ok()
             .and_then(|v| v.to_scalar().ok());
         let vertical = self.vertical();
-        let axis = Quantity::Axis(vertical.frame, vertical.axis).boxed();
+        let axis = match self.has_plane_anyhow() {
+            true => Quantity::UnitVector {
+                text: "\\text{up}".into(),
+                carried: Some(ground),
+            },
+            false => Quantity::Axis(vertical.frame, vertical.axis),
+        }
+        .boxed();
+        // How great it is, in the direction in which things fall.
+        if let Some(g) = &size {
+            self.system().atoms.set_positive(g);
+        }
         let along = |g: Fraction| if vertical.points_down { g } else { -g };
         self.gravity = size.map(|g| Quantity::Scaled(axis, along(g)));
     }
