@@ -16,6 +16,10 @@ impl Facts {
                 return None;
             }
             let root = atoms.known_root(&Fraction::new(-lower, square)?)?;
+            // The sine of an angle that changes has either sign.
+            if !atoms.has_steady_sines(&root) {
+                return None;
+            }
             let own = root.variables().contains(&length);
             (!own).then_some((length, root))
         })

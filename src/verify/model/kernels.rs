@@ -191,6 +191,18 @@ impl Atoms {
         Fraction::new(root, perfect(of.denominator())?)
     }
 
+    /// Whether all angles whose sines stand in a value are constant.
+    pub(crate) fn has_steady_sines(&self, value: &Fraction) -> bool {
+        let steady = |v: Variable| matches!(self.atom(v).motion, Motion::Constant);
+        value
+            .variables()
+            .into_iter()
+            .all(|v| match &self.atom(v).nature {
+                Nature::Sine(angle) => angle.variables().into_iter().all(steady),
+                _ => true,
+            })
+    }
+
     /// The square root of a value, taken as not negative.
     pub(crate) fn root(&mut self, of: &Fraction) -> Option<Fraction> {
         if let Some(root) = self.known_root(of) {

@@ -296,7 +296,9 @@ impl Builder<'_> {
         square: crate::algebra::Fraction,
         declaration: &Declaration,
     ) {
-        if let Some(root) = self.system().atoms.known_root(&square) {
+        if let Some(root) = self.system().atoms.known_root(&square)
+            && self.reading.system.atoms.has_steady_sines(&root)
+        {
             let known = Quantity::Known(Value::scalar(root));
             return self.denote(formula, Meaning::Quantity(known), declaration);
         }
@@ -309,6 +311,9 @@ impl Builder<'_> {
         };
         self.denote(formula, Meaning::Quantity(quantity), declaration);
         let letter = value.entries[0].clone();
+        if let Some(length) = letter.as_variable() {
+            self.system().atoms.set_length(length);
+        }
         if let (Extent::Document, Some(length)) = (&declaration.extent, letter.as_variable()) {
             self.system().atoms.tell_root(square.clone(), length);
         }

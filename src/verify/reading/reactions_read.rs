@@ -40,13 +40,14 @@ impl Builder<'_> {
                 _ => continue,
             };
             for (what, letters) in named {
+                let reaction = reaction_said(what);
                 for letter in letters {
-                    let read = match what.head {
-                        WEIGHT => self.read_weight(of(what), letter, declaration),
-                        head if PARTS.contains(&head) => {
-                            self.read_reaction(what, letter, declaration)
+                    let read = match &reaction {
+                        Some(reaction) => self.read_reaction(reaction, letter, declaration),
+                        None if what.head == WEIGHT => {
+                            self.read_weight(of(what), letter, declaration)
                         }
-                        _ => Some(()),
+                        None => Some(()),
                     };
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
@@ -300,7 +301,7 @@ impl Builder<'_> {
             _ => return false,
         };
         self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } if is_force(what.head) => {
+            Statement::Is { subjects, what } if is_force(what.head) || is_reaction(what) => {
                 let mut letters = subjects.iter().filter_map(as_letter);
                 letters.any(|own| same_letter(own, letter))
             }
@@ -325,19 +326,14 @@ impl Builder<'_> {
         })
     }
 
-    /// "the part of `v` in the floor"; the part of the force is that of the force of this plane.
+    /// "the part of `v` in the floor".
     pub(super) fn part_in_plane(
         &mut self,
         of: &Term,
         plane: &Term,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let of = match of {
-            Term::Phrase(force) if force.head == FORCE && force.slots.is_empty() => {
-                self.reaction(&NounPhrase::new(FORCE, vec![(Slot::Of, plane.clone())]))?
-            }
-            of => self.operand(of, declaration)?,
-        };
+        let of = self.operand(of, declaration)?;
         let normal = self.plane(Some(plane))?.normal;
         let normal = Quantity::Known(Value::vector(&normal, Basis::Itself));
         Some(Quantity::Part {
@@ -375,7 +371,21 @@ impl Builder<'_> {
 
 /// Whether a noun is that of the normal force or the friction: their sentences are read with the loads.
 pub(super) fn is_reaction(what: &NounPhrase) -> bool {
-    PARTS.contains(&what.head)
+    reaction_said(what).is_some()
+}
+
+/// A part of what a plane does to a body: by its noun, or as the part of the force in the plane.
+fn reaction_said(what: &NounPhrase) -> Option<NounPhrase> {
+    if PARTS.contains(&what.head) {
+        return Some(what.clone());
+    }
+    let plane = what.slot(Slot::In).filter(|_| what.head == "part")?;
+    let force = as_phrase(what.slot(Slot::Of)?).filter(|force| force.head == FORCE)?;
+    let mut friction = NounPhrase::new(FRICTION, force.slots.clone());
+    if friction.slots.is_empty() {
+        friction.slots.push((Slot::Of, plane.clone()));
+    }
+    Some(friction)
 }
 
 /// Whether a letter carries the mark of a vector.
