@@ -3,13 +3,15 @@
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
 use crate::verify::term::indices::{LABELS, with_number};
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 
@@ -17,6 +19,49 @@ use crate::verify::term::symbols::symbol_node;
 const DIRECTED: [&str; 3] = [UNIT_VECTOR, "vector", "part"];
 
 impl Builder<'_> {
+    /// What is of a letter follows it: where a part of the document has another meaning for the letter, its magnitude is
+    /// that of the other.
+    pub(super) fn read_where_letter_differs(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let (Extent::Document, "magnitude" | "component" | "rate", Some(of)) =
+            (&declaration.extent, what.head, what.slot(Slot::Of))
+        else {
+            return;
+        };
+        let writing = |term: &Term| match term {
+            Term::Formula(formula) => node_of(formula).map(spelled),
+            _ => None,
+        };
+        let (Some(letter), own) = (writing(of), subjects.iter().filter_map(writing)) else {
+            return;
+        };
+        let own: Vec<String> = own.collect();
+        let tells = |d: &Declaration, letters: &[String]| match &d.statement {
+            Statement::Is { subjects, .. } => {
+                let mut told = subjects.iter().filter_map(writing);
+                told.any(|told| letters.contains(&told))
+            }
+            _ => false,
+        };
+        let letter = [letter];
+        for other in self.declarations {
+            let extent = &other.extent;
+            let elsewhere = *extent != Extent::Document && tells(other, &letter);
+            let mut there = self.declarations.iter().filter(|d| d.extent == *extent);
+            if elsewhere && !there.any(|d| tells(d, &own)) {
+                let there = Declaration {
+                    extent: extent.clone(),
+                    ..declaration.clone()
+                };
+                self.read_noun(subjects, what, &there);
+            }
+        }
+    }
+
     /// "P, Q, R are the components of ω on B."
     pub(super) fn read_components(
         &mut self,

@@ -71,7 +71,10 @@ impl Builder<'_> {
 
     fn read_letter(&mut self, declaration: &Declaration) {
         match &declaration.statement {
-            Statement::Is { subjects, what } => self.read_noun(subjects, what, declaration),
+            Statement::Is { subjects, what } => {
+                self.read_noun(subjects, what, declaration);
+                self.read_where_letter_differs(subjects, what, declaration);
+            }
             Statement::Same { .. } => self.read_same(declaration),
             Statement::Means { .. } => self.read_means(declaration),
             Statement::Does {
@@ -136,7 +139,12 @@ impl Builder<'_> {
         self.denote(formula, Meaning::Quantity(quantity), declaration);
     }
 
-    fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+    pub(super) fn read_noun(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
         // What the products of inertia are is a rule of notation.
         if subjects.len() == 1 && subjects.iter().all(are_products) {
             return;
@@ -302,9 +310,15 @@ impl Builder<'_> {
             let known = Quantity::Known(Value::scalar(root));
             return self.denote(formula, Meaning::Quantity(known), declaration);
         }
+        let rate = self.system().atoms.derivative(&square);
+        // In a part of the document it may be another length than elsewhere: a letter of its own, written alike.
+        let text = match &declaration.extent {
+            Extent::Document => formula.source.clone(),
+            _ => format!("{}\\,", formula.source),
+        };
         let quantity = Quantity::Scalar {
-            text: formula.source.clone(),
-            constant: false,
+            text,
+            constant: num_traits::Zero::is_zero(&rate),
         };
         let Ok(value) = self.system().value_of(&quantity) else {
             return;
