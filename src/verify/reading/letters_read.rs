@@ -12,10 +12,10 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::loads_read::{is_force_at, rests_for_long, tells_gravity};
+use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    are_products, node_of, reach_of,
+    are_products, node_of, reach_of, tells_gravity,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;

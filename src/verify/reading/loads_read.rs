@@ -1,7 +1,6 @@
 //! Loads that sentences name, and what it says that there are no others.
 
 use crate::algebra::Place;
-use crate::verify::language::heads::GRAVITY;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
@@ -370,14 +369,6 @@ impl Builder<'_> {
 /// Whether a noun is that of a force at a point.
 pub(super) fn is_force_at(what: &NounPhrase) -> bool {
     FORCES.contains(&what.head) && what.slot(Slot::At).is_some()
-}
-
-/// Whether a noun is the acceleration of gravity, or how great it is.
-pub(super) fn tells_gravity(what: &NounPhrase) -> bool {
-    let of = what.slot(Slot::Of);
-    what.head == GRAVITY
-        || what.head == "magnitude"
-            && matches!(of, Some(Term::Phrase(phrase)) if phrase.head == GRAVITY)
 }
 
 /// Whether it is said that something is at rest, and of no blow that comes then.

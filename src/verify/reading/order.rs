@@ -3,8 +3,8 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::{CONJUGATE, SCALAR_PART, SECOND_RATE, VECTOR_PART};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
-use crate::verify::reading::loads_read::{acting_force, tells_gravity};
-use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of};
+use crate::verify::reading::loads_read::acting_force;
+use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of, tells_gravity};
 use crate::verify::term::letters::{loosely, spelled};
 use foldhash::HashMap;
 use std::collections::BTreeSet;
