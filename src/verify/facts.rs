@@ -6,6 +6,7 @@ pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod proof;
 pub(crate) mod relevant;
+pub(crate) mod roots;
 pub(crate) mod small;
 pub(crate) mod squares;
 pub(crate) mod turned;

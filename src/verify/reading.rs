@@ -29,6 +29,7 @@ pub(crate) mod premises_read;
 pub(crate) mod products_read;
 pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
+pub(crate) mod reactions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod rest_read;

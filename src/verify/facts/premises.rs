@@ -240,6 +240,12 @@ impl Facts {
         }
         let written = equation.numerator().clone();
         let alone = best(atoms, &value, true);
+        if alone.is_none()
+            && let Some((length, root)) = Self::length_in(atoms, &value)
+        {
+            self.tell(atoms, length, root, written, source);
+            return self.put_again(atoms, length);
+        }
         if alone.is_none() && self.put_square(atoms, &value, &written, source) {
             return Ok(Extended::Square);
         }
@@ -255,6 +261,15 @@ impl Facts {
                 return Ok(Extended::Contradicts);
             }
         }
+        self.put_again(atoms, variable)
+    }
+
+    /// Puts in anew what told of a variable and its rates before it was solved for.
+    fn put_again(
+        &mut self,
+        atoms: &mut Atoms,
+        variable: Variable,
+    ) -> Result<Extended, OutOfBudget> {
         let mut again = self.squares_with(variable);
         again.extend(self.rates_of(atoms, variable));
         for rule in again {

@@ -20,9 +20,9 @@ const MOST_TERMS: usize = 60_000;
 const MOST_STEPS: usize = 400;
 
 /// Builds one argument.
-struct Prover<'a> {
+pub(super) struct Prover<'a> {
     facts: &'a mut Facts,
-    atoms: &'a mut Atoms,
+    pub(super) atoms: &'a mut Atoms,
     small: &'a Small,
     argument: Argument,
     /// The fact that tells a variable, by its place in the argument.
@@ -31,10 +31,10 @@ struct Prover<'a> {
 }
 
 /// A polynomial that is being reduced: multiplier · start = Σ cofactor · fact + value.
-struct Reduced {
-    value: Polynomial,
+pub(super) struct Reduced {
+    pub(super) value: Polynomial,
     multiplier: Polynomial,
-    cofactors: BTreeMap<usize, Polynomial>,
+    pub(super) cofactors: BTreeMap<usize, Polynomial>,
 }
 
 /// A proof that each pair is equal; `None` where it does not come out, or grows too large.
@@ -99,11 +99,7 @@ impl Prover<'_> {
 
     /// Reduces by everything that was told before a time, one variable after the other.
     fn reduce(&mut self, start: Polynomial, before: usize) -> Option<Reduced> {
-        let mut reduced = Reduced {
-            value: start,
-            multiplier: Polynomial::one(),
-            cofactors: BTreeMap::new(),
-        };
+        let mut reduced = Reduced::of(start);
         for _ in 0..MOST_STEPS {
             let told = |v: &Variable| {
                 self.facts
@@ -137,7 +133,7 @@ impl Prover<'_> {
     }
 
     /// Puts in what is known of squares, and says whether there was anything.
-    fn lower_squares(&mut self, reduced: &mut Reduced, before: usize) -> Option<bool> {
+    pub(super) fn lower_squares(&mut self, reduced: &mut Reduced, before: usize) -> Option<bool> {
         let mut any = false;
         for _ in 0..32 {
             let next = reduced.value.variables().into_iter().rev().find_map(|v| {
@@ -185,8 +181,14 @@ impl Prover<'_> {
         let start = self.push(rule.equation.clone(), Reason::Premise(name));
         let reduced = self.reduce(rule.equation.clone(), rule.time)?;
         // multiplier · premise − Σ cofactor · fact is what is left, a multiple of the solved form.
-        let factor = reduced.value.exact_quotient(&solved);
-        let factor = factor.filter(|factor| !factor.is_zero())?;
+        let mut reduced = reduced;
+        let factor = match reduced.value.exact_quotient(&solved) {
+            Some(factor) => factor,
+            None => self.other_root(&mut reduced, &solved, rule.time)?,
+        };
+        if factor.is_zero() {
+            return None;
+        }
         let mut cofactors: Vec<(usize, Polynomial)> = reduced
             .cofactors
             .into_iter()
@@ -298,6 +300,15 @@ impl Prover<'_> {
 }
 
 impl Reduced {
+    /// Of which nothing is reduced yet.
+    pub(super) fn of(start: Polynomial) -> Self {
+        Self {
+            value: start,
+            multiplier: Polynomial::one(),
+            cofactors: BTreeMap::new(),
+        }
+    }
+
     /// Puts in the value of a variable, and returns the cofactor of its fact d·v − n, where the denominator d divides the
     /// coefficients already: multiplied again for each variable over d, its powers would pile up.
     fn put_in(&mut self, variable: Variable, value: &Fraction) -> Option<Polynomial> {
@@ -321,7 +332,7 @@ impl Reduced {
         Some(quotient)
     }
 
-    fn scale(&mut self, factor: &Polynomial) {
+    pub(super) fn scale(&mut self, factor: &Polynomial) {
         if factor.is_one() {
             return;
         }
@@ -331,7 +342,7 @@ impl Reduced {
         }
     }
 
-    fn add(&mut self, fact: usize, cofactor: Polynomial) {
+    pub(super) fn add(&mut self, fact: usize, cofactor: Polynomial) {
         if !cofactor.is_zero() {
             *self.cofactors.entry(fact).or_default() += cofactor;
         }

@@ -341,11 +341,30 @@ impl<'a> Reader<'a> {
             return Ok(vec![Statement::Holds(differ)]);
         }
         if verb.entry.name == "have"
+            && let [(Slot::With, Term::Phrase(place)), (Slot::At, at)] = slots.as_slice()
+            && self.lexicon.entry(place.head, &[Class::Place]).is_some()
+        {
+            return Ok(vec![place_at(subjects, place, at)]);
+        }
+        if verb.entry.name == "have"
             && let Some(said) = possessions(subjects, &slots)
         {
             return Ok(said);
         }
         Ok(does_in_turn(subjects, verb.entry.name, &slots))
+    }
+}
+
+/// "The rod has its mass centre at G": G is the mass centre of the rod.
+fn place_at(subjects: &[Term], place: &NounPhrase, at: &Term) -> Statement {
+    let mut what = place.clone();
+    if what.slot(Slot::Of).is_none() {
+        let of = subjects.iter().map(|subject| (Slot::Of, subject.clone()));
+        what.slots.extend(of);
+    }
+    Statement::Is {
+        subjects: vec![at.clone()],
+        what,
     }
 }
 

@@ -32,13 +32,20 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
         [before, &clauses.0, &[semicolon], &clauses.1, behind].concat()
     };
     let clauses = match joined {
-        0 => related(first, second, lexicon)
+        0 => related(without_comma(first), second, lexicon)
             .into_iter()
             .map(|second| (first.to_vec(), second))
             .collect(),
         _ => completed(first, second, lexicon),
     };
     clauses.into_iter().map(sentence).collect()
+}
+
+fn without_comma(tokens: &[Token]) -> &[Token] {
+    match tokens {
+        [rest @ .., comma] if comma.kind == Kind::Comma => rest,
+        _ => tokens,
+    }
 }
 
 /// Whether a comma stands between the letters of a list that begins behind another comma: "on B, `$a$`, `$b$` those of C".

@@ -389,6 +389,20 @@ pub(crate) fn both(a: &Extent, b: &Extent) -> Extent {
             first: *first,
             last: *last,
         },
+        // "Up to line 30 … , on lines 44 to 48 …": no line is in both.
+        (
+            Extent::Lines { cell, first, last },
+            Extent::Lines {
+                cell: other_cell,
+                first: other_first,
+                last: other_last,
+            },
+        ) if cell == other_cell
+            && (last.is_some_and(|last| last < *other_first)
+                || other_last.is_some_and(|last| last < *first)) =>
+        {
+            b.clone()
+        }
         _ => Extent::Both(Box::new(a.clone()), Box::new(b.clone())),
     }
 }

@@ -1,6 +1,7 @@
 //! What a clause leaves out or only points at: the verb of the one before, "it", a description behind a name.
 
 use super::implied::{is_scalar, of_letters};
+use super::lexicon::{Class, Entry, Inflection};
 use super::phrase::{NOUNS, ORDINALS};
 use super::reader::{Read, Reader};
 use super::statement::{NounPhrase, Slot, Statement, Term};
@@ -151,8 +152,10 @@ impl Reader<'_> {
     /// The thing that "it" means: what the clause before is about, or the thing whose quantity it said a letter to be.
     pub(crate) fn meant_by_it(&self) -> Option<Term> {
         match self.owner.as_slice() {
-            // What acts is a load.
-            [letter @ Term::Formula(_)] if self.word_at(1).starts_with("act") => {
+            // What acts is a load, and only a letter is a quantity.
+            [letter @ Term::Formula(_)]
+                if self.word_at(1).starts_with("act") || self.is_quantity_behind() =>
+            {
                 Some(letter.clone())
             }
             [letter @ Term::Formula(_)] => self.before.thing.clone().or(Some(letter.clone())),
@@ -165,6 +168,23 @@ impl Reader<'_> {
             [named @ (Term::Name(_) | Term::Member { .. })] => Some(named.clone()),
             _ => None,
         }
+    }
+
+    /// Whether a preposition comes next that begins as another word does: "relative to".
+    pub(crate) fn hangs_on_more(&self) -> bool {
+        let words = [Class::Noun, Class::Place, Class::Thing, Class::Adjective];
+        let preposition = self.find(&[Class::Preposition]);
+        let shorter = |length| self.find(&words).is_some_and(|found| found.length < length);
+        preposition.is_some_and(|found| shorter(found.length))
+    }
+
+    /// Whether "it" is said to be a quantity: "it is the position of P from C".
+    fn is_quantity_behind(&self) -> bool {
+        let article = usize::from(self.word_at(2) == "the");
+        let noun = self
+            .lexicon
+            .find(self.following(2 + article), &[Class::Noun]);
+        self.word_at(1) == "is" && noun.is_some()
     }
 
     /// Whether what follows says what the thing is that was named last: "O, a point fixed in N".
@@ -219,5 +239,19 @@ fn hanging_on(before: &NounPhrase, slots: &[(Slot, Term)]) -> NounPhrase {
     NounPhrase {
         slots: all,
         ..before.clone()
+    }
+}
+
+/// "a force on P" is one of several, "the force on P" is all of them.
+pub(super) fn is_one_of_several(article: &str, load: &Entry, inflection: Inflection) -> bool {
+    let one = matches!(article, "a" | "an") || article != "the" && inflection == Inflection::Ending;
+    one && load.slot("on") == Some(Slot::Upon)
+}
+
+/// Axes that are counted, "the first and third axes", are single ones.
+pub(super) fn counted(noun: &'static str, which: &[(Slot, Term)]) -> &'static str {
+    match noun {
+        "axes" if !which.is_empty() => "axis",
+        _ => noun,
     }
 }

@@ -58,7 +58,10 @@ impl<'a> Reader<'a> {
             let name = found.entry.name;
             let again =
                 last.filter(|(before, _)| *before == name || before.ends_with(&format!(" {name}")));
-            about_first(entry, name, slots);
+            // "relative to E and relative to S" says it of two in turn.
+            if !(and && again.is_some()) {
+                about_first(entry, name, slots);
+            }
             let slot = match again {
                 Some((_, slot)) if and || comma => Some(slot),
                 _ if and => None,

@@ -22,12 +22,24 @@ pub(crate) const RUN_OVER: &str = "run over";
 pub(crate) const PLANE_OF_SYMMETRY: &str = "plane of symmetry";
 /// The number whose square is −1.
 pub(crate) const IMAGINARY_UNIT: &str = "imaginary unit";
+/// The verb of what does not turn.
+pub(crate) const KEEPS_DIRECTION: &str = "keep its direction";
 /// The number e.
 pub(crate) const NATURAL_BASE: &str = "base of the natural logarithm";
 /// A unit vector that stands on a surface.
 pub(crate) const NORMAL: &str = "normal vector";
 /// The direction in which a plane falls most steeply.
 pub(crate) const DOWNHILL: &str = "downhill direction";
+/// The acceleration with which things fall.
+pub(crate) const GRAVITY: &str = "acceleration of gravity";
+/// The opposite direction.
+pub(crate) const UPHILL: &str = "uphill direction";
+/// What a plane does to a body that touches it.
+pub(crate) const CONTACT_FORCE: &str = "contact force";
+/// The part of that along the normal of the plane.
+pub(crate) const NORMAL_FORCE: &str = "normal force";
+/// Its part in the plane.
+pub(crate) const FRICTION: &str = "friction";
 /// The vector of a cross-product matrix, as its operator.
 pub(crate) const INVERSE_MAP: &str = "inverse map";
 /// The rate of a rate.
@@ -81,6 +93,11 @@ mod tests {
             MOMENT_OF_INERTIA,
             NORMAL,
             DOWNHILL,
+            UPHILL,
+            GRAVITY,
+            CONTACT_FORCE,
+            NORMAL_FORCE,
+            FRICTION,
             FRAME_ABOVE,
             INVERSE_MAP,
             SECOND_RATE,

@@ -1,6 +1,7 @@
 //! Things and quantities: names, formulas, and nouns with what hangs on them.
 
 use super::bodies::singular;
+use super::gaps::{counted, is_one_of_several};
 use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
 use super::reader::{ARTICLES, Read, Reader};
@@ -88,7 +89,10 @@ impl<'a> Reader<'a> {
             || self.at_renaming()
             || matches!(self.word(), "respectively" | "no")
             || self.in_predicate && self.at_clause();
-        self.starts_term() && !other && self.find(&[Class::Adverb]).is_none()
+        self.starts_term()
+            && !other
+            && !self.hangs_on_more()
+            && self.find(&[Class::Adverb]).is_none()
     }
 
     /// Whether a quantity comes next, with its article or without.
@@ -135,7 +139,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A name as written.
-    fn name(&mut self) -> Term {
+    pub(crate) fn name(&mut self) -> Term {
         let name = self
             .peek()
             .map_or(String::new(), |token| token.text.clone());
@@ -334,16 +338,12 @@ impl<'a> Reader<'a> {
                 }
             }
         };
-        let counted_axes = entry.name == "axes" && !slots.is_empty();
         let mut phrase = NounPhrase {
-            head: if counted_axes { "axis" } else { entry.name },
+            head: counted(entry.name, &slots),
             adjectives: adjectives.iter().map(|entry| entry.name).collect(),
             slots,
         };
-        // "a force on P" is one of several, "the force on P" is all of them.
-        let one =
-            matches!(article, "a" | "an") || article != "the" && inflection == Inflection::Ending;
-        if one && adjectives.is_empty() && entry.slot("on") == Some(Slot::Upon) {
+        if adjectives.is_empty() && is_one_of_several(article, entry, inflection) {
             phrase.adjectives.push("one");
         }
         if entry.class != Class::Adjective {

@@ -43,6 +43,9 @@ impl<'a> Reader<'a> {
         {
             return self.verb(&subjects, verb);
         }
+        if let Some(statement) = self.at_a_point(&subjects) {
+            return Ok(vec![statement]);
+        }
         if let Some(statement) = self.named_by(&subjects)? {
             return Ok(vec![statement]);
         }
@@ -74,6 +77,21 @@ impl<'a> Reader<'a> {
         }
         self.tail(entry, &mut what.slots)?;
         Ok(decide(subjects, formulas, what, entry))
+    }
+
+    /// "P is at C", behind "is".
+    fn at_a_point(&mut self, subjects: &[Term]) -> Option<Statement> {
+        let start = self.at;
+        let point = (self.take("at") && self.at_name()).then(|| self.name());
+        let Some(point) = point else {
+            self.at = start;
+            return None;
+        };
+        Some(Statement::Does {
+            subjects: subjects.to_vec(),
+            verb: "lie",
+            slots: vec![(Slot::At, point)],
+        })
     }
 
     /// "The mass of the rotor is `$m$`", "the mass centre of the rotor is Q", behind "is".

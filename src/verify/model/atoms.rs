@@ -6,6 +6,7 @@
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use foldhash::HashMap;
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 /// What a variable is: equal keys are the same variable.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -116,6 +117,8 @@ pub(crate) struct Atoms {
     rates: HashMap<Variable, Fraction>,
     /// Letters that are told to be lengths: of what they are the root.
     pub(super) lengths: Vec<(Fraction, Variable)>,
+    /// Letters that are no less than zero because they are lengths.
+    sized: BTreeSet<Variable>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
 }
@@ -298,6 +301,17 @@ impl Atoms {
     pub(crate) fn tell_root(&mut self, square: Fraction, letter: Variable) {
         let square = self.with_squares(&square);
         self.lengths.push((square, letter));
+        self.set_length(letter);
+    }
+
+    /// Whether a letter is told to be a length.
+    pub(crate) fn is_length(&self, letter: Variable) -> bool {
+        self.sized.contains(&letter)
+    }
+
+    /// Says that a letter is a length: it is no less than zero.
+    pub(crate) fn set_length(&mut self, letter: Variable) {
+        self.sized.insert(letter);
     }
 
     /// The angle of which a variable is the sine or cosine.

@@ -29,6 +29,15 @@ pub(crate) struct Plane {
     pub(crate) normal: Vector,
 }
 
+/// A body that touches a plane, and where.
+#[derive(Clone, Debug)]
+pub(crate) struct Contact {
+    pub(crate) body: BodyId,
+    pub(crate) plane: Plane,
+    /// The place where they touch.
+    pub(crate) point: PointId,
+}
+
 /// A point that a frame carries along, by the place where it is now.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Carried {

@@ -168,14 +168,16 @@ impl Atoms {
     fn is_no_less_than_zero(&self, root: &Polynomial) -> bool {
         let positive = |variable: Variable| {
             let atom = self.atom(variable);
-            atom.positive || matches!(atom.nature, Nature::Root(_) | Nature::Sine(_))
+            let length = self.is_length(variable);
+            let own = matches!(atom.nature, Nature::Root(_) | Nature::Sine(_));
+            atom.positive || length || own
         };
         let mut terms = root.terms().iter();
         terms.all(|(_, c)| !c.is_negative()) && root.variables().into_iter().all(positive)
     }
 
-    /// The square root of a value, taken as not negative.
-    pub(crate) fn root(&mut self, of: &Fraction) -> Option<Fraction> {
+    /// The square root of a value where it needs no letter of its own: a length by its letter, or what is squared.
+    pub(crate) fn known_root(&self, of: &Fraction) -> Option<Fraction> {
         let of = &self.with_squares(of);
         if let Some((_, length)) = self.lengths.iter().find(|(square, _)| square == of) {
             return Some(fraction(*length));
@@ -185,11 +187,28 @@ impl Atoms {
             self.perfect_root(of)
                 .filter(|root| self.is_no_less_than_zero(root))
         };
-        if let Some(root) = perfect(of.numerator())
-            && let Some(below) = perfect(of.denominator())
-        {
-            return Fraction::new(root, below);
+        let root = perfect(of.numerator())?;
+        Fraction::new(root, perfect(of.denominator())?)
+    }
+
+    /// Whether all angles whose sines stand in a value are constant.
+    pub(crate) fn has_steady_sines(&self, value: &Fraction) -> bool {
+        let steady = |v: Variable| matches!(self.atom(v).motion, Motion::Constant);
+        value
+            .variables()
+            .into_iter()
+            .all(|v| match &self.atom(v).nature {
+                Nature::Sine(angle) => angle.variables().into_iter().all(steady),
+                _ => true,
+            })
+    }
+
+    /// The square root of a value, taken as not negative.
+    pub(crate) fn root(&mut self, of: &Fraction) -> Option<Fraction> {
+        if let Some(root) = self.known_root(of) {
+            return Some(root);
         }
+        let of = &self.with_squares(of);
         let inside = Fraction::from(of.numerator().clone() * of.denominator().clone());
         let content = inside.numerator().content().abs();
         let (outer, rest) = match content.exact_sqrt() {

@@ -31,6 +31,8 @@ pub(crate) struct Load {
     /// The force, or the moment of the couple.
     pub(crate) value: Vector,
     pub(crate) lasting: Lasting,
+    /// Whether it is a part of another load, which is counted already.
+    pub(crate) part: bool,
 }
 
 impl Load {

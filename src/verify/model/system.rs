@@ -6,7 +6,7 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::atoms::{Atoms, Key, Motion, fraction};
-use crate::verify::model::contact::{Plane, Round};
+use crate::verify::model::contact::{Contact, Plane, Round};
 use crate::verify::model::loads::Load;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
@@ -148,6 +148,7 @@ pub(crate) struct System {
     pub(crate) bodies: Vec<Body>,
     pub(crate) families: Vec<Family>,
     pub(crate) planes: Vec<Plane>,
+    pub(crate) contacts: Vec<Contact>,
     pub(crate) loads: Vec<Load>,
     /// The inertial frame.
     pub(crate) ground: FrameId,

@@ -4,6 +4,7 @@ use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, 
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::{CUSTOMARY, slot};
+use crate::verify::reading::incline_read::Lie;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -49,6 +50,13 @@ pub(super) struct Vertical {
     pub(super) frame: FrameId,
     pub(super) axis: usize,
     pub(super) points_down: bool,
+}
+
+/// Where up is, and how the plane of the document lies.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Bearings {
+    pub(super) vertical: Option<Vertical>,
+    pub(super) lie: Lie,
 }
 
 impl Builder<'_> {
@@ -116,7 +124,7 @@ impl Builder<'_> {
 
     /// The vertical axis; the third one of the inertial frame points up where nothing is said.
     pub(super) fn vertical(&self) -> Vertical {
-        self.vertical.unwrap_or(Vertical {
+        self.bearings.vertical.unwrap_or(Vertical {
             frame: self.reading.system.ground,
             axis: 2,
             points_down: false,
@@ -139,7 +147,7 @@ impl Builder<'_> {
         let ground = self.reading.system.ground;
         let [subject] = subjects else { return };
         let axis = self.number_of_axis(subject).unwrap_or(2);
-        self.vertical = Some(Vertical {
+        self.bearings.vertical = Some(Vertical {
             frame: ground,
             axis,
             points_down: what.is("downward"),

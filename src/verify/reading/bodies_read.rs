@@ -373,8 +373,12 @@ impl Builder<'_> {
 
     /// "P is a particle of mass `$m$`", "the rods are thin rods of length `$l$`".
     fn read_sizes(&mut self, body: BodyId, what: &NounPhrase, declaration: &Declaration) {
-        if self.is_shape(what.head) && self.shape_body(body, what, declaration).is_none() {
-            self.say_unused(declaration);
+        match self.is_shape(what.head) {
+            true if self.shape_body(body, what, declaration).is_none() => {
+                self.say_unused(declaration);
+            }
+            true => {}
+            false => self.round_body(body, what, declaration),
         }
         for size in what.all(Slot::Of) {
             if let Term::Phrase(phrase) = size

@@ -7,7 +7,7 @@ use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
-use crate::verify::reading::axes_read::{NamedAxes, Vertical};
+use crate::verify::reading::axes_read::{Bearings, NamedAxes};
 use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::misheard::heard_or_unread;
@@ -33,7 +33,7 @@ pub(crate) struct Builder<'a> {
     pub(super) families: BTreeMap<String, FamilyId>,
     /// Letters and names of axes: a frame and the number of the axis.
     pub(super) axes: NamedAxes,
-    pub(super) vertical: Option<Vertical>,
+    pub(super) bearings: Bearings,
     pub(super) gravity: Option<Quantity>,
     /// Particles that stand for bodies.
     pub(super) points_of: Vec<(BodyId, BodyId)>,
@@ -69,7 +69,7 @@ pub(crate) fn build(
         bodies: BTreeMap::new(),
         families: BTreeMap::new(),
         axes: NamedAxes::default(),
-        vertical: None,
+        bearings: Bearings::default(),
         gravity: None,
         through: vec![],
         points_of: vec![],

@@ -4,18 +4,66 @@ use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
-use crate::verify::reading::names::{index_letter, node_of};
+use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
 use crate::verify::term::indices::{LABELS, with_number};
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 
+/// Nouns of which a direction says what they are.
+const DIRECTED: [&str; 3] = [UNIT_VECTOR, "vector", "part"];
+
 impl Builder<'_> {
+    /// What is of a letter follows it: where a part of the document has another meaning for the letter, its magnitude is
+    /// that of the other.
+    pub(super) fn read_where_letter_differs(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let (Extent::Document, "magnitude" | "component" | "rate", Some(of)) =
+            (&declaration.extent, what.head, what.slot(Slot::Of))
+        else {
+            return;
+        };
+        let writing = |term: &Term| match term {
+            Term::Formula(formula) => node_of(formula).map(spelled),
+            _ => None,
+        };
+        let (Some(letter), own) = (writing(of), subjects.iter().filter_map(writing)) else {
+            return;
+        };
+        let own: Vec<String> = own.collect();
+        let tells = |d: &Declaration, letters: &[String]| match &d.statement {
+            Statement::Is { subjects, .. } => {
+                let mut told = subjects.iter().filter_map(writing);
+                told.any(|told| letters.contains(&told))
+            }
+            _ => false,
+        };
+        let letter = [letter];
+        for other in self.declarations {
+            let extent = &other.extent;
+            let elsewhere = *extent != Extent::Document && tells(other, &letter);
+            let mut there = self.declarations.iter().filter(|d| d.extent == *extent);
+            if elsewhere && !there.any(|d| tells(d, &own)) {
+                let there = Declaration {
+                    extent: extent.clone(),
+                    ..declaration.clone()
+                };
+                self.read_noun(subjects, what, &there);
+            }
+        }
+    }
+
     /// "P, Q, R are the components of ω on B."
     pub(super) fn read_components(
         &mut self,
@@ -23,7 +71,10 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        let what = &self.axes_behind_load(what);
+        if what.all(Slot::Of).count() > 1 {
+            return self.read_components_of_each(subjects, what, declaration);
+        }
+        let what = &without_inner_directions(&self.axes_behind_load(what));
         let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
         let of = what.slot(Slot::Of).cloned();
         let of = of.and_then(|term| self.operand(&term, declaration));
@@ -43,17 +94,15 @@ impl Builder<'_> {
             return self.read_indexed_component(subjects, index, &of, frame, declaration);
         }
         let single = which.and_then(|term| self.number_of_axis(term));
-        if let (Some(along), [Term::Formula(formula)]) = (what.slot(Slot::Along).cloned(), subjects)
-        {
-            let Some(axis) = self.axis_quantity(&along, declaration) else {
-                return self.say_unused(declaration);
-            };
-            let of = of.boxed();
-            let quantity = Quantity::Along {
-                of,
-                axis: axis.boxed(),
-            };
-            return self.denote(formula, Meaning::Quantity(quantity), declaration);
+        let along: Vec<Term> = what.all(Slot::Along).cloned().collect();
+        if !along.is_empty() && along.len() == subjects.len() {
+            for (subject, along) in subjects.iter().zip(&along) {
+                self.read_component_along(subject, along, &of, declaration);
+            }
+            return;
+        }
+        if along.len() > 1 && subjects.len() == 1 {
+            return self.say_unused(declaration);
         }
         if let (None, [Term::Formula(formula)]) = (single, subjects)
             && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
@@ -92,6 +141,55 @@ impl Builder<'_> {
         what
     }
 
+    /// "`$v$` and `$a$` are the components along x of the velocity and the acceleration of P": one for each.
+    fn read_components_of_each(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let each: Vec<Term> = what.all(Slot::Of).cloned().collect();
+        if each.len() != subjects.len() {
+            return self.say_unused(declaration);
+        }
+        let whose = match each.last() {
+            Some(Term::Phrase(last)) => last.slots.clone(),
+            _ => vec![],
+        };
+        let beside = what.slots.iter().filter(|(slot, _)| *slot != Slot::Of);
+        let beside: Vec<(Slot, Term)> = beside.cloned().collect();
+        for (subject, mut of) in subjects.iter().zip(each) {
+            // "the velocity and the acceleration of P": of P are both.
+            if let Term::Phrase(phrase) = &mut of
+                && phrase.slots.is_empty()
+            {
+                phrase.slots.clone_from(&whose);
+            }
+            let mut one = what.clone();
+            one.slots = [vec![(Slot::Of, of)], beside.clone()].concat();
+            self.read_components(std::slice::from_ref(subject), &one, declaration);
+        }
+    }
+
+    fn read_component_along(
+        &mut self,
+        subject: &Term,
+        along: &Term,
+        of: &Quantity,
+        declaration: &Declaration,
+    ) {
+        let (Term::Formula(formula), Some(axis)) =
+            (subject, self.axis_quantity(along, declaration))
+        else {
+            return self.say_unused(declaration);
+        };
+        let along = Quantity::Along {
+            of: of.clone().boxed(),
+            axis: axis.boxed(),
+        };
+        self.denote(formula, Meaning::Quantity(along), declaration);
+    }
+
     /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.
     fn read_indexed_component(
         &mut self,
@@ -126,4 +224,26 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// "The component of the velocity of P along x": the direction is that of the component, wherever it hangs.
+fn without_inner_directions(what: &NounPhrase) -> NounPhrase {
+    let mut outer = what.clone();
+    if outer.slot(Slot::Along).is_some() || outer.slot(Slot::Which).is_some() {
+        return outer;
+    }
+    let mut moved = vec![];
+    for (slot, term) in &mut outer.slots {
+        if let (Slot::Of, Term::Phrase(inner)) = (&slot, term)
+            && !DIRECTED.contains(&inner.head)
+        {
+            let (along, rest) = std::mem::take(&mut inner.slots)
+                .into_iter()
+                .partition(|(slot, _)| *slot == Slot::Along);
+            inner.slots = rest;
+            moved.extend::<Vec<_>>(along);
+        }
+    }
+    outer.slots.extend(moved);
+    outer
 }

@@ -1,8 +1,8 @@
 //! Planes, points of contact, and rolling.
 
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::contact::Plane;
-use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::model::contact::{Contact, Plane};
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{name_of, told};
@@ -69,7 +69,7 @@ impl Builder<'_> {
     }
 
     /// The plane that a term names; the only one where none is said.
-    fn plane(&self, term: Option<&Term>) -> Option<Plane> {
+    pub(super) fn plane(&self, term: Option<&Term>) -> Option<Plane> {
         let system = &self.reading.system;
         match (term.and_then(name_of), system.planes.as_slice()) {
             (Some(name), _) => system.plane(&name).cloned(),
@@ -88,9 +88,13 @@ impl Builder<'_> {
         let plane = self.plane(what.slot(Slot::On))?;
         let [subject] = subjects else { return None };
         let name = name_of(subject)?;
-        match self.points.contains_key(&name) {
-            true => None,
-            false => self
+        match self.points.get(&name).copied() {
+            Some(point) => {
+                let contact = Contact { body, plane, point };
+                self.system().contacts.push(contact);
+                Some(())
+            }
+            None => self
                 .add_contact(name, body, &plane, declaration)
                 .map(|_| ()),
         }
@@ -104,17 +108,47 @@ impl Builder<'_> {
         plane: &Plane,
         declaration: &Declaration,
     ) -> Option<PointId> {
-        let way = self.system().way_to_contact(body, &plane.normal)?;
+        let below = self.system().way_to_contact(body, &plane.normal);
         let centre = self.centre_of(body);
-        let point = self
-            .system()
-            .add_point(&name, Some((centre, way)), Vec::new());
+        let placed = match below {
+            Some(way) => (centre, way),
+            None => self.placed_from_contact(&name)?,
+        };
+        let point = self.system().add_point(&name, Some(placed), Vec::new());
         self.points.insert(name, point);
+        self.system().contacts.push(Contact {
+            body,
+            plane: plane.clone(),
+            point,
+        });
         for other in self.points_in(&plane.name) {
             let way = self.system().position(point, other);
             self.hold(plane.normal.dot(&way), declaration);
         }
         Some(point)
+    }
+
+    /// Where a body that is not round touches a plane, if a sentence says how another point lies from there: "O lies at the
+    /// distance `$R$` from C along y".
+    fn placed_from_contact(&mut self, name: &str) -> Option<(PointId, Vector)> {
+        let declarations = self.declarations;
+        let (other, slots, declaration) = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "lie" | "place",
+                slots,
+            } if slot(slots, Slot::From).and_then(name_of).as_deref() == Some(name) => {
+                Some((self.point(subjects.first()?)?, slots, d))
+            }
+            _ => None,
+        })?;
+        if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
+            let way = self.formula_value(by, declaration)?.to_vector().ok()?;
+            return Some((other, -way));
+        }
+        let along = self.direction(slot(slots, Slot::Along)?, declaration, None)?;
+        let distance = self.scalar_term(slot(slots, Slot::At)?, declaration)?;
+        Some((other, -(along * distance)))
     }
 
     /// The points that sentences place in a plane.
@@ -182,8 +216,41 @@ impl Builder<'_> {
         match phrase.slot(Slot::Of)? {
             _ if phrase.slot(Slot::At).is_some() => self.material_point(phrase),
             Term::Phrase(point) if point.head == "point" => self.material_point(point),
-            term => self.spot(term),
+            term => self.spot_at_contact(term).or_else(|| self.spot(term)),
         }
+    }
+
+    /// The point of a body that a sentence says to be where the body touches a plane: it moves as the body does there, and
+    /// not as the place of contact does.
+    pub(super) fn spot_at_contact(&self, term: &Term) -> Option<Spot> {
+        let name = name_of(term)?;
+        let own = self.points.get(&name)?;
+        self.declarations.iter().find_map(|d| {
+            let Statement::Does {
+                subjects,
+                verb: "lie",
+                slots,
+            } = &d.statement
+            else {
+                return None;
+            };
+            let [(Slot::At, at)] = slots.as_slice() else {
+                return None;
+            };
+            let here = subjects.iter().any(|s| name_of(s).as_ref() == Some(&name));
+            let at = self.point(at).filter(|_| here)?;
+            let contact = self
+                .reading
+                .system
+                .contacts
+                .iter()
+                .find(|c| c.point == at)?;
+            let carried = self.reading.system.body_point(contact.body, at)?;
+            let fixed = &self.reading.system.points[*own].fixed_in;
+            fixed
+                .contains(&carried.frame)
+                .then_some(Spot::Carried(carried))
+        })
     }
 
     /// The point of a rigid body that is at a place: "the velocity of the disc at C", "of the point of the disc at C".

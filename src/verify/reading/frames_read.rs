@@ -150,6 +150,8 @@ impl Builder<'_> {
         }
         for declaration in declarations {
             self.read_turning_frame(declaration);
+            self.read_kept_direction(declaration);
+            self.read_axis_in_space(declaration);
         }
         for declaration in angles {
             self.read_euler_angles(declaration);
@@ -247,7 +249,7 @@ impl Builder<'_> {
     }
 
     /// A rate that has no letter.
-    fn own_rate(&mut self, frame: FrameId) -> Fraction {
+    pub(super) fn own_rate(&mut self, frame: FrameId) -> Fraction {
         let text = format!("\\omega_{{{}}}", self.reading.system.frames[frame].name);
         let rate = Quantity::Scalar {
             text,
@@ -284,6 +286,7 @@ impl Builder<'_> {
                 let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
                 self.direction(&along.clone(), declaration, carried)
             }
+            Term::Phrase(phrase) => self.direction_of_plane(phrase),
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) {
                     return self.formula_value(formula, declaration)?.to_vector().ok();

@@ -1,53 +1,167 @@
-//! Inclined planes: along which axis they fall, and by what angle.
+//! Inclined planes: along which axis they fall, which axis stands on them, and how the vertical lies to them.
 
-use crate::verify::language::heads::{DOWNHILL, NORMAL};
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::heads::{DOWNHILL, NORMAL, UPHILL};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{letter_of, name_of};
 
+/// How a plane lies in the inertial frame, by the numbers of its axes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Lie {
+    /// The axis along which it falls, and whether that axis points down.
+    falls: Option<(usize, bool)>,
+    /// The axis that stands on it.
+    normal: Option<usize>,
+}
+
+impl Lie {
+    /// The number of the axis that stands on the plane.
+    pub(super) fn normal(self) -> Option<usize> {
+        self.normal
+    }
+}
+
+/// What no sentence need introduce as a plane.
+const INCLINE: &str = "incline";
+
+/// Whether a noun says how a plane lies.
+pub(crate) fn tells_lie(what: &NounPhrase) -> bool {
+    let level = |end: &Term| matches!(end, Term::Phrase(phrase) if is_level(phrase));
+    match what.head {
+        DOWNHILL | UPHILL | NORMAL => true,
+        "angle" => what.all(Slot::Between).any(level),
+        _ => false,
+    }
+}
+
+/// "the horizontal", "a horizontal plane".
+fn is_level(phrase: &NounPhrase) -> bool {
+    phrase.head == "horizontal" || phrase.is("horizontal")
+}
+
 impl Builder<'_> {
-    /// The vertical where a plane falls along one axis of the inertial frame and another one stands on it. The vertical is
-    /// the axis of a frame that is turned back by the angle: of a plane that falls along x with the normal y, the upward
-    /// vertical is cos α y − sin α x.
+    /// How the plane of the document lies, and the vertical by it. Of a plane that falls along x with the normal y, at the
+    /// angle α, the upward vertical is cos α y − sin α x: an axis of a frame that is turned back by the angle.
     pub(super) fn read_incline(&mut self) {
-        let declarations = self.declarations;
-        let Some((angle, declaration)) = declarations.iter().find_map(angle_of_incline) else {
+        let tilted = self.planes_said().filter(|plane| !plane.is("horizontal"));
+        if tilted.count() > 1 {
             return;
-        };
-        let Some(down) = self.axis_that_is(DOWNHILL, &[0]) else {
-            return;
-        };
-        let free: Vec<usize> = (1..3).filter(|axis| *axis != down).collect();
+        }
+        let falls = self.axis_that_is(DOWNHILL, &[0]).map(|axis| (axis, true));
+        let falls = falls.or_else(|| Some((self.axis_that_is(UPHILL, &[0])?, false)));
+        let down = falls.map(|(axis, _)| axis);
+        let free: Vec<usize> = (1..3).filter(|axis| Some(*axis) != down).collect();
         let normal = self.axis_that_is(NORMAL, &free);
-        let Some(normal) = normal.filter(|normal| *normal != down) else {
+        let normal = normal.filter(|normal| Some(*normal) != down);
+        self.bearings.lie = Lie { falls, normal };
+        let declarations = self.declarations;
+        for declaration in declarations {
+            self.read_turned_vertical(declaration);
+        }
+        let told = declarations.iter().find_map(|d| self.angle_of_incline(d));
+        if let (Some((angle, declaration)), Some((down, points_down)), Some(normal)) =
+            (told, falls, normal)
+        {
+            let forward = (normal + 3 - down) % 3 == 1;
+            let vertical = (normal, 3 - down - normal, forward == points_down);
+            self.turn_vertical(vertical, &angle.clone(), declaration);
+        }
+        if self.bearings.vertical.is_none()
+            && let Some(axis) = normal
+            && self.planes_said().all(|plane| plane.is("horizontal"))
+            && self.planes_said().count() == 1
+        {
+            self.bearings.vertical = Some(Vertical {
+                frame: self.reading.system.ground,
+                axis,
+                points_down: false,
+            });
+        }
+    }
+
+    /// "The upward vertical is turned relative to y about z by the angle `\alpha`."
+    fn read_turned_vertical(&mut self, declaration: &Declaration) {
+        let Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } = &declaration.statement
+        else {
             return;
         };
+        let [Term::Phrase(vertical)] = subjects.as_slice() else {
+            return;
+        };
+        let ground = self.reading.system.ground;
+        let axis = |wanted| {
+            let name = name_of(slot(slots, wanted)?)?;
+            self.axes.of(&name, ground)
+        };
+        if let ("vertical", false) = (vertical.head, vertical.is("downward"))
+            && let (Some(from), Some(about)) = (axis(Slot::RelativeTo), axis(Slot::About))
+            && let Some(angle) = slot(slots, Slot::By).and_then(letter_of)
+            && from != about
+        {
+            self.turn_vertical((from, about, true), &angle.clone(), declaration);
+        }
+    }
+
+    /// The vertical is an axis of the inertial frame turned about another one by an angle, forward or back.
+    fn turn_vertical(
+        &mut self,
+        (from, about, forward): (usize, usize, bool),
+        angle: &Formula,
+        declaration: &Declaration,
+    ) {
         let letter = Term::Formula(angle.clone());
         self.read_size(std::slice::from_ref(&letter), declaration);
         let Some(angle) = self.scalar_term(&letter, declaration) else {
             return;
         };
-        let turned = match (normal + 3 - down) % 3 {
-            1 => angle,
-            _ => -angle,
-        };
+        let turned = if forward { angle } else { -angle };
         let ground = self.reading.system.ground;
-        let turn = Turn::Angle(3 - down - normal, Box::new(turned));
+        let turn = Turn::Angle(about, Box::new(turned));
         let level = self.system().add_frame("level", Some(ground), turn);
-        self.vertical = Some(Vertical {
+        self.bearings.vertical = Some(Vertical {
             frame: level,
-            axis: normal,
+            axis: from,
             points_down: false,
         });
     }
 
     /// The normal of the inclined plane.
     pub(super) fn normal_of_incline(&mut self) -> Option<Vector> {
+        let normal = self.bearings.lie.normal?;
         let ground = self.reading.system.ground;
-        let vertical = self.vertical.filter(|vertical| vertical.frame != ground)?;
-        Some(self.system().axis(ground, vertical.axis))
+        Some(self.system().axis(ground, normal))
+    }
+
+    /// Whether the vertical is told by how a plane lies.
+    pub(super) fn is_tilted(&self) -> bool {
+        let ground = self.reading.system.ground;
+        let vertical = self.bearings.vertical;
+        vertical.is_some_and(|vertical| vertical.frame != ground)
+    }
+
+    /// Whether a plane is told by its normal while nothing tells how it lies to the vertical.
+    pub(super) fn has_plane_anyhow(&self) -> bool {
+        self.bearings.lie.normal.is_some() && self.bearings.vertical.is_none()
+    }
+
+    /// "down the slope", "along the uphill direction of the ramp", "along the normal of the floor".
+    pub(super) fn direction_of_plane(&mut self, phrase: &NounPhrase) -> Option<Vector> {
+        let ground = self.reading.system.ground;
+        let (axis, along) = match (phrase.head, self.bearings.lie) {
+            (DOWNHILL, Lie { falls, .. }) => falls?,
+            (UPHILL, Lie { falls, .. }) => falls.map(|(axis, down)| (axis, !down))?,
+            (NORMAL, Lie { normal, .. }) => (normal?, true),
+            _ => return None,
+        };
+        let axis = self.system().axis(ground, axis);
+        Some(if along { axis } else { -axis })
     }
 
     /// The axis of the inertial frame that a sentence says to be downhill, or normal to the plane; a letter that names none
@@ -55,21 +169,7 @@ impl Builder<'_> {
     fn axis_that_is(&mut self, noun: &str, free: &[usize]) -> Option<usize> {
         let declarations = self.declarations;
         let (subject, declaration) = declarations.iter().find_map(|declaration| {
-            let subject = match &declaration.statement {
-                Statement::Is { subjects, what } if what.head == noun => subjects.first()?.clone(),
-                // "normal to y", "y is perpendicular to the incline"
-                Statement::Is { what, .. } if noun == NORMAL && what.head == "plane" => {
-                    what.slot(Slot::With)?.clone()
-                }
-                Statement::Is { subjects, what }
-                    if noun == NORMAL
-                        && what.head == "orthogonal"
-                        && what.slot(Slot::With).is_some_and(is_incline) =>
-                {
-                    subjects.first()?.clone()
-                }
-                _ => return None,
-            };
+            let subject = self.subject_that_is(noun, &declaration.statement)?;
             Some((subject, declaration))
         })?;
         let ground = self.reading.system.ground;
@@ -83,41 +183,91 @@ impl Builder<'_> {
             }
         }
     }
-}
 
-/// Whether a term names an inclined plane.
-pub(super) fn is_incline(term: &Term) -> bool {
-    match term {
-        Term::Phrase(phrase) if phrase.head == DOWNHILL => {
-            phrase.slot(Slot::Of).is_some_and(is_incline)
+    /// What a sentence says to be a direction of a plane; of forces it says how they point.
+    fn subject_that_is(&self, noun: &str, statement: &Statement) -> Option<Term> {
+        let Statement::Is { subjects, what } = statement else {
+            return None;
+        };
+        let subject = subjects.first()?;
+        let of_plane = |term: Option<&Term>| term.is_some_and(|term| self.is_incline(term));
+        match what.head {
+            head if head == noun => (!self.is_force(subject)).then(|| subject.clone()),
+            // "normal to y", "y is perpendicular to the incline"
+            "plane" if noun == NORMAL => what.slot(Slot::With).cloned(),
+            "orthogonal" if noun == NORMAL && of_plane(what.slot(Slot::With)) => {
+                Some(subject.clone())
+            }
+            _ => None,
         }
-        term => name_of(term).is_some_and(|name| matches!(name.as_str(), "incline" | "slope")),
     }
-}
 
-/// The angle of an inclined plane with the horizontal, and the sentence that gives it.
-pub(super) fn angle_of_incline(declaration: &Declaration) -> Option<(&Formula, &Declaration)> {
-    let found = match &declaration.statement {
-        Statement::Is { subjects, what } if matches!(what.head, "angle" | "inclination") => {
-            let between: Vec<&Term> = what.all(Slot::Between).collect();
-            let of = what.slot(Slot::Of).into_iter().chain(between);
-            of.into_iter()
-                .any(is_incline)
-                .then(|| subjects.first())
-                .flatten()
+    /// Whether a term names an inclined plane.
+    pub(super) fn is_incline(&self, term: &Term) -> bool {
+        match term {
+            Term::Phrase(phrase) if matches!(phrase.head, DOWNHILL | UPHILL) => phrase
+                .slot(Slot::Of)
+                .is_some_and(|term| self.is_incline(term)),
+            term => name_of(term)
+                .is_some_and(|name| name == INCLINE || self.plane_called(&name).is_some()),
         }
-        Statement::Does {
-            subjects,
-            verb: "incline",
-            slots,
-        } => {
-            let by = slots
-                .iter()
-                .find(|(slot, _)| matches!(slot, Slot::By | Slot::At));
-            let own = subjects.iter().any(is_incline);
-            own.then(|| by.map(|(_, term)| term)).flatten()
-        }
-        _ => None,
-    }?;
-    Some((letter_of(found)?, declaration))
+    }
+
+    /// What a sentence says of a plane, by its name.
+    fn plane_called(&self, name: &str) -> Option<&NounPhrase> {
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "plane" => {
+                let mut names = subjects.iter().filter_map(name_of);
+                names.any(|own| own == name).then_some(what)
+            }
+            _ => None,
+        })
+    }
+
+    /// What sentences say of planes.
+    fn planes_said(&self) -> impl Iterator<Item = &NounPhrase> {
+        let said = self.declarations.iter();
+        said.filter_map(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == "plane" => Some(what),
+            _ => None,
+        })
+    }
+
+    /// Whether some ends are an inclined plane and the horizontal.
+    pub(super) fn are_incline_and_level(&self, ends: &[&Term]) -> bool {
+        let level = |term: &&&Term| match term {
+            Term::Phrase(phrase) => is_level(phrase),
+            _ => false,
+        };
+        ends.iter().any(|end| self.is_incline(end)) && ends.iter().any(|end| level(&end))
+    }
+
+    /// The angle of an inclined plane with the horizontal, and the sentence that gives it.
+    fn angle_of_incline<'d>(
+        &self,
+        declaration: &'d Declaration,
+    ) -> Option<(&'d Formula, &'d Declaration)> {
+        let found = match &declaration.statement {
+            Statement::Is { subjects, what } if matches!(what.head, "angle" | "inclination") => {
+                let between: Vec<&Term> = what.all(Slot::Between).collect();
+                let own = what.all(Slot::Of).any(|term| self.is_incline(term));
+                (own || self.are_incline_and_level(&between))
+                    .then(|| subjects.first())
+                    .flatten()
+            }
+            Statement::Does {
+                subjects,
+                verb: "incline",
+                slots,
+            } => {
+                let by = slots
+                    .iter()
+                    .find(|(slot, _)| matches!(slot, Slot::By | Slot::At));
+                let own = subjects.iter().any(|term| self.is_incline(term));
+                own.then(|| by.map(|(_, term)| term)).flatten()
+            }
+            _ => None,
+        }?;
+        Some((letter_of(found)?, declaration))
+    }
 }

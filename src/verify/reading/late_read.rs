@@ -51,7 +51,8 @@ impl Builder<'_> {
             else {
                 continue;
             };
-            let by_way = slot(slots, Slot::By).or(slot(slots, Slot::At)).is_some();
+            let from = slot(slots, Slot::From).or(slot(slots, Slot::RelativeTo));
+            let by_way = slot(slots, Slot::By).is_some() || from.is_some();
             for name in subjects
                 .iter()
                 .filter_map(name_of_particle)

@@ -3,7 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL,
-    OTHER_PRODUCTS, PLANE_OF_SYMMETRY,
+    OTHER_PRODUCTS, PLANE_OF_SYMMETRY, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -16,14 +16,16 @@ use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::named_loads_read::{may_be_size, names_load};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    are_products, is_of_products, node_of, reach_of,
+    are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::quaternions_read::layout;
+use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 20] = [
@@ -70,7 +72,10 @@ impl Builder<'_> {
 
     fn read_letter(&mut self, declaration: &Declaration) {
         match &declaration.statement {
-            Statement::Is { subjects, what } => self.read_noun(subjects, what, declaration),
+            Statement::Is { subjects, what } => {
+                self.read_noun(subjects, what, declaration);
+                self.read_where_letter_differs(subjects, what, declaration);
+            }
             Statement::Same { .. } => self.read_same(declaration),
             Statement::Means { .. } => self.read_means(declaration),
             Statement::Does {
@@ -135,7 +140,12 @@ impl Builder<'_> {
         self.denote(formula, Meaning::Quantity(quantity), declaration);
     }
 
-    fn read_noun(&mut self, subjects: &[Term], what: &NounPhrase, declaration: &Declaration) {
+    pub(super) fn read_noun(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
         // What the products of inertia are is a rule of notation.
         if subjects.len() == 1 && subjects.iter().all(are_products) {
             if !matches!(what.head, "integral" | "entry" | "zero") {
@@ -147,20 +157,18 @@ impl Builder<'_> {
         if is_of_products(what) && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
             return self.say_unused(declaration);
         }
-        if is_force_at(what) {
-            return;
-        }
         if rests_for_long(what) {
             return self.say_unused(declaration);
         }
-        if WHOLES.contains(&what.head) || THINGS.contains(&what.head) || self.is_shape(what.head) {
+        let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
+        if thing || self.is_shape(what.head) || is_force_at(what) || is_reaction(what) {
             return;
         }
         match what.head {
             "component" => self.read_components(subjects, what, declaration),
             PRODUCTS | OTHER_PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
-            "acceleration of gravity" => self.read_gravity(subjects, declaration),
+            _ if tells_gravity(what) => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
@@ -176,7 +184,8 @@ impl Builder<'_> {
             | "damping" => {
                 self.read_size(subjects, declaration);
             }
-            DOWNHILL | NORMAL if self.normal_of_incline().is_some() => {}
+            DOWNHILL | UPHILL if self.is_tilted() => {}
+            NORMAL if self.normal_of_incline().is_some() => {}
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
             CROSS_PRODUCT_MATRIX | "rotation matrix" | COMPONENT_ROTATION
@@ -301,15 +310,30 @@ impl Builder<'_> {
         square: crate::algebra::Fraction,
         declaration: &Declaration,
     ) {
+        if let Some(root) = self.system().atoms.known_root(&square)
+            && self.reading.system.atoms.has_steady_sines(&root)
+        {
+            let known = Quantity::Known(Value::scalar(root));
+            return self.denote(formula, Meaning::Quantity(known), declaration);
+        }
+        let rate = self.system().atoms.derivative(&square);
+        // In a part of the document it may be another length than elsewhere: a letter of its own, written alike.
+        let text = match &declaration.extent {
+            Extent::Document => formula.source.clone(),
+            _ => format!("{}\\,", formula.source),
+        };
         let quantity = Quantity::Scalar {
-            text: formula.source.clone(),
-            constant: false,
+            text,
+            constant: num_traits::Zero::is_zero(&rate),
         };
         let Ok(value) = self.system().value_of(&quantity) else {
             return;
         };
         self.denote(formula, Meaning::Quantity(quantity), declaration);
         let letter = value.entries[0].clone();
+        if let Some(length) = letter.as_variable() {
+            self.system().atoms.set_length(length);
+        }
         if let (Extent::Document, Some(length)) = (&declaration.extent, letter.as_variable()) {
             self.system().atoms.tell_root(square.clone(), length);
         }

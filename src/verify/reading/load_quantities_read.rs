@@ -3,7 +3,7 @@
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::Lasting;
-use crate::verify::model::system::PointId;
+use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::FORCES;
 use crate::verify::reading::named_loads_read::names_load;
@@ -13,6 +13,9 @@ use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        if let Some(reaction) = self.reaction(phrase) {
+            return Some(reaction);
+        }
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
         }
@@ -32,7 +35,10 @@ impl Builder<'_> {
     /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
     pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
         let value = match self.loads_at(at, Lasting::Always).as_slice() {
-            [named] => named.value.clone(),
+            named @ [_, ..] => {
+                let values = named.iter().map(|load| &load.value);
+                values.fold(Vector::zeros(), |sum, value| sum + value)
+            }
             [] => {
                 let declaration = self
                     .declarations
@@ -42,7 +48,6 @@ impl Builder<'_> {
                 self.system().loads.push(load.clone());
                 load.value
             }
-            _ => return None,
         };
         Some(Quantity::Known(Value::vector(&value, Basis::Itself)))
     }

@@ -7,6 +7,7 @@ use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::node_of;
+use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -35,6 +36,7 @@ struct Acting<'s> {
 impl Builder<'_> {
     /// "The force `F` acts at P", "`T` is the thrust at P along z".
     pub(super) fn read_loads(&mut self) {
+        self.read_reactions();
         for declaration in self.declarations {
             let read = match &declaration.statement {
                 Statement::Does {
@@ -42,6 +44,11 @@ impl Builder<'_> {
                     verb: "act",
                     slots,
                 } => self.read_acting(subjects, slots, declaration),
+                Statement::Is { what, .. }
+                    if is_reaction(what) && self.contact_of(what).is_some() =>
+                {
+                    Some(())
+                }
                 Statement::Is { subjects, what } if is_force_at(what) => {
                     let said = |subject| (what.head, subject);
                     let mut all = subjects.iter().map(said);
@@ -122,6 +129,11 @@ impl Builder<'_> {
             Some(term) => Some(self.point(term)?),
             None => None,
         };
+        if let Some(known) = self.load(letter, lasting_of(head))
+            && known.at == at
+        {
+            return Some(());
+        }
         if at.is_some() != FORCES.contains(&head) || at.is_none() && head != "moment" {
             return None;
         }
@@ -131,6 +143,11 @@ impl Builder<'_> {
             at,
             along: slot(slots, Slot::Along),
         };
+        if let Some(along) = self.told_direction(head, letter, declaration) {
+            let value = self.directed_force(letter, &along, declaration)?;
+            self.push_load(&acting, value);
+            return Some(());
+        }
         let value = self.value_of_load(&acting, declaration)?;
         self.push_load(&acting, value);
         Some(())
@@ -143,6 +160,7 @@ impl Builder<'_> {
             at: acting.at,
             value,
             lasting: lasting_of(acting.head),
+            part: false,
         });
     }
 
@@ -196,7 +214,8 @@ impl Builder<'_> {
 
     pub(super) fn loads_at(&self, at: PointId, lasting: Lasting) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
-        let there = loads.filter(|load| load.at == Some(at) && load.lasting == lasting);
+        let there =
+            loads.filter(|load| load.at == Some(at) && load.lasting == lasting && !load.part);
         there.cloned().collect()
     }
 
@@ -222,6 +241,7 @@ impl Builder<'_> {
             at: Some(at),
             value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
             lasting: lasting_of(head),
+            part: false,
         })
     }
 }

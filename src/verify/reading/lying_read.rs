@@ -44,6 +44,26 @@ impl Builder<'_> {
         }
     }
 
+    /// "P is at Q": there is no way between them. Of a point of a body that is where the body touches a plane this holds for
+    /// an instant alone.
+    pub(super) fn read_lying_at(
+        &mut self,
+        subjects: &[Term],
+        at: &Term,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let place = self.point(at)?;
+        for subject in subjects {
+            if self.spot_at_contact(subject).is_some() {
+                continue;
+            }
+            let point = self.point(subject)?;
+            let way = self.system().position(point, place);
+            self.hold_zero(&way, declaration);
+        }
+        Some(())
+    }
+
     /// The points that a term names: a point, or the mass centres of bodies.
     fn points_named_by(&self, term: &Term) -> Option<Vec<PointId>> {
         match term {

@@ -76,6 +76,7 @@ impl Builder<'_> {
             at,
             value,
             lasting: Lasting::Always,
+            part: false,
         });
         Some(())
     }

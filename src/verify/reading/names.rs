@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
-use crate::verify::language::heads::OTHER_PRODUCTS;
+use crate::verify::language::heads::{GRAVITY, OTHER_PRODUCTS};
 use crate::verify::language::statement::{Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::term::labels::without_commands;
 use crate::verify::term::letters::Reach;
@@ -176,4 +176,12 @@ pub(crate) fn told<T>(
         Some(term) => known(term),
         None => Some(customary),
     }
+}
+
+/// Whether a noun is the acceleration of gravity, or how great it is.
+pub(crate) fn tells_gravity(what: &NounPhrase) -> bool {
+    let of = what.slot(Slot::Of);
+    what.head == GRAVITY
+        || what.head == "magnitude"
+            && matches!(of, Some(Term::Phrase(phrase)) if phrase.head == GRAVITY)
 }

@@ -75,6 +75,7 @@ impl Builder<'_> {
                 at: Some(at),
                 value,
                 lasting: listed.lasting,
+                part: false,
             });
             return Some(());
         }
@@ -141,6 +142,7 @@ impl Builder<'_> {
                 at: Some(self.centre_of(body)),
                 value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
                 lasting,
+                part: false,
             }]);
         }
         let letters = letters_of(load).into_iter();

@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::{CONJUGATE, SCALAR_PART, SECOND_RATE, VECTOR_PART};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::reading::loads_read::acting_force;
-use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of};
+use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of, tells_gravity};
 use crate::verify::term::letters::{loosely, spelled};
 use foldhash::HashMap;
 use std::collections::BTreeSet;
@@ -205,9 +205,8 @@ fn stage_of(statement: &Statement) -> usize {
         } => 2,
         Statement::Is { what, .. } => match what.head {
             "position" if what.all(Slot::Of).any(|of| acting_force(of).is_some()) => 2,
-            "acceleration of gravity" | "vector" | UNIT_VECTOR | "mass" | "position" => {
-                BEFORE_LOADS
-            }
+            _ if tells_gravity(what) => BEFORE_LOADS,
+            "vector" | UNIT_VECTOR | "mass" | "position" => BEFORE_LOADS,
             CONSTANT => 3,
             "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
             | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,

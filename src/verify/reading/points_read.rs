@@ -149,7 +149,12 @@ impl Builder<'_> {
 
     fn frames_fixed(&self, what: &NounPhrase) -> Vec<FrameId> {
         let fixed = what.all(Slot::FixedIn);
-        fixed.filter_map(|term| self.frame(term)).collect()
+        // The origin of a frame is fixed in it.
+        let origin = what.all(Slot::Of).filter(|_| what.head == "origin");
+        fixed
+            .chain(origin)
+            .filter_map(|term| self.frame(term))
+            .collect()
     }
 
     /// A mass centre without a name is a point as well.

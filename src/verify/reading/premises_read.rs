@@ -54,6 +54,10 @@ impl Builder<'_> {
                     if let Some(axis) = axis_of(slots) {
                         self.read_lying(subjects, axis, declaration);
                     }
+                    if let [(Slot::At, at)] = slots.as_slice() {
+                        let read = self.read_lying_at(subjects, at, declaration);
+                        read.unwrap_or_else(|| self.say_unused(declaration));
+                    }
                 }
                 Statement::Is { subjects, what } if what.head == "symmetric" => {
                     self.read_symmetry(subjects, what, declaration);

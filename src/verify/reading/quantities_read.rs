@@ -1,7 +1,8 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    CONJUGATE, MOMENT_OF_INERTIA, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART,
+    SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -65,12 +66,7 @@ impl Builder<'_> {
         let ground = self.reading.system.ground;
         let relative = told(phrase.slot(Slot::RelativeTo), ground, |t| self.frame(t));
         if matches!(phrase.head, "position" | "displacement") {
-            let of = self.spot(phrase.slot(Slot::Of)?)?;
-            let from = phrase.slot(Slot::RelativeTo);
-            let from = told(from.or_else(|| phrase.slot(Slot::From)), 0, |t| {
-                self.point(t)
-            })?;
-            return Some(Quantity::Position { of, from });
+            return self.placed(phrase);
         }
         if phrase.head == "distance" {
             return self.distance(phrase, declaration);
@@ -117,6 +113,20 @@ impl Builder<'_> {
         })
     }
 
+    fn placed(&self, phrase: &NounPhrase) -> Option<Quantity> {
+        let of = phrase.slot(Slot::Of)?;
+        // What is at a contact for an instant was elsewhere before: its place there has no rate.
+        if self.spot_at_contact(of).is_some() {
+            return None;
+        }
+        let of = self.spot(of)?;
+        let from = phrase
+            .slot(Slot::RelativeTo)
+            .or_else(|| phrase.slot(Slot::From));
+        let from = told(from, 0, |term| self.point(term))?;
+        Some(Quantity::Position { of, from })
+    }
+
     fn rate(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
         let ground = self.reading.system.ground;
         let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
@@ -133,6 +143,9 @@ impl Builder<'_> {
 
     /// "the part of `v` along n", "… perpendicular to n".
     fn part(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        if let Some(plane) = phrase.slot(Slot::In) {
+            return self.part_in_plane(phrase.slot(Slot::Of)?, plane, declaration);
+        }
         let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
         let across = phrase.slot(Slot::With);
         let axis = across.or_else(|| phrase.slot(Slot::Along))?;
@@ -175,7 +188,7 @@ impl Builder<'_> {
                     velocities,
                 }
             }
-            "force" => self.force(phrase)?,
+            FORCE | CONTACT_FORCE | NORMAL_FORCE | FRICTION => self.force(phrase)?,
             head if inertial(head).is_some() => self.inertial_force(phrase)?,
             "weight" => self.weight(phrase)?,
             "moment" => self.moment(phrase, declaration)?,

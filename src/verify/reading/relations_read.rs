@@ -9,7 +9,6 @@ use crate::verify::language::statement::{
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::incline_read::is_incline;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of, told};
 use crate::verify::term::indices::{LABELS, with_number};
@@ -35,7 +34,7 @@ impl Builder<'_> {
         let [one, other] = ends.as_slice() else {
             return None;
         };
-        if ends.iter().any(is_incline) && self.normal_of_incline().is_some() {
+        if self.are_incline_and_level(&ends.iter().collect::<Vec<_>>()) && self.is_tilted() {
             return Some(());
         }
         let Some(Term::Formula(letter)) = subjects.first() else {
@@ -77,7 +76,7 @@ impl Builder<'_> {
             directions.push(self.vector(other, declaration)?);
         }
         if what.head == "horizontal" {
-            self.vertical?;
+            self.bearings.vertical?;
             directions.push(self.upward());
         }
         for subject in subjects {
@@ -231,7 +230,7 @@ impl Builder<'_> {
     pub(super) fn height(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
         let of = self.spot(phrase.slot(Slot::Of)?)?;
         let from = told(phrase.slot(Slot::With), 0, |t| self.point(t))?;
-        let vertical = self.vertical?;
+        let vertical = self.bearings.vertical?;
         let along = Quantity::Component {
             of: Quantity::Position { of, from }.boxed(),
             axis: vertical.axis,

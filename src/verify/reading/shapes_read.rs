@@ -16,6 +16,8 @@ use std::collections::BTreeSet;
 const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
 ];
+/// The size of what is round.
+const RADIUS: &str = "radius";
 
 impl Builder<'_> {
     /// Whether a noun is that of a shape with sizes.
@@ -157,10 +159,12 @@ impl Builder<'_> {
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
     fn axis_of_shape(&self, body: BodyId) -> usize {
+        self.told_axis_of_shape(body).unwrap_or(2)
+    }
+
+    fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
         let system = &self.reading.system;
-        let Some(frame) = system.bodies[body].frame else {
-            return 2;
-        };
+        let frame = system.bodies[body].frame?;
         let name = |term: &Term| self.axis_of_frame(term);
         let told = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "axis" => {
@@ -178,7 +182,26 @@ impl Builder<'_> {
             turned.parent == Some(f) && turned.turn.axis() == Some(axis)
         };
         told.filter(|&(f, axis)| f == frame || shared(f, axis))
-            .map_or(2, |(_, axis)| axis)
+            .map(|(_, axis)| axis)
+    }
+
+    /// What is symmetric about an axis and has a radius touches planes as a wheel does.
+    pub(super) fn round_body(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let sized = what.all(Slot::Of).any(|term| match term {
+            Term::Phrase(size) => size.head == RADIUS,
+            _ => false,
+        });
+        let Some(axis) = self.told_axis_of_shape(body).filter(|_| sized) else {
+            return;
+        };
+        if let Some(radius) = self.size_of_shape(body, what, RADIUS, declaration) {
+            self.reading.system.bodies[body].round = Some(Round::Rim { radius, axis });
+        }
     }
 
     /// A tensor on the axes of a shape, which has its own axis along one of those of a body's frame. One that is the

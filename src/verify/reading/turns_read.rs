@@ -2,11 +2,13 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
+use crate::verify::language::heads::KEEPS_DIRECTION;
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::Said;
-use crate::verify::reading::names::{EULER_ANGLES, name_of};
+use crate::verify::reading::contact_read::CONTACT_POINT;
+use crate::verify::reading::frames_read::{Said, slot};
+use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, told};
 
 impl Builder<'_> {
     /// Angles in an order: frames between, each turned about one axis.
@@ -173,5 +175,90 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+}
+
+impl Builder<'_> {
+    /// "S does not turn relative to N."
+    pub(super) fn read_kept_direction(&mut self, declaration: &Declaration) {
+        let Statement::Does {
+            subjects,
+            verb: KEEPS_DIRECTION,
+            slots,
+        } = &declaration.statement
+        else {
+            return;
+        };
+        let ground = self.reading.system.ground;
+        let relative = told(slot(slots, Slot::RelativeTo), ground, |term| {
+            self.frame(term)
+        });
+        for subject in subjects {
+            match self.frame(subject).zip(relative) {
+                Some((frame, relative)) if self.is_free_against(frame, relative) => {
+                    self.reading.system.frames[frame].turn = Turn::Fixed;
+                }
+                _ => self.say_unused(declaration),
+            }
+        }
+    }
+
+    /// Whether nothing is told yet of how a frame turns against its parent.
+    fn is_free_against(&self, frame: FrameId, parent: FrameId) -> bool {
+        let frame = &self.reading.system.frames[frame];
+        frame.parent == Some(parent) && frame.turn == Turn::Free
+    }
+
+    /// "The wheel is symmetric about z", of a body that touches a plane, where z is an axis of the frame that the plane is
+    /// fixed in and lies in the plane: the body turns about this axis alone.
+    pub(super) fn read_axis_in_space(&mut self, declaration: &Declaration) {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            return;
+        };
+        let about = what.slot(Slot::About).map(along_of).and_then(name_of);
+        let (true, Some(about)) = (what.head == "symmetric", about) else {
+            return;
+        };
+        let ground = self.reading.system.ground;
+        let Some(axis) = self.axes.of(&about, ground) else {
+            return;
+        };
+        for subject in subjects {
+            let body = self.body(subject);
+            let frame = body.and_then(|body| self.reading.system.bodies[body].frame);
+            if let (Some(frame), true, false) =
+                (frame, self.touches_plane(subject), self.stands_up(axis))
+                && self.axes.of(&about, frame).is_none()
+                && self.is_free_against(frame, ground)
+            {
+                let rate = self.own_rate(frame);
+                self.reading.system.frames[frame].turn =
+                    Turn::Rate(Axis::Number(axis), Box::new(rate));
+            }
+        }
+    }
+
+    /// Whether a sentence says that a body rolls on something, or touches it.
+    fn touches_plane(&self, body: &Term) -> bool {
+        let named = |term: &Term| name_of(term) == name_of(body);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "roll",
+                ..
+            } => subjects.iter().any(named),
+            Statement::Is { what, .. } if what.head == CONTACT_POINT => {
+                what.all(Slot::Of).any(named)
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether an axis of the inertial frame is vertical, or stands on the plane.
+    fn stands_up(&self, axis: usize) -> bool {
+        let ground = self.reading.system.ground;
+        let vertical = self.vertical();
+        let upright = vertical.frame == ground && vertical.axis == axis && !self.has_plane_anyhow();
+        upright || self.bearings.lie.normal() == Some(axis)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
+use crate::verify::language::heads::KEEPS_DIRECTION;
 use crate::verify::language::only_names;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, Touched};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
@@ -11,7 +12,8 @@ use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
-const HEARD: [&str; 10] = [
+const HEARD: [&str; 11] = [
+    KEEPS_DIRECTION,
     "act",
     "obey",
     "roll",
@@ -35,7 +37,7 @@ const MOST_BEYOND: usize = 4;
 impl Builder<'_> {
     /// Verbs and nouns for which the model has no law yet.
     pub(super) fn say_unheard(&mut self) {
-        let inclined = self.normal_of_incline().is_some();
+        let inclined = self.is_tilted();
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does {
@@ -46,6 +48,11 @@ impl Builder<'_> {
                 } => [Slot::At, Slot::On, Slot::From]
                     .iter()
                     .any(|s| slots.iter().any(|(slot, _)| slot == s)),
+                Statement::Does {
+                    subjects,
+                    verb: "point",
+                    ..
+                } => subjects.iter().all(|subject| self.is_force(subject)),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { what, .. } => {
                     let of = what.slot(Slot::Of).and_then(|term| self.body(term));

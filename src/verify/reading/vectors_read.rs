@@ -28,7 +28,7 @@ impl Builder<'_> {
             None if what.slot(Slot::To).is_some() => self.way_between(what),
             // Of a vector that no sentence tells it is only said that it has a direction.
             Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
-            Some(term) => match self.axis_quantity(&term, declaration) {
+            Some(term) => match self.direction_named(&term, declaration) {
                 Some(along) => Some(along),
                 None => return self.say_unused(declaration),
             },
@@ -50,6 +50,7 @@ impl Builder<'_> {
             let text = formula.source.clone();
             let quantity = match (what.head, &along) {
                 ("vector", _) => Quantity::Vector { text, carried },
+                (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
                 (_, Some(along)) => {
                     let size = Quantity::Magnitude(along.clone().boxed());
                     let size = self
@@ -81,6 +82,14 @@ impl Builder<'_> {
             of: Spot::Point(to),
             from,
         })
+    }
+
+    /// What a unit vector is along: an axis, or a vector by its letter.
+    fn direction_named(&mut self, term: &Term, declaration: &Declaration) -> Option<Quantity> {
+        match self.operand(term, declaration) {
+            Some(along) => Some(along),
+            None => self.axis_quantity(term, declaration),
+        }
     }
 
     /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
@@ -275,7 +284,18 @@ impl Builder<'_> {
             .ok()
             .and_then(|v| v.to_scalar().ok());
         let vertical = self.vertical();
-        let axis = Quantity::Axis(vertical.frame, vertical.axis).boxed();
+        let axis = match self.has_plane_anyhow() {
+            true => Quantity::UnitVector {
+                text: "\\text{up}".into(),
+                carried: Some(ground),
+            },
+            false => Quantity::Axis(vertical.frame, vertical.axis),
+        }
+        .boxed();
+        // How great it is, in the direction in which things fall.
+        if let Some(g) = &size {
+            self.system().atoms.set_positive(g);
+        }
         let along = |g: Fraction| if vertical.points_down { g } else { -g };
         self.gravity = size.map(|g| Quantity::Scaled(axis, along(g)));
     }

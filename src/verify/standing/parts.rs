@@ -4,6 +4,7 @@
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::verify::language::is_thing;
 use crate::verify::language::statement::{Declaration, Extent, Statement};
+use crate::verify::reading::incline_read::tells_lie;
 use crate::verify::reading::names::{EULER_ANGLES, reach_of};
 use crate::verify::term::letters::{At, Reach};
 
@@ -92,7 +93,9 @@ fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Pa
 /// Whether a sentence builds the system for a part of the document alone.
 fn is_limited(declaration: &Declaration) -> bool {
     let builds = match &declaration.statement {
-        Statement::Is { what, .. } => is_thing(what.head) || what.head == EULER_ANGLES,
+        Statement::Is { what, .. } => {
+            is_thing(what.head) || what.head == EULER_ANGLES || tells_lie(what)
+        }
         Statement::Does { verb, .. } => VERBS.contains(verb),
         _ => false,
     };
