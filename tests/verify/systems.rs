@@ -17,6 +17,7 @@ mod rolling;
 mod slopes;
 mod sound;
 mod start;
+mod taken_in_whole;
 mod tensors;
 mod textbook;
 mod told_places;

@@ -94,7 +94,7 @@ fn is_constant(atoms: &Atoms, variable: Variable) -> bool {
 fn is_free_constant(atoms: &Atoms, variable: Variable) -> bool {
     let atom = atoms.atom(variable);
     atom.nature == Nature::Quantity
-        && atom.key.space == Space::Model
+        && matches!(atom.key.space, Space::Model | Space::Number)
         && atom.law.is_none()
         && is_constant(atoms, variable)
 }

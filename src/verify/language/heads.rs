@@ -66,6 +66,22 @@ pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
 
 /// The noun of a matrix that takes components on axes to components on these axes after they have turned.
 pub(crate) const COMPONENT_ROTATION: &str = "passive rotation matrix";
+/// Nouns of forces of one kind, of which a body has no more than one.
+pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
+    ["thrust", "lift", "drag", "aerodynamic force", "buoyancy"];
+/// Nouns of moments of one kind.
+pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
+    "control moment",
+    "disturbance moment",
+    "motor moment",
+    "friction moment",
+    "restoring moment",
+    "aerodynamic moment",
+];
+/// What a motion is said to be without being another one.
+pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
+/// Products that no letter names.
+pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";
 
 #[cfg(test)]
 mod tests {
@@ -125,19 +141,3 @@ mod tests {
         }
     }
 }
-/// Nouns of forces of one kind, of which a body has no more than one.
-pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
-    ["thrust", "lift", "drag", "aerodynamic force", "buoyancy"];
-/// Nouns of moments of one kind.
-pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
-    "control moment",
-    "disturbance moment",
-    "motor moment",
-    "friction moment",
-    "restoring moment",
-    "aerodynamic moment",
-];
-/// What a motion is said to be without being another one.
-pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
-/// Products that no letter names.
-pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";

@@ -29,6 +29,8 @@ pub(crate) struct Key {
 pub(crate) enum Space {
     #[default]
     Model,
+    /// A number that a sentence gives a letter of its own.
+    Number,
     Letter(u16),
     Unknown,
 }
@@ -42,6 +44,14 @@ impl Key {
             member: None,
             space: Space::Model,
             dimensions: None,
+        }
+    }
+
+    /// The key of a number that a sentence gives a letter of its own.
+    pub(crate) fn of_number(text: impl Into<String>) -> Self {
+        Self {
+            space: Space::Number,
+            ..Self::new(text)
         }
     }
 

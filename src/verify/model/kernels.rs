@@ -56,7 +56,7 @@ impl Atoms {
     }
 
     fn is_pi(&self, unit: &Fraction) -> bool {
-        let pi = self.find(&Key::new("\\pi"));
+        let pi = self.find(&Key::of_number("\\pi"));
         pi.is_some() && unit.as_variable() == pi
     }
 

@@ -90,6 +90,7 @@ pub(crate) fn build(
     builder.read_letters();
     builder.hold_told_places();
     builder.hold_masses();
+    builder.hold_midpoints();
     builder.hold_fixed_frames();
     builder.make_up_of_references();
     builder.read_premises();

@@ -40,6 +40,30 @@ impl Builder<'_> {
         }
     }
 
+    /// "P is the midpoint of A and B": the one place is the mean of the others.
+    pub(super) fn hold_midpoints(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let of: Vec<_> = what
+                .all(Slot::Of)
+                .filter_map(|term| self.point(term))
+                .collect();
+            if let ("middle", &[one, other]) = (what.head, of.as_slice()) {
+                for point in subjects
+                    .iter()
+                    .filter_map(|subject| self.point(subject))
+                    .collect::<Vec<_>>()
+                {
+                    let ways =
+                        self.system().position(point, one) + self.system().position(point, other);
+                    self.hold_zero(&ways, declaration);
+                }
+            }
+        }
+    }
+
     /// What is told of places by letters that other sentences tell, for a part of the document, or once more.
     pub(super) fn hold_told_places(&mut self) {
         for (index, declaration) in self.declarations.iter().enumerate() {

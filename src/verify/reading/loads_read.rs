@@ -104,11 +104,13 @@ impl Builder<'_> {
             match subject {
                 Term::Formula(letter) => self.add_load("force", letter, slots, declaration)?,
                 Term::Phrase(load) => {
+                    let own = load.slots.iter().filter(|(slot, _)| *slot != Slot::Which);
+                    let slots = [slots, &own.cloned().collect::<Vec<_>>()].concat();
                     for letter in load.all(Slot::Which) {
                         let Term::Formula(letter) = letter else {
                             return None;
                         };
-                        self.add_load(load.head, letter, slots, declaration)?;
+                        self.add_load(load.head, letter, &slots, declaration)?;
                     }
                     load.slot(Slot::Which)?;
                 }

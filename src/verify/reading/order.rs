@@ -150,11 +150,15 @@ fn told_letters(statement: &Statement) -> Vec<String> {
 
 /// A letter as written, and with its marks of vectors taken off.
 fn keys(node: &Node) -> [String; 2] {
-    [format!("={}", spelled(node)), format!("~{}", loosely(node))]
+    [exact_key(node), format!("~{}", loosely(node))]
+}
+
+pub(crate) fn exact_key(node: &Node) -> String {
+    format!("={}", spelled(node))
 }
 
 /// The letters that stand in what is said.
-fn mentioned_letters(statement: &Statement) -> Vec<[String; 2]> {
+pub(crate) fn mentioned_letters(statement: &Statement) -> Vec<[String; 2]> {
     let mut letters = vec![];
     match statement {
         Statement::Is { subjects, what } => {

@@ -149,6 +149,12 @@ impl Builder<'_> {
 
     fn frames_fixed(&self, what: &NounPhrase) -> Vec<FrameId> {
         let fixed = what.all(Slot::FixedIn);
+        // "the fixed point of the top" is fixed in both.
+        if what.head == "point" && what.is("fixed") {
+            let body = |term| self.reading.system.bodies[self.body(term)?].frame;
+            let own = what.all(Slot::Of).filter_map(body);
+            return own.chain([self.reading.system.ground]).collect();
+        }
         // The origin of a frame is fixed in it.
         let origin = what.all(Slot::Of).filter(|_| what.head == "origin");
         fixed

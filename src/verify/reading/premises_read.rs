@@ -141,7 +141,8 @@ impl Builder<'_> {
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),
-            POTENTIAL | MASS_CENTRE => Some(()),
+            MASS_CENTRE if premise.is("fixed") => Some(()),
+            POTENTIAL => Some(()),
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
                     let reach = reach_of(&declaration.extent);

@@ -12,6 +12,9 @@ use crate::verify::term::quantity::Quantity;
 /// The places of the products, each of which stands twice in a tensor.
 const PLACES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
+/// Products that letters name: of a tensor, on a frame, and which ones.
+type Named = (Quantity, FrameId, Vec<(usize, usize)>);
+
 impl Builder<'_> {
     /// Whether products of inertia are integrals, where a sentence says what they are.
     pub(super) fn products_are_integrals(&self) -> Option<bool> {
@@ -85,8 +88,8 @@ impl Builder<'_> {
     }
 
     /// The products that letters name, where all are of one tensor on one frame.
-    fn named_products(&self) -> Option<(Quantity, FrameId, Vec<(usize, usize)>)> {
-        let mut found: Option<(Quantity, FrameId, Vec<(usize, usize)>)> = None;
+    fn named_products(&self) -> Option<Named> {
+        let mut found: Option<Named> = None;
         for letter in &self.reading.letters.letters {
             let Meaning::Quantity(Quantity::Entry {
                 of,

@@ -1,8 +1,8 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART,
-    SECOND_RATE, VECTOR_PART,
+    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT, MOMENT_OF_INERTIA,
+    NORMAL_FORCE, SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -37,7 +37,7 @@ impl Builder<'_> {
             return None;
         }
         let mut quantity = self.bare_quantity(phrase, declaration)?;
-        if let Some(along) = phrase.slot(Slot::Along)
+        if let Some(along) = phrase.slot(Slot::Along).or_else(|| axis_about(phrase))
             && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
             && !(phrase.slot(Slot::Upon).is_some() && self.is_scalar(&quantity))
         {
@@ -209,7 +209,10 @@ impl Builder<'_> {
             rotation,
         };
         match phrase.head {
-            "kinetic energy" | "kinetic energy of rotation" => Some(kinetic),
+            // About another point than the mass centre the energy of rotation is another.
+            "kinetic energy" | "kinetic energy of rotation" => {
+                phrase.slot(Slot::About).is_none().then_some(kinetic)
+            }
             POTENTIAL => self.potential_energy(body?),
             "total energy" => Some(self.total_energy(body?, kinetic)),
             "Lagrangian" => {
@@ -360,4 +363,11 @@ impl Builder<'_> {
             Whole::Member(..) => None,
         }
     }
+}
+
+/// The axis that a moment or an angular momentum is about: of a vector, the component along it.
+fn axis_about(phrase: &NounPhrase) -> Option<&Term> {
+    let about = phrase.slot(Slot::About)?;
+    let axis = matches!(about, Term::Phrase(axis) if axis.head == "axis" && axis.slot(Slot::Along).is_some());
+    (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
 }

@@ -7,6 +7,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{is_letter, letter_of, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -60,6 +61,12 @@ impl Builder<'_> {
     pub(super) fn particles(&self) -> BTreeSet<String> {
         let said = self.declarations.iter().flat_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "particle" => subjects.as_slice(),
+            // What lies somewhere is a point.
+            Statement::Does {
+                subjects,
+                verb: "place" | "lie",
+                slots,
+            } if slots.iter().any(|(slot, _)| *slot == Slot::From) => subjects.as_slice(),
             _ => &[],
         });
         let said = said.filter_map(name_of);
@@ -76,7 +83,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let shape = mechanics::Shape::by_name(what.head)?;
-        if !is_plain_shape(what, &shape.sizes()) {
+        if !is_plain_shape(what, shape.sizes()) {
             return None;
         }
         let mut sizes: Vec<Fraction> = vec![];
@@ -94,7 +101,12 @@ impl Builder<'_> {
         };
         let pi = self.system().value_of(&pi).ok()?.to_scalar().ok()?;
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
-        let axis = self.axis_of_shape(body);
+        let round_all_over = matches!(shape.name(), "sphere" | "shell");
+        let axis = match self.told_axis_of_shape(body) {
+            Some(axis) => axis,
+            None if self.has_named_axes(body) && !round_all_over => return None,
+            None => 2,
+        };
         self.reading.system.bodies[body].round = match (shape.name(), sizes.as_slice()) {
             ("sphere" | "shell", [radius]) => Some(Round::Sphere {
                 radius: radius.clone(),
@@ -136,7 +148,7 @@ impl Builder<'_> {
                 .map_or_else(own, |formula| formula.source.clone()),
             constant: true,
         };
-        if let Some(formula) = told.filter(|formula| is_letter(formula)) {
+        if let Some(formula) = told.filter(is_letter) {
             self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
         }
         let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
@@ -158,18 +170,29 @@ impl Builder<'_> {
     }
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
-    fn axis_of_shape(&self, body: BodyId) -> usize {
-        self.told_axis_of_shape(body).unwrap_or(2)
-    }
-
     fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
         let system = &self.reading.system;
         let frame = system.bodies[body].frame?;
         let name = |term: &Term| self.axis_of_frame(term);
+        let rod = self.is_rod(body);
         let told = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "axis" => {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term));
                 subjects.first().and_then(name).filter(|_| of == Some(body))
+            }
+            Statement::Is { subjects, what } if what.head == "orthogonal" => {
+                let of = what
+                    .all(Slot::With)
+                    .any(|term| self.body(term) == Some(body));
+                subjects.first().and_then(name).filter(|_| of)
+            }
+            Statement::Does {
+                subjects,
+                verb: "lie",
+                slots,
+            } if rod => {
+                let of = subjects.iter().any(|term| self.body(term) == Some(body));
+                slot(slots, Slot::Along).and_then(name).filter(|_| of)
             }
             Statement::Is { subjects, what } if what.head == "symmetric" => {
                 let of = subjects.iter().any(|term| self.body(term) == Some(body));
@@ -183,6 +206,21 @@ impl Builder<'_> {
         };
         told.filter(|&(f, axis)| f == frame || shared(f, axis))
             .map(|(_, axis)| axis)
+    }
+
+    fn is_rod(&self, body: BodyId) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                what.head == "rod" && subjects.iter().any(|term| self.body(term) == Some(body))
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether sentences name axes of a body's frame, so that its third one need not be that of its shape.
+    fn has_named_axes(&self, body: BodyId) -> bool {
+        let frame = self.reading.system.bodies[body].frame;
+        self.axes.iter().any(|(_, (of, _))| Some(*of) == frame)
     }
 
     /// What is symmetric about an axis and has a radius touches planes as a wheel does.

@@ -224,7 +224,14 @@ impl<'a> Judge<'a> {
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
-        let elsewhere = !self.is_own() && !may_define(&links, &self.reading.letters, &self.at);
+        let told = |link: &Link| {
+            [&link.left, &link.right]
+                .into_iter()
+                .any(|s| self.part.is_told_elsewhere(s))
+        };
+        let defines =
+            may_define(&links, &self.reading.letters, &self.at) && !links.iter().any(told);
+        let elsewhere = !self.is_own() && !defines;
         if self.reading.left_out(&self.at) || links.is_empty() || cut || elsewhere {
             return;
         }

@@ -152,7 +152,7 @@ fn solved_for_motion(atoms: &mut Atoms, equation: &Polynomial) -> Option<(Variab
 /// The cosine and the sine of an angle that a line says at the start as a part of π.
 fn angle_at_start(atoms: &mut Atoms, value: &Fraction) -> Option<Vec<(Variable, Fraction)>> {
     let polynomial = value.is_polynomial().then(|| value.numerator().clone())?;
-    let pi = atoms.find(&Key::new("\\pi"));
+    let pi = atoms.find(&Key::of_number("\\pi"));
     let others = polynomial.variables().into_iter();
     let angles: Vec<Variable> = others.filter(|v| Some(*v) != pi).collect();
     let &[angle] = angles.as_slice() else {

@@ -1,12 +1,15 @@
 //! Parts of a document that speak of systems of their own: a frame that turns otherwise in one section than in another, a
 //! point that is placed anew.
 
+use crate::notation::ast::Node;
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::verify::language::is_thing;
-use crate::verify::language::statement::{Declaration, Extent, Statement};
+use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term};
 use crate::verify::reading::incline_read::tells_lie;
 use crate::verify::reading::names::{EULER_ANGLES, reach_of};
+use crate::verify::reading::order::{exact_key, mentioned_letters};
 use crate::verify::term::letters::{At, Reach};
+use std::collections::BTreeSet;
 
 /// A document with more systems than this is read as one that speaks of a single one.
 const MOST_PARTS: usize = 12;
@@ -20,6 +23,8 @@ pub(crate) struct Part {
     pub(crate) declarations: Vec<Declaration>,
     /// Of each sentence about things of a part of the document: which part, and whether it is in force here.
     limits: Vec<(Reach, bool)>,
+    /// The letters of sentences that are not in force here: no line elsewhere defines them.
+    elsewhere: BTreeSet<String>,
 }
 
 impl Part {
@@ -35,7 +40,13 @@ impl Part {
         Self {
             declarations: declarations.to_vec(),
             limits: vec![],
+            elsewhere: BTreeSet::new(),
         }
+    }
+
+    /// Whether a side of a line is a letter that is told in another part.
+    pub(crate) fn is_told_elsewhere(&self, side: &Node) -> bool {
+        self.elsewhere.contains(&exact_key(side))
     }
 }
 
@@ -70,10 +81,10 @@ pub(crate) fn parts(document: &Document, declarations: &[Declaration]) -> Vec<Pa
     }
 }
 
-/// In a part, what is declared of it alone is declared of all there is.
+/// In a part, what is declared of it alone is declared of all there is, and of what is told more widely it is told anew.
 fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Part {
     let mut in_force = holds.iter();
-    let mut own = vec![];
+    let mut own: Vec<Declaration> = vec![];
     for declaration in declarations {
         if !is_limited(declaration) {
             own.push(declaration.clone());
@@ -84,10 +95,50 @@ fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Pa
             });
         }
     }
+    let own_limits = declarations.iter().filter(|d| is_limited(d)).zip(&holds);
+    let narrow: Vec<&Statement> = own_limits
+        .filter_map(|(d, holds)| holds.then_some(&d.statement))
+        .collect();
+    let wide = declarations.iter().filter(|d| !is_limited(d));
+    let replaced: Vec<&Statement> = wide
+        .map(|d| &d.statement)
+        .filter(|wide| narrow.iter().any(|narrow| tells_anew(narrow, wide)))
+        .collect();
+    own.retain(|d| !replaced.contains(&&d.statement));
+    let others = declarations.iter().filter(|d| is_limited(d)).zip(&holds);
+    let letters = others
+        .filter(|(_, holds)| !**holds)
+        .flat_map(|(d, _)| mentioned_letters(&d.statement));
+    let elsewhere = letters.map(|[exact, _]| exact).collect();
     Part {
         declarations: own,
         limits: limited.iter().cloned().zip(holds).collect(),
+        elsewhere,
     }
+}
+
+/// Whether a sentence about a part of the document says all that a wider one says: where it holds the other does not.
+fn tells_anew(narrow: &Statement, wide: &Statement) -> bool {
+    let (
+        Statement::Does {
+            subjects,
+            verb,
+            slots,
+        },
+        Statement::Does {
+            subjects: others,
+            verb: other,
+            slots: told,
+        },
+    ) = (narrow, wide)
+    else {
+        return false;
+    };
+    let again = |(slot, term): &(Slot, Term)| {
+        let mut own = slots.iter().filter(|(own, _)| own == slot);
+        own.any(|(_, own)| *slot != Slot::RelativeTo || own == term)
+    };
+    verb == other && subjects == others && told.iter().all(again)
 }
 
 /// Whether a sentence builds the system for a part of the document alone.

@@ -331,7 +331,11 @@ impl System {
                 } else {
                     Place::Coordinate
                 };
-                Value::scalar(fraction(self.atoms.variable(Key::new(text), place, motion)))
+                Value::scalar(fraction(self.atoms.variable(
+                    Key::of_number(text),
+                    place,
+                    motion,
+                )))
             }
             Quantity::MemberScalar { text, index } => {
                 let key = Key::of_member(text, index);

@@ -40,7 +40,7 @@ impl Lowering<'_> {
 
     fn pi(&mut self) -> Fraction {
         let atoms = &mut self.system.atoms;
-        fraction(atoms.variable(Key::new("\\pi"), Place::Parameter, Motion::Constant))
+        fraction(atoms.variable(Key::of_number("\\pi"), Place::Parameter, Motion::Constant))
     }
 
     /// An angle in degrees; other units are not worked with.
