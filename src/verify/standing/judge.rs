@@ -224,14 +224,9 @@ impl<'a> Judge<'a> {
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
-        let told = |link: &Link| {
-            [&link.left, &link.right]
-                .into_iter()
-                .any(|s| self.part.is_told_elsewhere(s))
-        };
-        let defines =
-            may_define(&links, &self.reading.letters, &self.at) && !links.iter().any(told);
-        let elsewhere = !self.is_own() && !defines;
+        let elsewhere = self
+            .part
+            .passes_over(&links, &self.reading.letters, &self.at);
         if self.reading.left_out(&self.at) || links.is_empty() || cut || elsewhere {
             return;
         }

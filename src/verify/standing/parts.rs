@@ -8,7 +8,8 @@ use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, T
 use crate::verify::reading::incline_read::tells_lie;
 use crate::verify::reading::names::{EULER_ANGLES, reach_of};
 use crate::verify::reading::order::{exact_key, mentioned_letters};
-use crate::verify::term::letters::{At, Reach};
+use crate::verify::standing::chains::{Link, may_define};
+use crate::verify::term::letters::{At, Letters, Reach};
 use std::collections::BTreeSet;
 
 /// A document with more systems than this is read as one that speaks of a single one.
@@ -44,9 +45,12 @@ impl Part {
         }
     }
 
-    /// Whether a side of a line is a letter that is told in another part.
-    pub(crate) fn is_told_elsewhere(&self, side: &Node) -> bool {
-        self.elsewhere.contains(&exact_key(side))
+    /// Whether a line stands in another part, and defines no letter for this one: what a sentence tells there it tells of
+    /// that part.
+    pub(crate) fn passes_over(&self, links: &[Link], letters: &Letters, at: &At) -> bool {
+        let told = |side: &Node| self.elsewhere.contains(&exact_key(side));
+        let mut sides = links.iter().flat_map(|link| [&link.left, &link.right]);
+        !self.has(at) && (!may_define(links, letters, at) || sides.any(told))
     }
 }
 
