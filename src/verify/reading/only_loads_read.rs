@@ -163,18 +163,18 @@ impl Builder<'_> {
             Some((at, _)) => *at,
             None => self.centre_of(*body),
         };
-        let rest = self.system().rest_of_load(*body, loads, *lasting);
-        match open {
-            Some((_, Some(letter))) => {
-                let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
-                self.denote(letter, Meaning::Quantity(known), declaration);
-            }
-            Some(_) => {}
-            None => self.hold_zero(&rest, declaration),
+        if let Some((_, Some(letter))) = open {
+            let rest = self.system().rest_of_load(*body, loads, *lasting);
+            let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
+            self.denote(letter, Meaning::Quantity(known), declaration);
         }
         if !only_forces {
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
             self.hold_zero(&moment, declaration);
+        }
+        if open.is_none() {
+            let rest = self.system().rest_of_load(*body, loads, *lasting);
+            self.hold_zero(&rest, declaration);
         }
     }
 
