@@ -4,7 +4,9 @@ use crate::verify::language::heads::{INERTIA_TENSOR, OTHER_PRODUCTS};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{are_products, told};
+use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::vectors_read::entry_of;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -46,16 +48,30 @@ impl Builder<'_> {
         if self.products_are_integrals().is_none() {
             return;
         }
-        let (on, of): (Vec<_>, Vec<_>) = what
-            .slots
-            .iter()
-            .cloned()
-            .partition(|(s, _)| *s == Slot::On);
+        if !self.are_labelled_so(subjects, what) {
+            return self.say_unused(declaration);
+        }
+        let slots = what.slots.iter().filter(|(s, _)| *s != Slot::Between);
+        let (on, of): (Vec<_>, Vec<_>) = slots.cloned().partition(|(s, _)| *s == Slot::On);
         let tensor = Term::Phrase(Box::new(NounPhrase::new(INERTIA_TENSOR, of)));
         let slots = std::iter::once((Slot::Of, tensor)).chain(on);
         let entries = NounPhrase::new("entry", slots.collect());
         if self.read_entries(subjects, &entries, declaration).is_none() {
             self.say_unused(declaration);
+        }
+    }
+
+    /// Whether the labels of letters are the axes between which a sentence says that the products are, if it does.
+    fn are_labelled_so(&self, subjects: &[Term], what: &NounPhrase) -> bool {
+        let between: Vec<&Term> = what.all(Slot::Between).collect();
+        let axes: Option<Vec<usize>> = between.iter().map(|t| self.number_of_axis(t)).collect();
+        match axes.as_deref() {
+            Some([]) => true,
+            Some(&[row, column]) => {
+                let own = |letter| labelled_entry(letter) == Some([row, column]);
+                formulas(subjects).all(own)
+            }
+            _ => false,
         }
     }
 

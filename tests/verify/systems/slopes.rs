@@ -3,7 +3,8 @@
 use super::judged;
 
 /// A wheel on a ramp, in the words of a book: forces by their vectors and magnitudes.
-const WHEEL: &str = "N is an inertial frame, with x pointing down the ramp and y away from the ramp at right angles.
+const WHEEL: &str = "N is an inertial frame, with x pointing down the ramp.
+y is normal to the ramp, away from it.
 x, y, z are the axes of N.
 The ramp is a plane fixed in N.
 The angle between the ramp and the horizontal is $\\beta$.
@@ -61,7 +62,7 @@ const ROLLER: &str = "E is an inertial frame, and x, y, z are the axes of E.
 The slope is a plane fixed in E, and y is the upward normal of the slope.
 x points up the slope.
 The slope is inclined to the horizontal by the angle $\\gamma$.
-The roller is a solid of mass $m$ and radius $r$.
+The roller is a solid body of mass $m$ and radius $r$.
 The roller is symmetric about the axis through C along z.
 C is the mass centre of the roller.
 P is the point where the roller touches the slope.

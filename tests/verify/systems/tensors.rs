@@ -70,3 +70,11 @@ $v$ is the velocity of G relative to N.
 ";
     assert_eq!(judged(sentences, "$$ \\dot v = 0 $$\n$$ v = 0 $$\n"), "pr");
 }
+
+#[test]
+fn axes_that_are_not_those_of_the_label_tell_no_product() {
+    let sentences = format!(
+        "{AIRCRAFT}$J_{{xz}}$ is the product of inertia of the aircraft about C in the axes x and y of B.\nThe other products of inertia are zero.\n"
+    );
+    assert_eq!(judged(&sentences, ROLL), "uu");
+}
