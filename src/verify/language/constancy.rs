@@ -1,9 +1,10 @@
 //! "the constant rate `$\Omega$`" says of the letter that it is constant.
 
+use super::heads::CONSTANT;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Adjectives of what does not change.
-const UNCHANGING: [&str; 2] = ["constant", "steady"];
+const UNCHANGING: [&str; 2] = [CONSTANT, "steady"];
 
 /// Says of letters that they are constant, in a sentence of its own, where an adjective does.
 pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
@@ -12,9 +13,8 @@ pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
         let mut letters = vec![];
         match &mut declaration.statement {
             Statement::Is { subjects, what } if what.head != CONSTANT => {
-                let formula = |term: &&Term| matches!(term, Term::Formula(_));
-                if take_adjective(what) {
-                    letters.extend(subjects.iter().filter(formula).cloned());
+                if subjects.iter().all(is_formula) && take_adjective(what) {
+                    letters.extend(subjects.iter().cloned());
                 }
                 constant_in(&mut what.slots, &mut letters);
             }
@@ -34,8 +34,6 @@ pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
     declarations.extend(told);
 }
 
-const CONSTANT: &str = "constant";
-
 fn take_adjective(phrase: &mut NounPhrase) -> bool {
     let said = phrase.adjectives.len();
     phrase.adjectives.retain(|a| !UNCHANGING.contains(a));
@@ -46,11 +44,15 @@ fn constant_in(slots: &mut [(Slot, Term)], letters: &mut Vec<Term>) {
     for (_, term) in slots {
         if let Term::Phrase(phrase) = term {
             let own: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
-            let named = !own.is_empty() && own.iter().all(|t| matches!(t, Term::Formula(_)));
+            let named = !own.is_empty() && own.iter().all(is_formula);
             if named && take_adjective(phrase) {
                 letters.extend(own);
             }
             constant_in(&mut phrase.slots, letters);
         }
     }
+}
+
+fn is_formula(term: &Term) -> bool {
+    matches!(term, Term::Formula(_))
 }

@@ -20,6 +20,8 @@ pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 pub(crate) const RUN_OVER: &str = "run over";
 /// A plane on whose two sides a body is alike.
 pub(crate) const PLANE_OF_SYMMETRY: &str = "plane of symmetry";
+/// What does not change.
+pub(crate) const CONSTANT: &str = "constant";
 /// The number whose square is −1.
 pub(crate) const IMAGINARY_UNIT: &str = "imaginary unit";
 /// The verb of what does not turn.
@@ -125,8 +127,14 @@ mod tests {
             SCALAR_FIRST,
             SCALAR_LAST,
             COMPONENT_ROTATION,
+            CONSTANT,
+            IMAGINARY_UNIT,
+            KEEPS_DIRECTION,
+            OTHER_PRODUCTS,
         ];
-        for head in heads {
+        let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
+        let more = kinds.chain(&PLAIN_ADVERBS).copied();
+        for head in heads.into_iter().chain(more) {
             let entry = Lexicon::shared().entry(
                 head,
                 &[
@@ -135,6 +143,7 @@ mod tests {
                     Class::Custom,
                     Class::Adverb,
                     Class::Mark,
+                    Class::Verb,
                 ],
             );
             assert!(entry.is_some(), "{head}");

@@ -49,13 +49,14 @@ fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
 
 /// What is said of one of the subjects.
 fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
-    let mut own = what.clone();
-    for slot in PARTED {
-        if hangs_in_turn(what, slot, count) {
-            keep_one(&mut own.slots, slot, number);
-        }
-    }
-    keep_own_letters(&mut own.slots, number, count);
+    let parted = PARTED
+        .into_iter()
+        .filter(|&s| hangs_in_turn(what, s, count));
+    let parted: Vec<Slot> = parted.collect();
+    let mut own = NounPhrase {
+        slots: own_slots(&what.slots, &parted, number, count),
+        ..what.clone()
+    };
     if let Some(axes) = axes_of(what).filter(|axes| is_parted(axes, count)) {
         let axis = NounPhrase {
             head: "axis",
@@ -101,14 +102,25 @@ fn keep_one(slots: &mut Vec<(Slot, Term)>, slot: Slot, number: usize) {
     slots.retain(|(s, _)| *s != slot || place.next() == Some(number));
 }
 
-fn keep_own_letters(slots: &mut [(Slot, Term)], number: usize, count: usize) {
-    for (_, term) in slots {
+/// What hangs on one of several: of some slots the term of its own, and in what hangs beside these the letter of its own.
+fn own_slots(
+    slots: &[(Slot, Term)],
+    parted: &[Slot],
+    number: usize,
+    count: usize,
+) -> Vec<(Slot, Term)> {
+    let mut own = slots.to_vec();
+    for slot in parted {
+        keep_one(&mut own, *slot, number);
+    }
+    for (_, term) in &mut own {
         if own_letters(term, count)
             && let Term::Phrase(phrase) = term
         {
             keep_one(&mut phrase.slots, Slot::Which, number);
         }
     }
+    own
 }
 
 /// What a verb says of each of its subjects, where as many things hang on it: "A and B turn about `$x$` and `$y$`".
@@ -128,17 +140,10 @@ pub(crate) fn does_in_turn(
             slots: slots.to_vec(),
         }];
     }
-    let one = |(number, subject): (usize, &Term)| {
-        let mut own = slots.to_vec();
-        for slot in &shared {
-            keep_one(&mut own, *slot, number);
-        }
-        keep_own_letters(&mut own, number, count);
-        Statement::Does {
-            subjects: vec![subject.clone()],
-            verb,
-            slots: own,
-        }
+    let one = |(number, subject): (usize, &Term)| Statement::Does {
+        subjects: vec![subject.clone()],
+        verb,
+        slots: own_slots(slots, &shared, number, count),
     };
     subjects.iter().enumerate().map(one).collect()
 }

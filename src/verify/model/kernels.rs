@@ -6,6 +6,9 @@ use crate::verify::model::atoms::{
 };
 use num_traits::{One, Zero};
 
+/// How π is written.
+const PI: &str = "\\pi";
+
 /// What sines and cosines of sums are by.
 pub(crate) const ADDITION_THEOREMS: &str = "addition theorems";
 
@@ -55,8 +58,18 @@ impl Atoms {
         self.cosine_sine_of_multiple(&unit, &factor)
     }
 
+    /// The number π.
+    pub(crate) fn pi(&mut self) -> Fraction {
+        fraction(self.variable(Key::of_number(PI), Place::Parameter, Motion::Constant))
+    }
+
+    /// The variable of π, where anything has it.
+    pub(crate) fn known_pi(&self) -> Option<Variable> {
+        self.find(&Key::of_number(PI))
+    }
+
     fn is_pi(&self, unit: &Fraction) -> bool {
-        let pi = self.find(&Key::of_number("\\pi"));
+        let pi = self.known_pi();
         pi.is_some() && unit.as_variable() == pi
     }
 

@@ -1,7 +1,8 @@
 //! Bodies, their parts, and the families that their members make.
 
+use crate::verify::language::heads::MASS;
 use crate::verify::language::is_bodily;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
@@ -380,33 +381,31 @@ impl Builder<'_> {
             true => {}
             false => self.round_body(body, what, declaration),
         }
-        for size in what.all(Slot::Of) {
-            if let Term::Phrase(phrase) = size
-                && phrase.head == "mass"
-                && let Some(Term::Formula(formula)) = phrase.slot(Slot::Which)
-            {
-                self.name_mass(body, formula, declaration);
-            }
+        // A formula of letters waits for what tells these.
+        for formula in masses_said(what).filter(|mass| is_letter(mass)) {
+            self.name_mass(body, formula, declaration);
         }
     }
 
-    fn name_mass(
-        &mut self,
-        body: BodyId,
-        formula: &crate::verify::language::statement::Formula,
-        declaration: &Declaration,
-    ) {
+    fn name_mass(&mut self, body: BodyId, formula: &Formula, declaration: &Declaration) {
         let quantity = Quantity::Mass(Whole::Body(body));
-        // A formula of letters waits for what tells these.
-        if !is_letter(formula) {
-            return;
-        }
         match self.told_there(formula, declaration) {
             // Two bodies with one letter have the same mass.
             Some(told) => self.hold_quantities(&told, &quantity, declaration),
             None => self.denote(formula, Meaning::Quantity(quantity), declaration),
         }
     }
+}
+
+/// "a particle of mass `$m$`"
+pub(super) fn masses_said(what: &NounPhrase) -> impl Iterator<Item = &Formula> {
+    what.all(Slot::Of).filter_map(|size| match size {
+        Term::Phrase(size) if size.head == MASS => match size.slot(Slot::Which)? {
+            Term::Formula(formula) => Some(formula),
+            _ => None,
+        },
+        _ => None,
+    })
 }
 
 /// The family that a plural names: "the wheels", "the particles".

@@ -142,13 +142,7 @@ impl Builder<'_> {
             }
             _ => None,
         })?;
-        if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
-            let way = self.formula_value(by, declaration)?.to_vector().ok()?;
-            return Some((other, -way));
-        }
-        let along = self.direction(slot(slots, Slot::Along)?, declaration, None)?;
-        let distance = self.scalar_term(slot(slots, Slot::At)?, declaration)?;
-        Some((other, -(along * distance)))
+        Some((other, -self.way_said(slots, declaration, true)?))
     }
 
     /// The points that sentences place in a plane.

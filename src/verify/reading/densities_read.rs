@@ -45,10 +45,7 @@ impl Builder<'_> {
             .indices
             .first()?
             .clone();
-        if phrase.is("constant")
-            || phrase.is("uniform")
-            || self.is_the_same_all_over(&[of, &subjects[0]])
-        {
+        if phrase.is("uniform") || self.is_the_same_all_over(&[of, &subjects[0]]) {
             let key = Key::new(letter.source.clone());
             let atoms = &mut self.reading.system.atoms;
             let density = fraction(atoms.variable(key, Place::Parameter, Motion::Constant));

@@ -1,8 +1,7 @@
 //! What is told of places and masses by letters that other sentences tell: premises, once all are known.
 
-use crate::verify::language::heads::MASS;
-use crate::verify::language::statement::{Slot, Statement, Term};
-use crate::verify::reading::bodies_read::EACH;
+use crate::verify::language::statement::{Slot, Statement};
+use crate::verify::reading::bodies_read::{EACH, masses_said};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::is_letter;
@@ -16,24 +15,16 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            let sizes = what.all(Slot::Of).filter_map(|size| match size {
-                Term::Phrase(size) if size.head == MASS => match size.slot(Slot::Which) {
-                    Some(Term::Formula(formula)) => Some(formula.clone()),
-                    _ => None,
-                },
-                _ => None,
-            });
-            for formula in sizes.filter(|formula| !is_letter(formula)) {
+            for formula in masses_said(what).filter(|mass| !is_letter(mass)) {
+                let Some(value) = self.formula_value(formula, declaration) else {
+                    self.say_unused(declaration);
+                    continue;
+                };
+                let told = Quantity::Known(value);
                 for subject in subjects {
-                    let Some(body) = self.body(subject) else {
-                        continue;
-                    };
-                    match self.formula_value(&formula, declaration) {
-                        Some(value) => {
-                            let mass = Quantity::Mass(Whole::Body(body));
-                            self.hold_quantities(&mass, &Quantity::Known(value), declaration);
-                        }
-                        None => self.say_unused(declaration),
+                    if let Some(body) = self.body(subject) {
+                        let mass = Quantity::Mass(Whole::Body(body));
+                        self.hold_quantities(&mass, &told, declaration);
                     }
                 }
             }
@@ -51,14 +42,12 @@ impl Builder<'_> {
                 .filter_map(|term| self.point(term))
                 .collect();
             if let ("middle", &[one, other]) = (what.head, of.as_slice()) {
-                for point in subjects
-                    .iter()
-                    .filter_map(|subject| self.point(subject))
-                    .collect::<Vec<_>>()
-                {
-                    let ways =
-                        self.system().position(point, one) + self.system().position(point, other);
-                    self.hold_zero(&ways, declaration);
+                for subject in subjects {
+                    if let Some(point) = self.point(subject) {
+                        let system = &self.reading.system;
+                        let ways = system.position(point, one) + system.position(point, other);
+                        self.hold_zero(&ways, declaration);
+                    }
                 }
             }
         }

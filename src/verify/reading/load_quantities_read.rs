@@ -19,8 +19,7 @@ impl Builder<'_> {
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
         }
-        // One of several, or of one body on another, is not the total force.
-        if phrase.is("one") || phrase.slot(Slot::Upon).is_some() {
+        if is_one_of_several(phrase) {
             return None;
         }
         let of = self.whole_of(phrase)?;
@@ -79,7 +78,7 @@ impl Builder<'_> {
         {
             return Some(self.drive(&rotors, body));
         }
-        if phrase.is("one") || phrase.slot(Slot::Upon).is_some() {
+        if is_one_of_several(phrase) {
             return None;
         }
         match phrase.slot(Slot::Of)? {
@@ -189,6 +188,11 @@ impl Builder<'_> {
         let energy = -(value.dot(&way) * mass);
         Some(Quantity::Known(Value::scalar(energy)))
     }
+}
+
+/// Whether a load is one of several, or of one body on another: it is not the total of them.
+fn is_one_of_several(load: &NounPhrase) -> bool {
+    load.is("one") || load.slot(Slot::Upon).is_some()
 }
 
 /// The force of a turning frame that a noun names.

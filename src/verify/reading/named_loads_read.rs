@@ -1,12 +1,11 @@
 //! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
 
-use crate::notation::ast::Kind;
 use crate::verify::language::heads::{FORCES_OF_A_KIND, MOMENTS_OF_A_KIND};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::is_marked_vector;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -22,11 +21,7 @@ pub(super) fn may_be_size(subject: &Term, what: &NounPhrase) -> bool {
     let Term::Formula(formula) = subject else {
         return false;
     };
-    let is_vector = match node_of(formula).map(|node| &node.kind) {
-        Some(Kind::Symbol(symbol)) => symbol.style.vector || symbol.style.tensor,
-        _ => false,
-    };
-    !is_vector && what.slot(Slot::On).is_none() && what.slot(Slot::Along).is_none()
+    !is_marked_vector(formula) && what.slot(Slot::On).is_none() && what.slot(Slot::Along).is_none()
 }
 
 impl Builder<'_> {

@@ -101,6 +101,12 @@ pub(crate) fn is_letter(formula: &Formula) -> bool {
     node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
 }
 
+/// Whether a letter carries the mark of a vector.
+pub(crate) fn is_marked_vector(letter: &Formula) -> bool {
+    let node = node_of(letter).map(|node| &node.kind);
+    matches!(node, Some(Kind::Symbol(symbol)) if symbol.style.vector)
+}
+
 /// What an axis is along: z for "the axis through G along z".
 pub(crate) fn along_of(axis: &Term) -> &Term {
     match axis {

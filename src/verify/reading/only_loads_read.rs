@@ -168,6 +168,7 @@ impl Builder<'_> {
             let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
             self.denote(letter, Meaning::Quantity(known), declaration);
         }
+        // The moment first: proofs come out where its variables have the lower numbers.
         if !only_forces {
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
             self.hold_zero(&moment, declaration);

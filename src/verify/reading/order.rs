@@ -1,7 +1,7 @@
 //! In which order sentences about letters are read: behind those that tell the letters which they speak of.
 
 use crate::notation::ast::{Kind, Node};
-use crate::verify::language::heads::{CONJUGATE, SCALAR_PART, SECOND_RATE, VECTOR_PART};
+use crate::verify::language::heads::{CONJUGATE, CONSTANT, SCALAR_PART, SECOND_RATE, VECTOR_PART};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::reading::loads_read::acting_force;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of, tells_gravity};
@@ -11,9 +11,6 @@ use std::collections::BTreeSet;
 
 /// The sentences that stand before those about loads.
 pub(super) const BEFORE_LOADS: usize = 0;
-
-/// What keeps its value.
-const CONSTANT: &str = "constant";
 
 /// What is said of a letter without telling what it is.
 const TRAITS: [&str; 6] = [

@@ -123,10 +123,6 @@ impl Builder<'_> {
         }
         let spoken = entry(all, name);
         spoken.fixed_in.extend(self.frames_fixed(what));
-        if what.head == "origin" {
-            let of = what.all(Slot::Of).filter_map(|term| self.frame(term));
-            spoken.fixed_in.extend(of);
-        }
         if what.head == MASS_CENTRE {
             let said = what.all(Slot::Of).filter_map(|term| self.body(term));
             let only = what.slot(Slot::Of).is_none().then(|| self.only_body());
@@ -274,22 +270,32 @@ impl Builder<'_> {
         };
         let from = slot(slots, Slot::From).or_else(|| slot(slots, Slot::RelativeTo))?;
         let from = self.point(from)?;
+        Some((from, self.way_said(slots, declaration, moves_on_its_own)?))
+    }
+
+    /// "by r", "at the distance a along z", "on the third axis of B at the distance a". A distance of which no rate is written
+    /// is constant, unless it is that of what moves on its own.
+    pub(super) fn way_said(
+        &mut self,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+        moves_on_its_own: bool,
+    ) -> Option<Vector> {
         if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
-            let value = self.formula_value(&by.clone(), declaration)?;
-            return Some((from, value.to_vector().ok()?));
+            return self.formula_value(by, declaration)?.to_vector().ok();
         }
-        let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?.clone();
-        let along = match self.axis_of_frame(&along) {
+        let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?;
+        let along = match self.axis_of_frame(along) {
             Some((frame, axis)) => self.system().axis(frame, axis),
-            None => self.direction(&along, declaration, None)?,
+            None => self.direction(along, declaration, None)?,
         };
-        let distance = slot(slots, Slot::At)?.clone();
-        let changes = moves_on_its_own || self.has_rate(&distance);
-        let distance = self.scalar_term(&distance, declaration)?;
+        let distance = slot(slots, Slot::At)?;
+        let changes = moves_on_its_own || self.has_rate(distance);
+        let distance = self.scalar_term(distance, declaration)?;
         if !changes {
             self.make_constant(&distance);
         }
-        Some((from, along * distance))
+        Some(along * distance)
     }
 
     /// Whether the document writes the rate of a letter: then it changes.

@@ -2,7 +2,6 @@
 //! directions in which forces point.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     CONTACT_FORCE, DOWNHILL, FORCE, FRICTION, NORMAL_FORCE, UPHILL, WEIGHT,
 };
@@ -12,8 +11,9 @@ use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{FORCES, is_force_at, letters_of};
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{is_marked_vector, node_of};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -31,7 +31,7 @@ impl Builder<'_> {
             };
             let named: Vec<(&NounPhrase, Vec<&Formula>)> = match &declaration.statement {
                 Statement::Is { subjects, what } => {
-                    vec![(what, subjects.iter().filter_map(as_letter).collect())]
+                    vec![(what, formulas(subjects).collect())]
                 }
                 Statement::Premise(premise) if premise.is("only") => {
                     let loads = premise.all(Slot::With).filter_map(as_phrase);
@@ -64,7 +64,7 @@ impl Builder<'_> {
     ) -> Option<()> {
         let body = self.body_of(what)?;
         let weight = self.weight(what)?;
-        if !is_vector(letter) {
+        if !is_marked_vector(letter) {
             return Some(());
         }
         let value = self.system().value_of(&weight).ok()?.to_vector().ok()?;
@@ -106,7 +106,7 @@ impl Builder<'_> {
         }
         let value = match along {
             Some(along) => self.directed_force(letter, &along, declaration)?,
-            None if is_vector(letter) => {
+            None if is_marked_vector(letter) => {
                 let text = letter.source.clone();
                 let free = Quantity::Vector {
                     text,
@@ -133,7 +133,7 @@ impl Builder<'_> {
     ) -> Option<()> {
         let size = along.map(|along| part.dot(along));
         match size {
-            Some(size) if !is_vector(letter) => {
+            Some(size) if !is_marked_vector(letter) => {
                 let known = Quantity::Known(Value::scalar(size));
                 self.denote(letter, Meaning::Quantity(known), declaration);
             }
@@ -142,7 +142,7 @@ impl Builder<'_> {
                 let value = self.directed_force(letter, &along, declaration)?;
                 self.hold_zero(&(value - part), declaration);
             }
-            None if is_vector(letter) => self.denote_vector(letter, part, declaration),
+            None if is_marked_vector(letter) => self.denote_vector(letter, part, declaration),
             None => return None,
         }
         Some(())
@@ -171,7 +171,7 @@ impl Builder<'_> {
         along: &Vector,
         declaration: &Declaration,
     ) -> Option<Vector> {
-        let vector = is_vector(letter);
+        let vector = is_marked_vector(letter);
         let known = self.quantity_of(letter, declaration);
         let text = match vector {
             true => format!("|{}|", letter.source),
@@ -275,7 +275,7 @@ impl Builder<'_> {
             } if subjects.iter().any(own) => {
                 let along = slot(slots, Slot::Along).cloned();
                 // A number that acts along a direction may be negative.
-                let along = along.filter(|_| *verb == "point" || is_vector(letter));
+                let along = along.filter(|_| *verb == "point" || is_marked_vector(letter));
                 let against = slot(slots, Slot::With).filter(|_| *verb == "point");
                 match (along, against.cloned()) {
                     (Some(along), _) => self.direction(&along, declaration, None),
@@ -302,8 +302,7 @@ impl Builder<'_> {
         };
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Is { subjects, what } if is_force(what.head) || is_reaction(what) => {
-                let mut letters = subjects.iter().filter_map(as_letter);
-                letters.any(|own| same_letter(own, letter))
+                formulas(subjects).any(|own| same_letter(own, letter))
             }
             Statement::Premise(premise) if premise.is("only") => {
                 premise.all(Slot::With).any(|load| match load {
@@ -318,10 +317,7 @@ impl Builder<'_> {
                 subjects,
                 verb: "act",
                 ..
-            } => {
-                let mut letters = subjects.iter().filter_map(as_letter);
-                letters.any(|own| same_letter(own, letter))
-            }
+            } => formulas(subjects).any(|own| same_letter(own, letter)),
             _ => false,
         })
     }
@@ -388,23 +384,10 @@ fn reaction_said(what: &NounPhrase) -> Option<NounPhrase> {
     Some(friction)
 }
 
-/// Whether a letter carries the mark of a vector.
-fn is_vector(letter: &Formula) -> bool {
-    let node = node_of(letter).map(|node| &node.kind);
-    matches!(node, Some(Kind::Symbol(symbol)) if symbol.style.vector)
-}
-
 fn same_letter(one: &Formula, other: &Formula) -> bool {
     match (node_of(one), node_of(other)) {
         (Some(one), Some(other)) => spelled(one) == spelled(other),
         _ => false,
-    }
-}
-
-fn as_letter(term: &Term) -> Option<&Formula> {
-    match term {
-        Term::Formula(letter) => Some(letter),
-        _ => None,
     }
 }
 

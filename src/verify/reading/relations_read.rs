@@ -323,23 +323,20 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// "`$n$` is the constant value of `$\omega_3$`": another letter for it.
+    /// "`$n$` is the value of `$\omega_3$`": another letter for it.
     pub(super) fn read_value(
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
-        let ([Term::Formula(letter)], [(Slot::Of, of @ Term::Formula(formula))]) =
+        let ([Term::Formula(letter)], [(Slot::Of, Term::Formula(formula))]) =
             (subjects, what.slots.as_slice())
         else {
             return None;
         };
         let same = Meaning::Same(Box::new(node_of(formula)?.clone()));
         self.denote(letter, same, declaration);
-        if what.is("constant") {
-            self.read_constants(std::slice::from_ref(of), declaration);
-        }
         Some(())
     }
 }

@@ -12,21 +12,20 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            let fixed = matches!(what.head, "fixed") && declaration.extent == Extent::Document;
+            let fixed = what.head == "fixed" && declaration.extent == Extent::Document;
             let frame = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
             let Some(frame) = frame.filter(|_| fixed) else {
                 continue;
             };
+            let particles = self.particles();
             for body in subjects
                 .iter()
                 .filter_map(|subject| self.body(subject))
                 .collect::<Vec<_>>()
             {
-                let name = &self.reading.system.bodies[body].name;
-                let own = self.reading.system.bodies[body].frame.is_some()
-                    || self.particles().contains(name);
-                if !own {
-                    self.reading.system.bodies[body].frame = Some(frame);
+                let body = &mut self.reading.system.bodies[body];
+                if body.frame.is_none() && !particles.contains(&body.name) {
+                    body.frame = Some(frame);
                 }
             }
         }

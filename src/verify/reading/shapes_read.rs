@@ -95,11 +95,7 @@ impl Builder<'_> {
             sizes.push(size);
         }
         let mass = self.reading.system.bodies[body].mass.clone();
-        let pi = Quantity::Scalar {
-            text: "\\pi".into(),
-            constant: true,
-        };
-        let pi = self.system().value_of(&pi).ok()?.to_scalar().ok()?;
+        let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
         let round_all_over = matches!(shape.name(), "sphere" | "shell");
         let axis = match self.told_axis_of_shape(body) {

@@ -10,7 +10,9 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
+use crate::verify::reading::names::{
+    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, is_marked_vector, letter_of, node_of, told,
+};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -261,8 +263,7 @@ impl Builder<'_> {
         let Some(formula) = formulas(subjects).next().cloned() else {
             return;
         };
-        let vector = node_of(&formula)
-            .is_some_and(|node| matches!(&node.kind, Kind::Symbol(s) if s.style.vector));
+        let vector = is_marked_vector(&formula);
         let ground = self.reading.system.ground;
         let text = formula.source.clone();
         if vector {

@@ -6,7 +6,7 @@
 use crate::algebra::{Fraction, Polynomial, Rational, Variable, compose};
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
-use crate::verify::model::atoms::{Atoms, Key, Nature, whole};
+use crate::verify::model::atoms::{Atoms, Nature, whole};
 use crate::verify::reading::Premise;
 use crate::verify::standing::judge::Judge;
 use num_traits::Zero;
@@ -152,7 +152,7 @@ fn solved_for_motion(atoms: &mut Atoms, equation: &Polynomial) -> Option<(Variab
 /// The cosine and the sine of an angle that a line says at the start as a part of π.
 fn angle_at_start(atoms: &mut Atoms, value: &Fraction) -> Option<Vec<(Variable, Fraction)>> {
     let polynomial = value.is_polynomial().then(|| value.numerator().clone())?;
-    let pi = atoms.find(&Key::of_number("\\pi"));
+    let pi = atoms.known_pi();
     let others = polynomial.variables().into_iter();
     let angles: Vec<Variable> = others.filter(|v| Some(*v) != pi).collect();
     let &[angle] = angles.as_slice() else {

@@ -87,31 +87,31 @@ pub(crate) fn parts(document: &Document, declarations: &[Declaration]) -> Vec<Pa
 
 /// In a part, what is declared of it alone is declared of all there is, and of what is told more widely it is told anew.
 fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Part {
+    let limits = declarations.iter().filter(|d| is_limited(d)).zip(&holds);
+    let (here, others): (Vec<_>, Vec<_>) = limits.partition(|(_, holds)| **holds);
+    let told_anew = |wide: &Declaration| {
+        let mut narrow = here.iter().map(|(narrow, _)| &narrow.statement);
+        narrow.any(|narrow| tells_anew(narrow, &wide.statement))
+    };
     let mut in_force = holds.iter();
-    let mut own: Vec<Declaration> = vec![];
+    let mut own = vec![];
     for declaration in declarations {
-        if !is_limited(declaration) {
+        if is_limited(declaration) {
+            own.extend(
+                in_force
+                    .next()
+                    .filter(|holds| **holds)
+                    .map(|_| Declaration {
+                        extent: Extent::Document,
+                        ..declaration.clone()
+                    }),
+            );
+        } else if !told_anew(declaration) {
             own.push(declaration.clone());
-        } else if in_force.next() == Some(&true) {
-            own.push(Declaration {
-                extent: Extent::Document,
-                ..declaration.clone()
-            });
         }
     }
-    let own_limits = declarations.iter().filter(|d| is_limited(d)).zip(&holds);
-    let narrow: Vec<&Statement> = own_limits
-        .filter_map(|(d, holds)| holds.then_some(&d.statement))
-        .collect();
-    let wide = declarations.iter().filter(|d| !is_limited(d));
-    let replaced: Vec<&Statement> = wide
-        .map(|d| &d.statement)
-        .filter(|wide| narrow.iter().any(|narrow| tells_anew(narrow, wide)))
-        .collect();
-    own.retain(|d| !replaced.contains(&&d.statement));
-    let others = declarations.iter().filter(|d| is_limited(d)).zip(&holds);
     let letters = others
-        .filter(|(_, holds)| !**holds)
+        .iter()
         .flat_map(|(d, _)| mentioned_letters(&d.statement));
     let elsewhere = letters.map(|[exact, _]| exact).collect();
     Part {

@@ -32,15 +32,10 @@ impl Lowering<'_> {
                 let other = [(0, 2, 1), (2, 1, 0), (1, 0, 2)].contains(&(i, j, k));
                 number(i64::from(sign) - i64::from(other))
             }
-            ("pi", []) => Some(Ok(Value::scalar(self.pi()))),
+            ("pi", []) => Some(Ok(Value::scalar(self.system.atoms.pi()))),
             ("t", []) if symbol.superscripts.is_empty() => Some(Ok(Value::scalar(self.time()))),
             _ => None,
         }
-    }
-
-    fn pi(&mut self) -> Fraction {
-        let atoms = &mut self.system.atoms;
-        fraction(atoms.variable(Key::of_number("\\pi"), Place::Parameter, Motion::Constant))
     }
 
     /// An angle in degrees; other units are not worked with.
@@ -48,7 +43,7 @@ impl Lowering<'_> {
         if unit != "deg" {
             return beyond("units of measurement");
         }
-        let degree = self.pi() * Fraction::from_ratio(1, 180);
+        let degree = self.system.atoms.pi() * Fraction::from_ratio(1, 180);
         Ok(self.value(number)?.scaled(&degree))
     }
 
