@@ -7,6 +7,7 @@
 //! of one that is not understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as
 //! sentences again and `manual` tells people about all of it. English stands nowhere else.
 
+pub(crate) mod adjectives;
 mod anaphora;
 mod bodies;
 mod clause;
@@ -26,8 +27,11 @@ mod kept;
 mod kinds;
 mod lexicon;
 mod manual;
+mod members;
 pub(crate) mod messages;
 mod phrase;
+mod plain_letters;
+mod possessions;
 mod predicate;
 mod print;
 mod reader;
@@ -39,6 +43,7 @@ mod sign;
 pub mod statement;
 mod subjects;
 mod terms;
+mod turns;
 mod unread;
 mod words;
 
@@ -51,6 +56,13 @@ pub use print::sentence;
 pub(crate) fn is_bodily(noun: &str) -> bool {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
     entry.is_some_and(|entry| entry.bodily)
+}
+
+/// Whether a noun means a body or a part of one.
+pub(crate) fn is_body(noun: &str) -> bool {
+    Lexicon::shared()
+        .entry(noun, &[lexicon::Class::Thing])
+        .is_some()
 }
 
 /// Whether a noun means a thing of the system: a frame, a point, a body.

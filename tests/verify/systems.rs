@@ -21,6 +21,7 @@ mod taken_in_whole;
 mod tensors;
 mod textbook;
 mod told_places;
+mod word_for_word;
 
 use polhode::notation::sentences;
 use polhode::notation::{document::Format, read};

@@ -1,7 +1,7 @@
 //! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
 
 use super::lexicon::{Class, Lexicon};
-use super::reader::ARTICLES;
+use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::sentence_parts::{clause, head, is_list, nouns_end};
@@ -58,15 +58,19 @@ fn said_before(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     Some([before, &before[from..=last], &tokens[end..]].concat())
 }
 
-/// "Its mass is `$m$`" at the beginning: the mass of what the sentence before is about.
+/// "Its mass is `$m$`", "B is its frame": the mass, and the frame, of what the sentence before is about.
 fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let (first, rest) = tokens.split_first()?;
-    if !matches!(first.lower.as_str(), "its" | "their") {
+    let at = tokens
+        .iter()
+        .position(|t| matches!(t.lower.as_str(), "its" | "their"))?;
+    let behind_verb = at > 0 && COPULAS.contains(&tokens[at - 1].lower.as_str());
+    if at > 0 && !behind_verb {
         return None;
     }
+    let (first, rest) = tokens[at..].split_first()?;
     let (noun, behind) = rest.split_at(nouns_end(rest, lexicon));
     let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, first));
-    Some([&[the], noun, &[of], subject, behind].concat())
+    Some([&tokens[..at], &[the], noun, &[of], subject, behind].concat())
 }
 
 /// Where a noun stands behind "that" or "this": it has been said before.

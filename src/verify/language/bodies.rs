@@ -41,6 +41,59 @@ const BEFORE: [&str; 25] = [
     "leaves",
 ];
 
+/// Words that count, point, compare or say how, and never name a body.
+const NO_NAMES: [&str; 44] = [
+    "they",
+    "them",
+    "both",
+    "all",
+    "some",
+    "none",
+    "every",
+    "either",
+    "neither",
+    "former",
+    "latter",
+    "first",
+    "second",
+    "third",
+    "next",
+    "other",
+    "others",
+    "another",
+    "such",
+    "this",
+    "that",
+    "these",
+    "those",
+    "most",
+    "least",
+    "not",
+    "never",
+    "always",
+    "only",
+    "almost",
+    "too",
+    "then",
+    "per",
+    "twice",
+    "half",
+    "mean",
+    "average",
+    "own",
+    "opposite",
+    "momentary",
+    "about",
+    "quite",
+    "rather",
+    "very",
+];
+
+/// Whether a word may be one of the name of a body: adverbs are not.
+pub(crate) fn may_name(word: &str) -> bool {
+    !NO_NAMES.contains(&word) && !word.ends_with("ly")
+}
+
 /// The bodies that some sentences introduce, by their names in lower case.
 pub(crate) fn introduced<'a>(
     sentences: impl Iterator<Item = &'a [Token]> + Clone,
@@ -196,7 +249,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             && word.chars().count() > 2
             && word.chars().all(|c| c.is_alphabetic() || c == '-')
             && (token.text == word || end == 0);
-        if !plain || is_glue(word) || ARTICLES.contains(&word) {
+        if !plain || is_glue(word) || ARTICLES.contains(&word) || !may_name(word) {
             break;
         }
         if known(tokens, end, lexicon) {

@@ -4,6 +4,7 @@ use super::gaps::alike_at_end;
 use super::in_turn::does_in_turn;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
+use super::possessions::{place_at, possessions};
 use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
@@ -353,47 +354,6 @@ impl<'a> Reader<'a> {
         }
         Ok(does_in_turn(subjects, verb.entry.name, &slots))
     }
-}
-
-/// "The rod has its mass centre at G": G is the mass centre of the rod.
-fn place_at(subjects: &[Term], place: &NounPhrase, at: &Term) -> Statement {
-    let mut what = place.clone();
-    if what.slot(Slot::Of).is_none() {
-        let of = subjects.iter().map(|subject| (Slot::Of, subject.clone()));
-        what.slots.extend(of);
-    }
-    Statement::Is {
-        subjects: vec![at.clone()],
-        what,
-    }
-}
-
-/// "The rod has the length `$l$` and the mass `$m$`": `$l$` is its length, and `$m$` its mass.
-fn possessions(subjects: &[Term], slots: &[(Slot, Term)]) -> Option<Vec<Statement>> {
-    let mut said = vec![];
-    for (number, subject) in subjects.iter().enumerate() {
-        for (_, term) in slots {
-            let Term::Phrase(phrase) = term else {
-                return None;
-            };
-            let mut letters: Vec<Term> = phrase.all(Slot::Which).cloned().collect();
-            // "The hub and the wheel have the masses `$M$` and `$m$`": each its own.
-            if subjects.len() > 1 && letters.len() == subjects.len() {
-                letters = vec![letters.swap_remove(number)];
-            }
-            if letters.is_empty() || !letters.iter().all(|l| matches!(l, Term::Formula(_))) {
-                return None;
-            }
-            let mut what = (**phrase).clone();
-            what.slots.retain(|(slot, _)| *slot != Slot::Which);
-            what.slots.insert(0, (Slot::Of, subject.clone()));
-            said.push(Statement::Is {
-                subjects: letters,
-                what,
-            });
-        }
-    }
-    Some(said)
 }
 
 /// The thing whose quantity a statement says a letter to be.

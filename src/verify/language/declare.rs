@@ -6,9 +6,12 @@ use super::clause::Said;
 use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_turn::part_respectively;
-use super::kept::{kept, speak_of_subjects};
-use super::kinds::{name_the_only_one, show_frames, tell_mass_centres};
+use super::kept::{kept, may_be_limited, speak_of_subjects};
+use super::kinds::{
+    centre_shapes, fix_frames, name_positions, name_the_only_one, show_frames, tell_mass_centres,
+};
 use super::lexicon::Lexicon;
+use super::plain_letters::write_letters;
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
@@ -16,6 +19,7 @@ use super::reorder::{
 };
 use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
+use super::turns::turn_in_order;
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -66,7 +70,9 @@ pub fn read_declarations(
                 let tokens = tokens.as_deref().unwrap_or_default();
                 let (kept, rest) = kept(tokens, &reader);
                 if let Some(rest) = rest {
-                    let mut unread = unread(rest, sentence, line, macros, lexicon);
+                    let from_start = rest.first() == tokens.first();
+                    let limited = from_start && may_be_limited(rest);
+                    let mut unread = unread(rest, limited, (sentence, line), macros, lexicon);
                     for part in &mut unread {
                         speak_of_subjects(part, &kept);
                     }
@@ -77,12 +83,25 @@ pub fn read_declarations(
             }
         }
     }
-    let mut declarations = part_respectively(declarations);
+    (in_plain_terms(declarations, macros, lexicon), misread)
+}
+
+/// What sentences say, in the terms that the model has: each thing by one name, letters as formulas.
+fn in_plain_terms(
+    declarations: Vec<Declaration>,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> Vec<Declaration> {
+    let mut declarations = turn_in_order(part_respectively(declarations));
+    write_letters(&mut declarations, lexicon, macros);
     tell_constants(&mut declarations);
+    name_positions(&mut declarations);
+    fix_frames(&mut declarations);
+    centre_shapes(&mut declarations);
     show_frames(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
-    (declarations, misread)
+    declarations
 }
 
 /// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.
@@ -115,8 +134,8 @@ const GOES_ON: [&str; 4] = ["and", "or", "but", "except"];
 /// A sentence that is not understood: of which parts of the document, and of which letters it speaks.
 fn unread(
     tokens: &[Token],
-    sentence: &str,
-    line: usize,
+    may_be_limited: bool,
+    (sentence, line): (&str, usize),
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
@@ -129,7 +148,8 @@ fn unread(
         reader.extents().ok().filter(|extents| !extents.is_empty())
     });
     let mut extents = extents.unwrap_or_else(|| vec![Extent::Document]);
-    let touched = reader.touched(extents != [Extent::Document]);
+    let limited = extents != [Extent::Document] || may_be_limited;
+    let touched = reader.touched(limited);
     // Parts that go on in words that are not understood may be anywhere.
     if GOES_ON.contains(&reader.word()) {
         extents = vec![Extent::Document];

@@ -146,14 +146,7 @@ fn completed(
     let whole = first.to_vec();
     let relative = related(first, second, lexicon);
     all.extend(relative.into_iter().map(|second| (whole.clone(), second)));
-    // "about O, a point fixed in N"
-    if second
-        .first()
-        .is_some_and(|t| t.kind == Kind::Word && matches!(t.text.as_str(), "a" | "an"))
-    {
-        let is = put_in(Kind::Word, "is", &second[0]);
-        all.push((whole.clone(), [last_named(first), &[is], second].concat()));
-    }
+    all.extend(described(first, second).map(|second| (whole.clone(), second)));
     let others = likewise(second, verb, rest);
     let others = others
         .into_iter()
@@ -170,7 +163,12 @@ fn completed(
             .map(|second| (whole.clone(), second.clone())),
     );
     // "and `$b$` the mass of C": the verb of the first
+    // A letter does not do what a thing does.
+    let letter = |tokens: &[Token]| tokens.first().is_some_and(|t| t.kind == Kind::Formula);
     for second in [second, &reminded[0]] {
+        if letter(second) && !letter(subject) {
+            continue;
+        }
         for end in subjects_of_gap(second, lexicon) {
             all.extend(fuller(first, second, (subject, end), lexicon).map(|s| (whole.clone(), s)));
             let verb = in_number(verb, &second[..end]);
@@ -191,6 +189,13 @@ fn completed(
     let shared: Vec<_> = shared.collect();
     all.extend(shared);
     all
+}
+
+/// "about O, a point fixed in N": what was named last is that.
+fn described(first: &[Token], second: &[Token]) -> Option<Vec<Token>> {
+    let article = |t: &&Token| t.kind == Kind::Word && matches!(t.text.as_str(), "a" | "an");
+    let is = put_in(Kind::Word, "is", second.first().filter(article)?);
+    Some([last_named(first), &[is], second].concat())
 }
 
 /// "and so is C", "as are A and k": the same is said of another subject.

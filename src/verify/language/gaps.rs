@@ -151,6 +151,11 @@ impl Reader<'_> {
 
     /// The thing that "it" means: what the clause before is about, or the thing whose quantity it said a letter to be.
     pub(crate) fn meant_by_it(&self) -> Option<Term> {
+        // A thing does not stand to itself in what it is said to do.
+        let joins = |t: &Token| matches!(t.kind, Kind::Comma | Kind::Semicolon) || t.lower == "and";
+        if !self.tokens[..self.at].iter().any(joins) {
+            return None;
+        }
         match self.owner.as_slice() {
             // What acts is a load, and only a letter is a quantity.
             [letter @ Term::Formula(_)]
@@ -184,7 +189,8 @@ impl Reader<'_> {
         let noun = self
             .lexicon
             .find(self.following(2 + article), &[Class::Noun]);
-        self.word_at(1) == "is" && noun.is_some()
+        let reminds = matches!(self.word_at(2), "that" | "those");
+        self.word_at(1) == "is" && (reminds || noun.is_some())
     }
 
     /// Whether what follows says what the thing is that was named last: "O, a point fixed in N".

@@ -80,6 +80,31 @@ pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
     "restoring moment",
     "aerodynamic moment",
 ];
+/// What a moment may be about, beside points.
+pub(crate) const AXES: [&str; 4] = [VERTICAL, "axis", "symmetry axis", "spin axis"];
+/// Words of sentences about where up is.
+pub(crate) const OF_BEARINGS: [&str; 10] = [
+    "vertical",
+    "vertically",
+    "up",
+    "upward",
+    "upwards",
+    "down",
+    "downward",
+    "downwards",
+    "horizontal",
+    "horizontally",
+];
+/// Words of sentences about where a potential energy is zero.
+pub(crate) const OF_POTENTIALS: [&str; 2] = ["potential", "energy"];
+pub(crate) const VERTICAL: &str = "vertical";
+/// What is said of densities.
+pub(crate) const PER_UNIT: [&str; 4] = [
+    "per unit length",
+    "per unit area",
+    "per unit volume",
+    "per unit mass",
+];
 /// What a motion is said to be without being another one.
 pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
 /// Products that no letter names.

@@ -1,5 +1,6 @@
 //! What a noun leaves to the words around it: whose it is, which one, and what is meant by several.
 
+use super::bodies::may_name;
 use super::lexicon::Class;
 use super::reader::{Read, Reader, is_glue};
 use super::statement::{NounPhrase, Slot, Term};
@@ -40,6 +41,22 @@ pub(crate) const OWNED: [&str; 3] = ["mass centre", "symmetry axis", "spin axis"
 
 /// Nouns whose letter says which one is meant.
 pub(super) const INDEXED: [&str; 6] = ["component", "entry", "row", "column", "axis", "axes"];
+
+/// What a letter may stand for that is its own: "its reference value".
+const OWN: [&str; 3] = ["reference", "value", "own"];
+
+/// Quantities of which a thing may have several.
+const SIZES: [&str; 9] = [
+    "radius",
+    "length",
+    "width",
+    "thickness",
+    "side",
+    "diameter",
+    "distance",
+    "height",
+    "mass",
+];
 
 impl Reader<'_> {
     /// "`$r$` is the position of P; `$v$` is its velocity": a letter has a magnitude, and the thing has a velocity.
@@ -108,11 +125,23 @@ impl Reader<'_> {
         self.lexicon.entry(phrase.head, &kinds).is_some() && !INDEXED.contains(&phrase.head)
     }
 
+    /// An error where "its" comes next behind the thing itself: nothing is its own mass centre, and so it is of what the
+    /// sentence before spoke of.
+    pub(crate) fn not_its_own(&self, subjects: &[Term]) -> Read<()> {
+        let named = |term: &Term| matches!(term, Term::Name(_) | Term::Formula(_));
+        let itself = self.owner == subjects && subjects.iter().any(named);
+        let value = OWN.contains(&self.word_at(1));
+        match itself && matches!(self.word(), "its" | "their") && !value {
+            true => Err(self.error("it is not said whose", "name the thing")),
+            false => Ok(()),
+        }
+    }
+
     /// How many words that nobody knows stand before a noun with its name: "the stability axes S". The name says enough.
     pub(crate) fn unknown_before_name(&self) -> Option<usize> {
         let unknown = |ahead: usize| {
             let word = self.word_at(ahead);
-            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word)
+            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word) && may_name(word)
         };
         let skipped = (0..MOST_UNKNOWN)
             .take_while(|&ahead| unknown(ahead))
@@ -127,6 +156,8 @@ impl Reader<'_> {
             _ => false,
         });
         let place = noun.entry.name == "frame" || noun.entry.name == "axes";
-        (skipped > 0 && (name || place)).then_some(skipped)
+        // The inner radius and the reduced mass are others.
+        let sized = noun.entry.bodily || SIZES.contains(&noun.entry.name);
+        (skipped > 0 && (name && !sized || place)).then_some(skipped)
     }
 }

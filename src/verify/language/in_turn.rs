@@ -27,7 +27,7 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
 
 /// Whether something hangs on a noun, or on its axes, so many times.
 fn is_parted(what: &NounPhrase, count: usize) -> bool {
-    PARTED.iter().any(|&slot| hangs_in_turn(what, slot, count))
+    parted_of(what).any(|slot| hangs_in_turn(what, slot, count))
         || axes_of(what).is_some_and(|axes| is_parted(axes, count))
 }
 
@@ -49,9 +49,7 @@ fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
 
 /// What is said of one of the subjects.
 fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
-    let parted = PARTED
-        .into_iter()
-        .filter(|&s| hangs_in_turn(what, s, count));
+    let parted = parted_of(what).filter(|&s| hangs_in_turn(what, s, count));
     let parted: Vec<Slot> = parted.collect();
     let mut own = NounPhrase {
         slots: own_slots(&what.slots, &parted, number, count),
@@ -81,6 +79,12 @@ const PARTED: [Slot; 8] = [
     Slot::Through,
     Slot::From,
 ];
+
+/// A vector is fixed in one frame, where a point may be fixed in several.
+fn parted_of(what: &NounPhrase) -> impl Iterator<Item = Slot> {
+    let vector = matches!(what.head, "vector" | "unit vector");
+    PARTED.into_iter().chain(vector.then_some(Slot::FixedIn))
+}
 
 /// "of mass `$M$` and `$m$`": as many letters as there are things.
 fn has_sizes_in_turn(what: &NounPhrase, count: usize) -> bool {

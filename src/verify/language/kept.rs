@@ -15,6 +15,24 @@ const TAKING_BACK: [&str; 16] = [
     "without", "neither", "however", "less", "than", "or",
 ];
 
+/// Words that begin what a whole sentence depends on: a condition, a time, a part of the document.
+const LEADING: [&str; 24] = [
+    "if", "when", "whenever", "while", "unless", "except", "after", "before", "until", "as", "for",
+    "at", "during", "once", "provided", "assuming", "in", "on", "only", "without", "with", "from",
+    "under", "between",
+];
+
+/// Words that may begin a part of the document.
+const PLACING: [&str; 11] = [
+    "except", "only", "after", "before", "until", "from", "on", "in", "between", "behind", "above",
+];
+
+/// Whether a sentence may begin with a part of the document.
+pub(super) fn may_be_limited(tokens: &[Token]) -> bool {
+    let first = tokens.first();
+    first.is_some_and(|first| PLACING.contains(&first.lower.as_str()))
+}
+
 /// Nouns of what a thing is, however it moves. A shape may lack something.
 const CATEGORIES: [&str; 8] = [
     "frame",
@@ -48,9 +66,28 @@ pub(super) fn kept<'t>(
     if said.is_empty() {
         (said, rest) = ended(tokens, reader);
     }
+    if let Some((last, before)) = last_clause(rest, reader) {
+        said.extend(last);
+        rest = before;
+    }
     // What is said to follow says nothing new.
     let follows = !said.is_empty() && rest.first().is_some_and(concludes);
     (said, (!follows).then_some(rest))
+}
+
+/// What the last clause behind a semicolon says by itself, and what stands before it.
+fn last_clause<'t>(
+    rest: &'t [Token],
+    reader: Sentence<'_>,
+) -> Option<(Vec<Declaration>, &'t [Token])> {
+    let at = rest.iter().rposition(|t| t.kind == Kind::Semicolon)?;
+    let (before, last) = (&rest[..at], &rest[at + 1..]);
+    let points_back = |t: &Token| POINTING_BACK.contains(&t.lower.as_str());
+    let alone = !before.is_empty() && !last.iter().any(points_back);
+    let said = reader(last).ok().filter(|_| alone)?;
+    said.iter()
+        .all(|s| is_categorical(&s.statement))
+        .then_some((said, before))
 }
 
 /// What a sentence says before what is not understood, and the rest. The rest has to be a clause of its own, with a
@@ -70,7 +107,9 @@ fn begun<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'
         let clause = joined > 0 && (letter || apart);
         let follows = tokens[at].kind == Kind::Comma && next.first().is_some_and(concludes);
         let adds = !next.is_empty() && !tokens[at..].iter().any(takes_back);
-        if !(clause || adds || follows) {
+        // What a participle hangs on is behind it.
+        let open = tokens[at - 1].lower.ends_with("ed");
+        if open || !(clause || adds || follows) {
             continue;
         }
         if let Ok(said) = reader(&tokens[..at])
@@ -86,6 +125,10 @@ fn begun<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'
 
 /// What the last clause of a sentence says by itself, and the clauses before it, which are not understood.
 fn ended<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'t [Token]) {
+    let leading = |t: &Token| LEADING.contains(&t.lower.as_str());
+    if tokens.first().is_some_and(leading) {
+        return (vec![], tokens);
+    }
     let points_back = |t: &Token| POINTING_BACK.contains(&t.lower.as_str());
     for at in 1..tokens.len() {
         let parted = matches!(tokens[at].kind, Kind::Semicolon | Kind::Comma);

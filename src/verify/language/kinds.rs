@@ -1,8 +1,12 @@
 //! What kind of thing a name is, as other sentences show it: what has axes is a frame, and "the mass centre G of the body"
 //! says what G is.
 
+use super::heads::POSITION;
+use super::is_thing;
 use super::lexicon::{Class, Lexicon};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 use std::collections::BTreeSet;
 
 /// "B is fixed in the body" says of a frame what "B is a frame fixed in the body" says.
@@ -32,43 +36,71 @@ pub(crate) fn show_frames(declarations: &mut [Declaration]) {
     }
 }
 
-/// "The top is a rigid body" and then "the body": of the only thing that is said to be one it is another name.
+/// "The top is a rigid body" and then "the body", "D is a disc" and then "the disc", "B is a frame" and then "the frame": of
+/// the only thing that is said to be one it is another name.
 pub(crate) fn name_the_only_one(declarations: &mut [Declaration], lexicon: &Lexicon) {
-    for noun in ["body", "particle"] {
-        let is_one = |what: &NounPhrase| match noun {
-            "particle" => what.head == noun,
-            _ => what.head != "particle" && lexicon.entry(what.head, &[Class::Thing]).is_some(),
-        };
-        let own = |term: &Term| name(term).is_some_and(|name| name == noun);
-        if declarations
-            .iter()
-            .any(|d| d.statement.subjects().iter().any(own))
-        {
+    let said = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { what, .. } => lexicon.entry(what.head, &[Class::Thing]),
+        _ => None,
+    });
+    let mut nouns: BTreeSet<&'static str> = said.map(|entry| entry.name).collect();
+    nouns.extend(["body", "frame"]);
+    for noun in nouns {
+        let only = only_one(declarations, noun, lexicon);
+        let Some(only) = only.filter(|only| !are_apart(declarations, noun, only)) else {
             continue;
-        }
-        let mut things = BTreeSet::new();
-        for declaration in declarations.iter() {
-            if let Statement::Is { subjects, what } = &declaration.statement
-                && is_one(what)
-            {
-                things.extend(subjects.iter().filter_map(name));
-            }
-        }
-        let only = things.pop_first().filter(|_| things.is_empty());
-        if let Some(only) = only.filter(|only| only != noun) {
-            for term in declarations
-                .iter_mut()
-                .flat_map(|d| d.statement.terms_mut())
-            {
+        };
+        for declaration in declarations.iter_mut() {
+            for term in declaration.statement.terms_mut() {
                 rename(term, noun, &only);
             }
         }
     }
 }
 
+/// The only thing that is said to be what a noun means, by another name.
+fn only_one(declarations: &[Declaration], noun: &str, lexicon: &Lexicon) -> Option<String> {
+    let is_one = |what: &NounPhrase| match noun {
+        "body" => what.head != "particle" && lexicon.entry(what.head, &[Class::Thing]).is_some(),
+        "frame" => what.head == noun && !what.is("inertial"),
+        _ => what.head == noun,
+    };
+    let mut things = BTreeSet::new();
+    for declaration in declarations {
+        if let Statement::Is { subjects, what } = &declaration.statement
+            && is_one(what)
+        {
+            things.extend(subjects.iter().filter_map(name));
+        }
+    }
+    let only = things.pop_first().filter(|_| things.is_empty());
+    only.filter(|only| only != noun)
+}
+
+/// Whether two names are those of two things: one sentence speaks of both, or says what kind of thing the first is.
+fn are_apart(declarations: &[Declaration], one: &str, other: &str) -> bool {
+    let speaks = |d: &Declaration, of: &str| {
+        let mut terms = d.statement.terms().into_iter();
+        terms.any(|term| name(term).is_some_and(|name| name == of))
+    };
+    let tells = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let own = |term: &Term| name(term).is_some_and(|name| name == one);
+            is_thing(what.head) && subjects.iter().any(own)
+        }
+        _ => false,
+    };
+    let mut all = declarations.iter();
+    all.any(|d| speaks(d, one) && speaks(d, other) || tells(d))
+}
+
 fn rename(term: &mut Term, from: &str, to: &str) {
+    let bare = |phrase: &NounPhrase| phrase.slots.is_empty() && phrase.adjectives.is_empty();
     match term {
         Term::Name(name) if name == from => to.clone_into(name),
+        Term::Phrase(phrase) if phrase.head == from && bare(phrase) => {
+            *term = Term::Name(to.to_owned());
+        }
         Term::Phrase(phrase) => {
             for (_, inner) in &mut phrase.slots {
                 rename(inner, from, to);
@@ -102,6 +134,69 @@ pub(crate) fn tell_mass_centres(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(found);
+}
+
+/// A letter with a hat is a unit vector, which only points there.
+fn has_hat(term: &Term) -> bool {
+    match term {
+        Term::Formula(Formula {
+            row: Row::Expression(node),
+            ..
+        }) => matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.hat),
+        _ => false,
+    }
+}
+
+/// "the vector from O to P": the position of P from O.
+pub(crate) fn name_positions(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && what.head == "vector"
+            && !subjects.iter().any(has_hat)
+            && let (Some(_), Some(to)) = (what.slot(Slot::From), what.slot(Slot::To).cloned())
+        {
+            what.head = POSITION;
+            what.slots.retain(|(slot, _)| *slot != Slot::To);
+            what.slots.insert(0, (Slot::Of, to));
+        }
+    }
+}
+
+/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod.
+pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
+    let uniform = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.is("uniform") => {
+            subjects.iter().filter_map(name).collect()
+        }
+        _ => vec![],
+    };
+    let uniform: BTreeSet<String> = declarations.iter().flat_map(uniform).collect();
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &mut declaration.statement
+            && matches!(what.head, "centre" | "middle")
+            && let Some(of) = what.slot(Slot::Of).and_then(name)
+            && uniform.contains(&of)
+        {
+            what.head = "mass centre";
+        }
+    }
+}
+
+/// "B is the frame of the disc": it is fixed in the disc.
+pub(crate) fn fix_frames(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &mut declaration.statement
+            && matches!(what.head, "frame" | "point")
+            && !what.is("fixed")
+            && what.slot(Slot::FixedIn).is_none()
+        {
+            let of_thing = |(slot, term): &&mut (Slot, Term)| {
+                *slot == Slot::Of && matches!(term, Term::Name(_) | Term::Member { .. })
+            };
+            let own = what.slots.iter_mut().filter(of_thing);
+            own.for_each(|(slot, _)| *slot = Slot::FixedIn);
+        }
+    }
 }
 
 /// "The mass centre G of the body", "the body with its mass centre at G": the statement that G is it.

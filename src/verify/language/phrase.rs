@@ -1,12 +1,12 @@
 //! Things and quantities: names, formulas, and nouns with what hangs on them.
 
-use super::bodies::singular;
 use super::gaps::{counted, is_one_of_several};
 use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
 use super::reader::{ARTICLES, Read, Reader};
-use super::statement::{Formula, NounPhrase, Slot, Term};
+use super::statement::{NounPhrase, Slot, Term};
 use super::words::Kind;
+use crate::notation::document::Row;
 
 /// What may be the head of a phrase.
 pub(crate) const NOUNS: [Class; 3] = [Class::Noun, Class::Place, Class::Thing];
@@ -102,8 +102,13 @@ impl<'a> Reader<'a> {
         !self.at_renaming() && self.lexicon.find(self.following(article), &noun).is_some()
     }
 
-    /// Whether two members of a list may stand in one slot: no quantity beside a thing.
+    /// Whether two members of a list may stand in one slot: no quantity beside a thing, and no relation, which is a clause.
     fn alike(&self, a: &Term, b: &Term) -> bool {
+        let relation =
+            |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
+        if relation(b) && !relation(a) {
+            return false;
+        }
         let quantity = |term: &Term| match term {
             Term::Name(_) | Term::Member { .. } => Some(false),
             Term::Phrase(phrase) => Some(self.lexicon.entry(phrase.head, &[Class::Noun]).is_some()),
@@ -206,54 +211,6 @@ impl<'a> Reader<'a> {
                 named.clone()
             }
             _ => Term::Phrase(Box::new(phrase)),
-        })
-    }
-
-    /// A body that the text introduces, or a member of a family of such.
-    fn body(&mut self, length: usize) -> Term {
-        let words = self.following(0).get(..length).unwrap_or_default();
-        let name = words.join(" ");
-        self.at += length;
-        match self.index() {
-            Some(index) => Term::Member {
-                family: singular(&name).unwrap_or(name),
-                index,
-            },
-            None => Term::Name(name),
-        }
-    }
-
-    /// The index of a member: "`$i$`", "2".
-    fn index(&mut self) -> Option<Formula> {
-        let start = self.at;
-        if self.kind() == Some(Kind::Number) {
-            let number = self.peek().map(|token| token.text.as_str())?;
-            self.at += 1;
-            return self.formula(number, false);
-        }
-        let mut formulas = self.formulas();
-        match (formulas.pop(), formulas.is_empty()) {
-            (Some(index), true) => Some(index),
-            _ => {
-                self.at = start;
-                None
-            }
-        }
-    }
-
-    /// A body: "the hub", "wheel $i$".
-    fn member(&mut self, entry: &'a Entry, inflection: Inflection) -> Term {
-        if let Some(index) = self.index() {
-            let family = entry.name.to_owned();
-            return Term::Member { family, index };
-        }
-        if self.at_name() {
-            let slots = vec![(Slot::Which, self.name())];
-            return Term::Phrase(Box::new(NounPhrase::new(entry.name, slots)));
-        }
-        Term::Name(match inflection {
-            Inflection::Base => entry.name.to_owned(),
-            _ => entry.ending.clone(),
         })
     }
 

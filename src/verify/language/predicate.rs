@@ -25,6 +25,7 @@ impl<'a> Reader<'a> {
         subjects: &[Term],
         formulas: Option<Vec<Formula>>,
     ) -> Read<Vec<Statement>> {
+        self.not_its_own(subjects)?;
         let also = self.take("also");
         let subjects = subjects.to_vec();
         if let Some(statements) = self.renamed(&subjects, formulas.as_deref())? {

@@ -1,6 +1,7 @@
 //! Goes along a sentence word by word.
 
 use super::bodies::LONGEST_NAME;
+use super::bodies::may_name;
 use super::lexicon::{Class, Found, Lexicon};
 use super::statement::{Formula, Misread, NounPhrase, Term};
 use super::words::{Kind, Token, wrong};
@@ -13,12 +14,16 @@ use std::collections::BTreeSet;
 const DEEPEST: usize = 12;
 
 /// What is said of a thing.
-pub(crate) const COPULAS: [&str; 8] = [
-    "is", "are", "be", "denotes", "denote", "was", "equals", "equal",
-];
+pub(crate) const COPULAS: [&str; 7] = ["is", "are", "be", "denotes", "denote", "equals", "equal"];
 
 /// Words before a noun that say nothing of it.
 pub(crate) const ARTICLES: [&str; 6] = ["the", "a", "an", "its", "their", "each"];
+
+/// Letters that are written by their names.
+const GREEK: [&str; 18] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
+    "lambda", "rho", "sigma", "tau", "phi", "chi", "psi", "omega",
+];
 
 /// Words that hold a sentence together and name nothing.
 const GLUE: [&str; 19] = [
@@ -155,6 +160,12 @@ impl<'a> Reader<'a> {
     /// Takes the comma or "and" between the members of a list.
     pub(crate) fn take_separator(&mut self) -> bool {
         let comma = self.take_sign(Kind::Comma);
+        self.take("and") || comma
+    }
+
+    /// Takes what stands between signs of which the same is said: "a dot over `$a$` or `$b$`".
+    pub(crate) fn take_choice(&mut self) -> bool {
+        let comma = self.take_sign(Kind::Comma);
         self.take_any(&["and", "or"]) || comma
     }
 
@@ -203,8 +214,11 @@ impl<'a> Reader<'a> {
         if token.text.chars().count() == 1 && token.text != "a" {
             return token.text != "A" || !self.article_here();
         }
-        if ARTICLES.contains(&word) || self.lexicon.begins(word) {
+        if ARTICLES.contains(&word) || self.lexicon.begins(word) || !may_name(word) {
             return false;
+        }
+        if GREEK.contains(&word) {
+            return true;
         }
         let marked = |c: char| c.is_uppercase() || c.is_ascii_digit() || "_'′’^".contains(c);
         token.text.chars().any(marked) || token.text.chars().count() <= 2

@@ -5,15 +5,36 @@ use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
 use super::words::{Kind, Token};
 
+/// What an order of axes may be that of, or may be called.
+const ORDERED: [&str; 6] = [
+    "euler",
+    "sequence",
+    "order",
+    "convention",
+    "rotation",
+    "rotations",
+];
+
+/// "z-x-z" as its parts, and so "zxz" before a word for what has an order.
+fn parts_of_order<'t>(token: &'t Token, next: Option<&Token>) -> Vec<&'t str> {
+    let ordered = next.is_some_and(|next| ORDERED.contains(&next.lower.as_str()));
+    let axis = |c: char| "xyzXYZ123".contains(c);
+    match ordered && token.text.len() == 3 && token.text.chars().all(axis) {
+        true => (0..3).map(|at| &token.text[at..=at]).collect(),
+        false => token.text.split('-').collect(),
+    }
+}
+
 /// "the z axis" as "the axis z", "the sequence 3-1-3" as "the sequence 3, 1, 3".
 pub(crate) fn axes(tokens: &[Token]) -> Vec<Token> {
     let mut plain: Vec<Token> = vec![];
-    for token in tokens {
-        let parts: Vec<&str> = token.text.split('-').collect();
+    for (at, token) in tokens.iter().enumerate() {
+        let parts = parts_of_order(token, tokens.get(at + 1));
         let short = |part: &&str| part.chars().count() == 1;
         let axis = |t: &Token| matches!(t.lower.as_str(), "axis" | "axes");
         let (letter, noun) = (parts[0], parts.get(1).copied().unwrap_or(""));
-        if token.kind == Kind::Word && parts.len() > 2 && parts.iter().all(short) {
+        let named = matches!(token.kind, Kind::Word | Kind::Number);
+        if named && parts.len() > 2 && parts.iter().all(short) {
             for (place, part) in parts.iter().enumerate() {
                 if place > 0 {
                     plain.push(put_in(Kind::Comma, ",", token));

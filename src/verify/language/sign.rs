@@ -96,7 +96,7 @@ impl<'a> Reader<'a> {
                 None => return Err(self.unexpected("label", "the label could stand here", &[])),
             }
             self.at += 1;
-            if !self.take_separator() {
+            if !self.take_choice() {
                 break;
             }
         }
@@ -166,7 +166,7 @@ impl<'a> Reader<'a> {
             self.term(&mut terms)?;
             self.owner.clone_from(&terms);
             let start = self.at;
-            if !self.take_separator() || !self.starts_term() {
+            if !self.take_choice() || !self.starts_term() {
                 self.at = start;
                 break;
             }

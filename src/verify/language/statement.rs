@@ -19,26 +19,6 @@ pub struct Declaration {
     pub line: usize,
 }
 
-impl Declaration {
-    /// A sentence that was not read, and may tell of anything.
-    pub(crate) fn unread(text: String) -> Self {
-        Self {
-            statement: Statement::Unread {
-                letters: vec![],
-                touched: Touched::Everything,
-            },
-            extent: Extent::Document,
-            text,
-            line: 0,
-        }
-    }
-
-    /// Whether the sentence was not understood.
-    pub fn is_unread(&self) -> bool {
-        matches!(self.statement, Statement::Unread { .. })
-    }
-}
-
 /// The part of a document that a sentence speaks of.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub enum Extent {

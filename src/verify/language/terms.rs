@@ -1,6 +1,7 @@
 //! What a statement speaks of.
 
-use super::statement::{Slot, Statement, Term};
+use super::clause::as_formula;
+use super::statement::{Declaration, Extent, Formula, Slot, Statement, Term, Touched};
 
 impl Statement {
     /// What a clause is about.
@@ -11,6 +12,20 @@ impl Statement {
             | Self::Does { subjects, .. } => subjects,
             _ => &[],
         }
+    }
+
+    /// What hangs on the verb or the noun of a clause, and on each of its phrases.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = &[(Slot, Term)]> {
+        let own: &[(Slot, Term)] = match self {
+            Self::Is { what, .. } | Self::Premise(what) => &what.slots,
+            Self::Does { slots, .. } => slots,
+            _ => &[],
+        };
+        let phrases = self.terms().into_iter().filter_map(|term| match term {
+            Term::Phrase(phrase) => Some(phrase.slots.as_slice()),
+            _ => None,
+        });
+        std::iter::once(own).chain(phrases)
     }
 
     /// All terms of a clause, those inside phrases as well.
@@ -56,5 +71,62 @@ impl Statement {
         };
         terms.extend(hanging);
         terms
+    }
+}
+
+impl Declaration {
+    /// A sentence that was not read, and may tell of anything.
+    pub(crate) fn unread(text: String) -> Self {
+        Self {
+            statement: Statement::Unread {
+                letters: vec![],
+                touched: Touched::Everything,
+            },
+            extent: Extent::Document,
+            text,
+            line: 0,
+        }
+    }
+
+    /// The sentence as one that was not understood: one about letters may change what these mean.
+    pub(crate) fn not_understood(self) -> Self {
+        let subjects = self.statement.subjects();
+        let letters = subjects.iter().map(as_formula);
+        let letters: Option<Vec<Formula>> = letters.collect();
+        let named = letters.filter(|letters| !letters.is_empty());
+        // How things move changes no letter but those that tell of it.
+        let moving = match &self.statement {
+            Statement::Does { .. } => {
+                let terms = self.statement.terms().into_iter();
+                Some(terms.filter_map(as_formula).collect())
+            }
+            _ => None,
+        };
+        let touched = match named.or(moving) {
+            Some(formulas) => Touched::Letters {
+                formulas,
+                anew: self.extent != Extent::Document,
+            },
+            None => Touched::Everything,
+        };
+        let letters = vec![];
+        Self {
+            statement: Statement::Unread { letters, touched },
+            ..self
+        }
+    }
+
+    /// Whether the sentence was not understood and has one of some words in lower case.
+    pub(crate) fn may_speak_of(&self, words: &[&str]) -> bool {
+        let plain = |word: &str| {
+            let word = word.trim_matches(|c: char| !c.is_alphanumeric());
+            words.contains(&word.to_lowercase().as_str())
+        };
+        self.is_unread() && self.text.split_whitespace().any(plain)
+    }
+
+    /// Whether the sentence was not understood.
+    pub fn is_unread(&self) -> bool {
+        matches!(self.statement, Statement::Unread { .. })
     }
 }

@@ -1,12 +1,16 @@
 //! The letters of axes, and the frame that components are worked with on.
 
-use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use crate::notation::ast::{Kind, Node, Style};
+use crate::notation::document::Row;
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::{CUSTOMARY, slot};
 use crate::verify::reading::incline_read::Lie;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
 
@@ -153,6 +157,35 @@ impl Builder<'_> {
             points_down: what.is("downward"),
         });
         self.name_axis(subject, ground, axis, declaration);
+    }
+
+    /// The letters of a formula that only name axes, with the unit vectors along these.
+    pub(super) fn names_of_axes(
+        &self,
+        node: &Node,
+        declaration: &Declaration,
+    ) -> Vec<(Formula, (FrameId, usize))> {
+        let mut found = vec![];
+        for child in node.children() {
+            let letter = match &child.kind {
+                Kind::Symbol(symbol) if symbol.style == Style::default() => Formula {
+                    source: symbol.name.clone(),
+                    row: Row::Expression(child.clone()),
+                },
+                _ => {
+                    found.extend(self.names_of_axes(child, declaration));
+                    continue;
+                }
+            };
+            let axis = self.axes.get(&letter.source).copied();
+            let plain = spelled(child) == letter.source;
+            if let Some(axis) = axis.filter(|_| plain)
+                && self.quantity_of(&letter, declaration).is_none()
+            {
+                found.push((letter, axis));
+            }
+        }
+        found
     }
 
     pub(super) fn name_axis(

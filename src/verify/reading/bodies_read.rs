@@ -190,6 +190,9 @@ impl Builder<'_> {
                 _ => self.say_unused(declaration),
             }
         }
+        if self.is_part_of_itself(whole, &parts) {
+            return self.say_unused(declaration);
+        }
         // A hub with its wheels is one rigid body with rotors.
         if let (1.., [hub]) = (families, parts.as_slice()) {
             self.hubs.push((whole, *hub));

@@ -3,7 +3,6 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
-use crate::source::Source as Text;
 use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
@@ -11,13 +10,9 @@ use crate::verify::reading::axes_read::{Bearings, NamedAxes};
 use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::misheard::heard_or_unread;
-use crate::verify::reading::names::{
-    MASS_CENTRE, index_letter, letter_of, name_of, node_of, reach_of,
-};
+use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::{Premise, Reading};
-use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
-use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
 use crate::verify::term::written::WrittenSymbols;
@@ -171,66 +166,30 @@ impl Builder<'_> {
             };
             self.denote_within(&inner, meaning.clone(), reach.clone(), declaration);
         }
+        let letter = self.letter(formula, meaning, declaration);
+        let told = letter.map(|letter| Letter { reach, ..letter });
+        self.reading.letters.letters.extend(told);
+    }
+
+    /// A writing with a meaning, where a sentence tells it.
+    pub(super) fn letter(
+        &self,
+        formula: &Formula,
+        meaning: Meaning,
+        declaration: &Declaration,
+    ) -> Option<Letter> {
+        let node = node_of(formula)?;
         let spelled = spelled(node);
-        self.reading.letters.letters.push(Letter {
+        Some(Letter {
             whole: spelled.contains(['\\', '{', ' ', '[']),
             spelled,
             loose: loosely(node),
             latex: formula.source.clone(),
             meaning,
-            reach,
+            reach: reach_of(&declaration.extent),
             sentence: declaration.text.clone(),
             besides: matches!(&declaration.statement, Statement::Is { what, .. } if what.is("also")),
-        });
-    }
-
-    /// The value of a formula in a sentence; letters that no sentence tells of are scalars of their own.
-    pub(super) fn formula_value(
-        &mut self,
-        formula: &Formula,
-        declaration: &Declaration,
-    ) -> Option<Value> {
-        let value = self.mentioned_value(formula, declaration)?;
-        self.reading.system.trust(&value);
-        Some(value)
-    }
-
-    /// The value of a formula that a sentence only mentions: it tells nothing of new letters.
-    pub(super) fn mentioned_value(
-        &mut self,
-        formula: &Formula,
-        declaration: &Declaration,
-    ) -> Option<Value> {
-        let node = node_of(formula)?.clone();
-        let at = place_in(&reach_of(&declaration.extent));
-        let text = Text::new("", formula.source.clone());
-        let mut known = Known::default();
-        let letters = self.reading.letters.clone();
-        let mut lowering =
-            Lowering::new(&mut self.reading.system, &letters, &text, &at, &mut known);
-        let value = lowering.value(&node).ok()?;
-        if value.entries.iter().all(Fraction::is_valid) {
-            return Some(value);
-        }
-        self.say_beyond(declaration);
-        None
-    }
-
-    pub(super) fn scalar(
-        &mut self,
-        formula: &Formula,
-        declaration: &Declaration,
-    ) -> Option<Fraction> {
-        self.formula_value(formula, declaration)?.to_scalar().ok()
-    }
-
-    /// The number that a term says: a formula, or "the rate $\Omega$".
-    pub(super) fn scalar_term(
-        &mut self,
-        term: &Term,
-        declaration: &Declaration,
-    ) -> Option<Fraction> {
-        self.scalar(letter_of(term)?, declaration)
+        })
     }
 
     /// The frame that a term names.

@@ -163,7 +163,9 @@ impl Builder<'_> {
         let Some((of, relative)) = of_euler_angles(declaration) else {
             return false;
         };
-        let [of, relative] = [of, relative].map(|name| self.frames.get(&name).copied());
+        let of = self.frame(&Term::Name(of));
+        let ground = self.reading.system.ground;
+        let relative = relative.map_or(Some(ground), |name| self.frames.get(&name).copied());
         let parent = of.and_then(|of| self.reading.system.frames[of].parent);
         parent.is_some() && parent == relative
     }
@@ -201,6 +203,14 @@ impl Builder<'_> {
                 .map(|n| n * sign.clone())
         };
         let (angle, rate) = (angle.and_then(&mut number), rate.and_then(&mut number));
+        // "N is turned relative to B": B is turned back relative to N.
+        if let (true, Some(angle), Some(axis)) = (whole, &angle, shared)
+            && self.is_free_against(relative, frame)
+        {
+            let back = Turn::Angle(axis, Box::new(-angle.clone()));
+            self.reading.system.frames[relative].turn = back;
+            return;
+        }
         if whole && of_parent && free {
             if let Some(turn) = self.turn_of(frame, relative, &about, (angle, rate), shared, said) {
                 self.reading.system.frames[frame].turn = turn;
@@ -323,7 +333,7 @@ impl Builder<'_> {
 
 impl Builder<'_> {
     /// The frame in which a sentence says that a vector is fixed.
-    fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
+    pub(super) fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
         let says = |declaration: &&Declaration| match &declaration.statement {
             Statement::Is { subjects, .. } => subjects
                 .iter()
@@ -342,6 +352,7 @@ impl Builder<'_> {
 fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
     let mut parents = BTreeMap::new();
     let angles = declarations.iter().filter_map(of_euler_angles);
+    let angles = angles.filter_map(|(of, relative)| Some((of, relative?)));
     let angles: BTreeMap<String, String> = angles.collect();
     for declaration in declarations {
         let (subjects, relative) = match &declaration.statement {
@@ -386,11 +397,11 @@ fn carried_by_frames(declaration: &Declaration) -> Option<String> {
 }
 
 /// The frame whose Euler angles a sentence names, and the one that they are relative to.
-fn of_euler_angles(declaration: &Declaration) -> Option<(String, String)> {
+fn of_euler_angles(declaration: &Declaration) -> Option<(String, Option<String>)> {
     match &declaration.statement {
         Statement::Is { what, .. } if what.head == EULER_ANGLES => {
             let name = |slot| what.slot(slot).and_then(name_of);
-            Some((name(Slot::Of)?, name(Slot::RelativeTo)?))
+            Some((name(Slot::Of)?, name(Slot::RelativeTo)))
         }
         _ => None,
     }

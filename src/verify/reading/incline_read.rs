@@ -1,6 +1,6 @@
 //! Inclined planes: along which axis they fall, which axis stands on them, and how the vertical lies to them.
 
-use crate::verify::language::heads::{DOWNHILL, NORMAL, UPHILL};
+use crate::verify::language::heads::{DOWNHILL, NORMAL, UPHILL, VERTICAL};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
@@ -153,6 +153,13 @@ impl Builder<'_> {
 
     /// "down the slope", "along the uphill direction of the ramp", "along the normal of the floor".
     pub(super) fn direction_of_plane(&mut self, phrase: &NounPhrase) -> Option<Vector> {
+        if phrase.head == VERTICAL {
+            // Which way it points is told by the sentence that says which axis it is.
+            let told = self.bearings.vertical.is_some() && phrase.slots.is_empty();
+            let down = phrase.is("downward");
+            let upward = told.then(|| self.upward())?;
+            return Some(if down { -upward } else { upward });
+        }
         let ground = self.reading.system.ground;
         let (axis, along) = match (phrase.head, self.bearings.lie) {
             (DOWNHILL, Lie { falls, .. }) => falls?,

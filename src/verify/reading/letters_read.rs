@@ -111,9 +111,14 @@ impl Builder<'_> {
                     let Term::Formula(formula) = subject else {
                         continue;
                     };
-                    if let Some(quantity) = self.quantity_of(formula, declaration) {
-                        let on = Quantity::On(quantity.boxed(), frame);
-                        self.denote(formula, Meaning::Quantity(on), declaration);
+                    match self.quantity_of(formula, declaration) {
+                        Some(quantity) => {
+                            let on = Quantity::On(quantity.boxed(), frame);
+                            self.denote(formula, Meaning::Quantity(on), declaration);
+                        }
+                        // Entries that are written out are those on the customary frame.
+                        None if frame == self.reading.letters.component_frame => {}
+                        None => self.say_unused(declaration),
                     }
                 }
             }
@@ -253,6 +258,9 @@ impl Builder<'_> {
                 continue;
             }
             match subject {
+                Term::Formula(formula) if self.is_worked_out(formula, declaration) => {
+                    self.hold_formula_is(formula, &quantity, declaration);
+                }
                 Term::Formula(formula) => match self.told_there(formula, declaration) {
                     // What two sentences say of one letter holds both.
                     Some(told) => self.hold_quantities(&told, &quantity, declaration),

@@ -1,5 +1,6 @@
 //! Forces and moments by their nouns: of bodies and members, of weights, and of turning frames.
 
+use crate::verify::language::heads::OF_POTENTIALS;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::Lasting;
@@ -173,6 +174,13 @@ impl Builder<'_> {
     /// −m g · r, from the origin or from where it is said to be zero.
     pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
+        if self
+            .declarations
+            .iter()
+            .any(|d| d.may_speak_of(&OF_POTENTIALS))
+        {
+            return None;
+        }
         let zero = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Premise(p) if p.head == POTENTIAL => {
                 p.slot(Slot::At).and_then(|term| self.point(term))

@@ -64,6 +64,23 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// "The mass centre of the system is fixed in N": where it is the parts tell.
+    pub(super) fn hold_centre(
+        &mut self,
+        premise: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let bodies = premise.all(Slot::Of).filter_map(|term| self.body(term));
+        for body in bodies.collect::<Vec<_>>() {
+            let centre = self.centre_of(body);
+            if let Some((from, way)) = self.centre_of_parts(body) {
+                let told = self.system().position(centre, from) - way;
+                self.hold_zero(&told, declaration);
+            }
+        }
+        Some(())
+    }
+
     /// The points that a term names: a point, or the mass centres of bodies.
     fn points_named_by(&self, term: &Term) -> Option<Vec<PointId>> {
         match term {

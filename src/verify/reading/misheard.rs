@@ -1,31 +1,96 @@
 //! Sentences with a word that the model has nothing for, and that turns what they say into something else: they tell nothing.
 
-use crate::verify::language::heads::PLAIN_ADVERBS;
+use crate::notation::ast::Kind;
+use crate::verify::language::adjectives::has_plain_adjectives;
+use crate::verify::language::heads::{DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL};
+use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
 const MOTIONS: [&str; 4] = ["turn", "roll", "swing", "precess"];
 
+/// Directions that a letter is said to be.
+const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
+
 /// The sentence, or one that was not understood in its place.
 pub(super) fn heard_or_unread(declaration: Declaration) -> Declaration {
     match is_misheard(&declaration.statement) {
-        true => Declaration::unread(declaration.text),
+        true => declaration.not_understood(),
         false => declaration,
     }
 }
 
 fn is_misheard(statement: &Statement) -> bool {
-    let slots = match statement {
+    let several = statement.subjects().len();
+    let twice = |slots: &[(Slot, Term)]| is_said_twice(slots, several);
+    if !has_plain_adjectives(statement) || statement.slots().any(twice) {
+        return true;
+    }
+    match statement {
         Statement::Does { verb, slots, .. } => {
             let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
-            if MOTIONS.contains(verb) && slots.iter().any(strange) {
+            MOTIONS.contains(verb) && slots.iter().any(strange) || has_reversed(slots)
+        }
+        Statement::Is { subjects, what } => {
+            let with = what.all(Slot::With).any(is_of_thing);
+            if is_body(what.head) && with {
                 return true;
             }
-            slots
+            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(is_negative);
+            opposite || is_per_unit(what) || has_reversed(&what.slots)
         }
-        Statement::Is { what, .. } | Statement::Premise(what) => &what.slots,
-        _ => return false,
-    };
+        Statement::Premise(what) => is_per_unit(what) || has_reversed(&what.slots),
+        _ => false,
+    }
+}
+
+/// What is said once of a thing: a second one is of another thing, or makes the first another one.
+const ONCE: [Slot; 9] = [
+    Slot::About,
+    Slot::RelativeTo,
+    Slot::SeenFrom,
+    Slot::Along,
+    Slot::By,
+    Slot::At,
+    Slot::Through,
+    Slot::From,
+    Slot::To,
+];
+
+/// Whether it is, and not once of each of several subjects.
+fn is_said_twice(slots: &[(Slot, Term)], several: usize) -> bool {
+    let said = |wanted: &Slot| slots.iter().filter(|(slot, _)| slot == wanted).count();
+    let mut said = ONCE.iter().map(said);
+    said.any(|times| times > 1 && times != several)
+}
+
+/// Of a density alone "per unit mass" is understood.
+fn is_per_unit(what: &NounPhrase) -> bool {
+    let of_unit = |term: &Term| matches!(term, Term::Phrase(unit) if PER_UNIT.contains(&unit.head));
+    what.head != MASS && what.all(Slot::With).any(of_unit)
+}
+
+/// "a hub with a wheel"
+fn is_of_thing(term: &Term) -> bool {
+    match term {
+        Term::Phrase(phrase) => is_body(phrase.head),
+        Term::Name(name) => is_body(name),
+        _ => false,
+    }
+}
+
+/// "`$-z$` is the upward vertical"
+fn is_negative(subject: &Term) -> bool {
+    match subject {
+        Term::Formula(formula) => {
+            node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Negate(_)))
+        }
+        _ => false,
+    }
+}
+
+fn has_reversed(slots: &[(Slot, Term)]) -> bool {
     slots.iter().any(|(_, term)| is_reversed(term))
 }
 

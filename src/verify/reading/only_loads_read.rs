@@ -41,6 +41,8 @@ impl Builder<'_> {
                 Term::Formula(letter) => {
                     self.list_letter(letter, premise, &mut listed, declaration)?
                 }
+                // A force along an axis is not told by its letter alone.
+                Term::Phrase(load) if load.slot(Slot::Along).is_some() => return None,
                 Term::Phrase(load) => self.list_load(load, premise, &mut listed, declaration)?,
                 _ => return None,
             }
@@ -135,6 +137,10 @@ impl Builder<'_> {
         lasting: Lasting,
     ) -> Option<Vec<Load>> {
         if load.head == "weight" {
+            let other = |term| self.body(term) != self.body_of(premise);
+            if load.slot(Slot::Of).is_some_and(other) {
+                return None;
+            }
             let weight = self.weight(premise)?;
             let body = self.body_of(premise)?;
             return Some(vec![Load {

@@ -22,10 +22,17 @@ struct Spoken {
     lies: Option<usize>,
 }
 
+impl Spoken {
+    fn is_centre_of(&self, body: usize) -> bool {
+        self.centre_of == Some(body) || self.also_centre_of.contains(&body)
+    }
+}
+
 impl Builder<'_> {
     /// Places every point: pivots first, then mass centres, then what is fixed in bodies, then what moves freely.
     pub(super) fn place_points(&mut self) {
         let mut spoken = self.spoken_points();
+        self.share_centres(&mut spoken);
         self.add_centres(&mut spoken);
         let ground = self.reading.system.ground;
         let each = |s: &Spoken| {
@@ -159,11 +166,37 @@ impl Builder<'_> {
             .collect()
     }
 
+    /// Where the mass centres of a whole and of all its parts but one are the same point, that of the last part is too.
+    fn share_centres(&self, all: &mut [Spoken]) {
+        let system = &self.reading.system;
+        for whole in 0..system.bodies.len() {
+            let parts = system.wholes(whole);
+            let told = |body: usize| all.iter().position(|s| s.is_centre_of(body));
+            let each = |part: &usize| system.bodies[*part].members.is_some();
+            let Some(place) = told(whole).filter(|_| parts != [whole] && !parts.iter().any(each))
+            else {
+                continue;
+            };
+            let apart = parts.iter().filter(|part| told(**part) != Some(place));
+            let apart: Vec<usize> = apart.copied().collect();
+            let last = match apart.as_slice() {
+                [last] if parts.len() > 1 => Some(*last).filter(|last| told(*last).is_none()),
+                _ => None,
+            };
+            let spoken = &mut all[place];
+            spoken.also_centre_of.extend(last);
+            // Where a part has its mass centre there, this says where the point is.
+            if spoken.centre_of == Some(whole) && !spoken.also_centre_of.is_empty() {
+                spoken.centre_of = Some(spoken.also_centre_of.remove(0));
+                spoken.also_centre_of.push(whole);
+            }
+        }
+    }
+
     /// A mass centre without a name is a point as well.
     fn add_centres(&self, spoken: &mut Vec<Spoken>) {
         for (body, whole) in self.reading.system.bodies.iter().enumerate() {
-            let is_its = |s: &Spoken| s.centre_of == Some(body) || s.also_centre_of.contains(&body);
-            let known = spoken.iter().any(is_its);
+            let known = spoken.iter().any(|s| s.is_centre_of(body));
             let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
             let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
             if !known && !stands_for && !hub {
@@ -183,7 +216,7 @@ impl Builder<'_> {
     }
 
     /// The mass centre of a body of parts, from those of the parts: Σ m r over Σ m.
-    fn centre_of_parts(&mut self, body: usize) -> Option<(PointId, Vector)> {
+    pub(super) fn centre_of_parts(&mut self, body: usize) -> Option<(PointId, Vector)> {
         let parts = self.reading.system.wholes(body);
         if parts == [body] {
             return None;
@@ -282,7 +315,7 @@ impl Builder<'_> {
         moves_on_its_own: bool,
     ) -> Option<Vector> {
         if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
-            return self.formula_value(by, declaration)?.to_vector().ok();
+            return self.place_value(by, declaration)?.to_vector().ok();
         }
         let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?;
         let along = match self.axis_of_frame(along) {
@@ -299,7 +332,7 @@ impl Builder<'_> {
     }
 
     /// Whether the document writes the rate of a letter: then it changes.
-    fn has_rate(&self, distance: &Term) -> bool {
+    pub(super) fn has_rate(&self, distance: &Term) -> bool {
         let formula = match distance {
             Term::Formula(formula) => formula,
             Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
@@ -313,7 +346,7 @@ impl Builder<'_> {
     }
 
     /// A distance of which no rate is written is constant.
-    fn make_constant(&mut self, value: &crate::algebra::Fraction) {
+    pub(super) fn make_constant(&mut self, value: &crate::algebra::Fraction) {
         use crate::verify::model::atoms::Motion;
         for variable in value.variables() {
             let atom = self.reading.system.atoms.atom_mut(variable);
@@ -335,11 +368,14 @@ impl Builder<'_> {
                 continue;
             };
             let centre = self.reading.system.bodies[body].centre;
+            let (from, centre) = self
+                .centre_of_parts(body)
+                .unwrap_or((centre, Vector::zeros()));
             for name in subjects.iter().filter_map(name_of) {
                 let Some(&point) = self.points.get(&name) else {
                     continue;
                 };
-                let way = self.system().position(point, centre);
+                let way = self.system().position(point, from) - centre.clone();
                 self.hold_zero(&way, declaration);
             }
         }

@@ -141,7 +141,7 @@ impl Builder<'_> {
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),
-            MASS_CENTRE if premise.is("fixed") => Some(()),
+            MASS_CENTRE if premise.is("fixed") => self.hold_centre(premise, declaration),
             POTENTIAL => Some(()),
             "dimension" => match premise.slot(Slot::Which) {
                 Some(Term::Numbers(numbers)) => numbers.first().map(|number| {
@@ -166,6 +166,11 @@ impl Builder<'_> {
 
     /// The products of inertia vanish on the axes of the frame.
     fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        // At an instant alone they are told of no other.
+        let when = |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
+        if premise.slots.iter().any(|(_, term)| when(term)) {
+            return None;
+        }
         let of = self.whole_of(premise)?;
         let about = match premise.slot(Slot::About).or(premise.slot(Slot::At)) {
             Some(_) => self.about(premise, &of)?,
@@ -191,22 +196,6 @@ impl Builder<'_> {
             };
             self.hold_quantities(&entry, &zero(), declaration);
         }
-        Some(())
-    }
-
-    fn no_moment(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        let of = self.whole_of(premise)?;
-        let about = self.about(premise, &of)?;
-        let body = self.body_of(premise)?;
-        let moment = self.system().total_moment(body, about);
-        self.hold_zero(&moment, declaration);
-        Some(())
-    }
-
-    fn no_force(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        let body = self.body_of(premise)?;
-        let force = self.system().total_force(body);
-        self.hold_zero(&force, declaration);
         Some(())
     }
 

@@ -1,13 +1,13 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT, MOMENT_OF_INERTIA,
+    ANGULAR_MOMENTUM, AXES, CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT, MOMENT_OF_INERTIA,
     NORMAL_FORCE, SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{FrameId, PointId, Rotors};
+use crate::verify::model::system::{BodyId, FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
@@ -37,7 +37,7 @@ impl Builder<'_> {
             return None;
         }
         let mut quantity = self.bare_quantity(phrase, declaration)?;
-        if let Some(along) = phrase.slot(Slot::Along).or_else(|| axis_about(phrase))
+        if let Some(along) = phrase.slot(Slot::Along).or_else(|| self.axis_about(phrase))
             && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
             && !(phrase.slot(Slot::Upon).is_some() && self.is_scalar(&quantity))
         {
@@ -76,6 +76,10 @@ impl Builder<'_> {
             "velocity" => {
                 let of = self.moving_spot(phrase)?;
                 Quantity::Velocity { of, relative }
+            }
+            "speed" => {
+                let of = self.moving_spot(phrase)?;
+                Quantity::Magnitude(Quantity::Velocity { of, relative }.boxed())
             }
             "acceleration" => {
                 let of = self.moving_spot(phrase)?;
@@ -204,15 +208,24 @@ impl Builder<'_> {
         let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
         let rotation = phrase.head == "kinetic energy of rotation";
         let kinetic = Quantity::KineticEnergy {
-            of,
+            of: of.clone(),
             relative,
             rotation,
         };
         match phrase.head {
-            // About another point than the mass centre the energy of rotation is another.
-            "kinetic energy" | "kinetic energy of rotation" => {
-                phrase.slot(Slot::About).is_none().then_some(kinetic)
-            }
+            // About a point that is fixed in the body and in space all energy is that of rotation; about another one than the
+            // mass centre it is another.
+            "kinetic energy" | "kinetic energy of rotation" => match phrase.slot(Slot::About) {
+                None => Some(kinetic),
+                Some(about) => {
+                    let fixed = self.is_fixed_point(self.point(about)?, body?);
+                    (rotation && fixed).then_some(Quantity::KineticEnergy {
+                        of,
+                        relative,
+                        rotation: false,
+                    })
+                }
+            },
             POTENTIAL => self.potential_energy(body?),
             "total energy" => Some(self.total_energy(body?, kinetic)),
             "Lagrangian" => {
@@ -250,10 +263,47 @@ impl Builder<'_> {
         };
         self.point(term).or_else(|| match term {
             Term::Phrase(point) if point.head == MASS_CENTRE => None,
-            Term::Phrase(axis) => told(axis.slot(Slot::Through), centre, |t| self.point(t)),
+            Term::Phrase(axis) => {
+                let turned_about = self.point_on_axis(phrase, of, centre);
+                told(axis.slot(Slot::Through), turned_about, |t| self.point(t))
+            }
             Term::Name(name) if self.axes.get(name).is_none() => None,
-            _ => Some(centre),
+            _ => Some(self.point_on_axis(phrase, of, centre)),
         })
+    }
+
+    /// A point on an axis that passes through none that is told: for loads and momenta the one that is fixed in space.
+    fn point_on_axis(&self, phrase: &NounPhrase, of: &Whole, centre: PointId) -> PointId {
+        let Whole::Body(body) = of else {
+            return centre;
+        };
+        let mut points = 0..self.reading.system.points.len();
+        let fixed = points.find(|&point| self.is_fixed_point(point, *body));
+        match phrase.head {
+            MOMENT | ANGULAR_MOMENTUM => fixed.unwrap_or(centre),
+            _ => centre,
+        }
+    }
+
+    /// Whether a point is fixed in a body and in space.
+    fn is_fixed_point(&self, point: PointId, body: BodyId) -> bool {
+        let system = &self.reading.system;
+        let fixed = &system.points[point].fixed_in;
+        let own = system.bodies[body].frame;
+        fixed.contains(&system.ground) && own.is_some_and(|frame| fixed.contains(&frame))
+    }
+
+    /// The axis that a moment or an angular momentum is about: of a vector, the component along it.
+    fn axis_about<'t>(&self, phrase: &'t NounPhrase) -> Option<&'t Term> {
+        let about = phrase.slot(Slot::About)?;
+        let axis = match about {
+            Term::Phrase(axis) => AXES.contains(&axis.head),
+            _ => {
+                let named = name_of(about).is_some_and(|name| self.axes.get(&name).is_some());
+                named && self.point(about).is_none()
+            }
+        };
+        (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
     }
 
     pub(super) fn centre_of(&self, body: usize) -> PointId {
@@ -363,11 +413,4 @@ impl Builder<'_> {
             Whole::Member(..) => None,
         }
     }
-}
-
-/// The axis that a moment or an angular momentum is about: of a vector, the component along it.
-fn axis_about(phrase: &NounPhrase) -> Option<&Term> {
-    let about = phrase.slot(Slot::About)?;
-    let axis = matches!(about, Term::Phrase(axis) if axis.head == "axis" && axis.slot(Slot::Along).is_some());
-    (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
 }

@@ -173,6 +173,11 @@ impl Builder<'_> {
             return;
         };
         for (subject, other) in subjects.iter().zip(others) {
+            if let (Some(one), Some(two)) = (self.point(subject), self.point(other)) {
+                let way = self.system().position(one, two);
+                self.hold_zero(&way, declaration);
+                continue;
+            }
             let (Term::Formula(subject), Term::Formula(other)) = (subject, other) else {
                 continue;
             };

@@ -13,7 +13,7 @@ impl Builder<'_> {
                 continue;
             };
             let fixed = what.head == "fixed" && declaration.extent == Extent::Document;
-            let frame = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+            let frame = self.frames_of(what).next();
             let Some(frame) = frame.filter(|_| fixed) else {
                 continue;
             };
@@ -23,9 +23,12 @@ impl Builder<'_> {
                 .filter_map(|subject| self.body(subject))
                 .collect::<Vec<_>>()
             {
-                let body = &mut self.reading.system.bodies[body];
-                if body.frame.is_none() && !particles.contains(&body.name) {
-                    body.frame = Some(frame);
+                let known = &mut self.reading.system.bodies[body];
+                let particle = particles.contains(&known.name);
+                match known.frame {
+                    None if !particle => known.frame = Some(frame),
+                    Some(own) if own != frame => self.say_unused(declaration),
+                    _ => {}
                 }
             }
         }

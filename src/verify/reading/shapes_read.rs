@@ -100,7 +100,12 @@ impl Builder<'_> {
         let round_all_over = matches!(shape.name(), "sphere" | "shell");
         let axis = match self.told_axis_of_shape(body) {
             Some(axis) => axis,
-            None if self.has_named_axes(body) && !round_all_over => return None,
+            // What rolls turns about its own axis; another shape that turns about an axis may lie across it.
+            None if !round_all_over => match self.axis_of_turn(body) {
+                Some(axis) => Some(axis).filter(|_| self.rolls(body))?,
+                None if self.has_named_axes(body) => return None,
+                None => 2,
+            },
             None => 2,
         };
         self.reading.system.bodies[body].round = match (shape.name(), sizes.as_slice()) {
@@ -202,6 +207,23 @@ impl Builder<'_> {
         };
         told.filter(|&(f, axis)| f == frame || shared(f, axis))
             .map(|(_, axis)| axis)
+    }
+
+    /// The number of the axis about which a body's frame is said to turn.
+    fn axis_of_turn(&self, body: BodyId) -> Option<usize> {
+        let system = &self.reading.system;
+        system.frames[system.bodies[body].frame?].turn.axis()
+    }
+
+    fn rolls(&self, body: BodyId) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "roll",
+                ..
+            } => subjects.iter().any(|term| self.body(term) == Some(body)),
+            _ => false,
+        })
     }
 
     fn is_rod(&self, body: BodyId) -> bool {

@@ -204,7 +204,7 @@ impl Builder<'_> {
     }
 
     /// Whether nothing is told yet of how a frame turns against its parent.
-    fn is_free_against(&self, frame: FrameId, parent: FrameId) -> bool {
+    pub(super) fn is_free_against(&self, frame: FrameId, parent: FrameId) -> bool {
         let frame = &self.reading.system.frames[frame];
         frame.parent == Some(parent) && frame.turn == Turn::Free
     }

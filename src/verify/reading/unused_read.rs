@@ -2,9 +2,12 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
-use crate::verify::language::heads::KEEPS_DIRECTION;
-use crate::verify::language::only_names;
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, Touched};
+use crate::verify::language::heads::{KEEPS_DIRECTION, MASS};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
+};
+use crate::verify::language::{is_bodily, only_names};
+use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
@@ -54,10 +57,7 @@ impl Builder<'_> {
                     ..
                 } => subjects.iter().all(|subject| self.is_force(subject)),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
-                Statement::Is { what, .. } => {
-                    let of = what.slot(Slot::Of).and_then(|term| self.body(term));
-                    of.is_none() || !UNPLACED.contains(&what.head)
-                }
+                Statement::Is { subjects, what } => self.has_use_for(subjects, what),
                 Statement::Unread { .. } => false,
                 _ => true,
             };
@@ -65,6 +65,25 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+    }
+
+    /// Whether the model has something for what is said of things: nothing yet for the ends and rims of bodies, for several
+    /// bodies that are one, and for those that are free.
+    fn has_use_for(&self, subjects: &[Term], what: &NounPhrase) -> bool {
+        let of_body = what
+            .slot(Slot::Of)
+            .and_then(|term| self.body(term))
+            .is_some();
+        let rim = what.all(Slot::Of).any(|term| match term {
+            Term::Phrase(of) => UNPLACED.contains(&of.head),
+            _ => false,
+        });
+        let one = what.is("one") && WHOLES.contains(&what.head) && subjects.len() > 1;
+        let things = !subjects.iter().all(|subject| in_formula(subject).is_some());
+        let sized = what.head == "vector" && what.slot(Slot::Of).is_some();
+        let resting = what.head == "point" && what.slot(Slot::At).is_some();
+        let nothing = what.head == "free" || what.head == "equal" && things || sized || resting;
+        !(of_body && UNPLACED.contains(&what.head) || rim || one || nothing)
     }
 
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {
@@ -145,7 +164,11 @@ fn is_small(statement: &Statement) -> bool {
 /// The letters of a sentence that says what quantities letters are, and no more.
 fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
     let formulas: Vec<&Formula> = match statement {
-        Statement::Is { subjects, what } if only_names(what.head) || is_small(statement) => {
+        // What bodies have says of several that they are alike.
+        Statement::Is { subjects, what }
+            if only_names(what.head) && !is_bodily(what.head) && what.head != MASS
+                || is_small(statement) =>
+        {
             subjects.iter().map(in_formula).collect::<Option<_>>()?
         }
         Statement::Unread { letters, .. } if !letters.is_empty() => letters.iter().collect(),

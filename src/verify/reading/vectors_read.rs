@@ -1,4 +1,4 @@
-//! Letters that are told by more than one noun: vectors, constants, operators, principal moments, gravity.
+//! Letters that are told by more than one noun: vectors, operators, principal moments.
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
@@ -10,9 +10,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, is_marked_vector, letter_of, node_of, told,
-};
+use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -51,7 +49,10 @@ impl Builder<'_> {
             }
             let text = formula.source.clone();
             let quantity = match (what.head, &along) {
-                ("vector", _) => Quantity::Vector { text, carried },
+                ("vector", _) => {
+                    let carried = carried.or_else(|| self.said_fixed(formula));
+                    Quantity::Vector { text, carried }
+                }
                 (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
                 (_, Some(along)) => {
                     let size = Quantity::Magnitude(along.clone().boxed());
@@ -150,40 +151,9 @@ impl Builder<'_> {
         }
     }
 
-    /// Letters of their own that do not change; of a quantity the rate vanishes.
-    pub(super) fn read_constants(&mut self, subjects: &[Term], declaration: &Declaration) {
-        for formula in formulas(subjects) {
-            let quantity = self.quantity_of(formula, declaration);
-            let value = match &quantity {
-                Some(quantity) => self.system().value_of(quantity).ok(),
-                // A letter by which a frame turns or a point is placed stands in the model already.
-                None if self.is_told(formula, declaration) => {
-                    self.mentioned_value(formula, declaration)
-                }
-                None => None,
-            };
-            match (value, quantity) {
-                (Some(value), _) => {
-                    for entry in self.rates_of_constant(formula, &value) {
-                        self.hold(entry, declaration);
-                    }
-                }
-                (None, Some(_)) => {}
-                (None, None) => {
-                    let text = formula.source.clone();
-                    let quantity = Quantity::Scalar {
-                        text,
-                        constant: true,
-                    };
-                    self.denote(formula, Meaning::Quantity(quantity), declaration);
-                }
-            }
-        }
-    }
-
     /// What vanishes where a value is constant: a vector is so in the inertial frame. A reference value stands for those of
     /// the components.
-    fn rates_of_constant(&mut self, formula: &Formula, value: &Value) -> Vec<Fraction> {
+    pub(super) fn rates_of_constant(&mut self, formula: &Formula, value: &Value) -> Vec<Fraction> {
         if self.is_reference(formula) {
             let atoms = &mut self.system().atoms;
             let rates = value.entries.iter().map(|entry| atoms.derivative(entry));
@@ -256,49 +226,6 @@ impl Builder<'_> {
             };
             self.denote(&head, Meaning::Operator(operator), declaration);
         }
-    }
-
-    /// g: a vector that does not change in space, or its size along the vertical.
-    pub(super) fn read_gravity(&mut self, subjects: &[Term], declaration: &Declaration) {
-        let Some(formula) = formulas(subjects).next().cloned() else {
-            return;
-        };
-        let vector = is_marked_vector(&formula);
-        let ground = self.reading.system.ground;
-        let text = formula.source.clone();
-        if vector {
-            let quantity = Quantity::Vector {
-                text,
-                carried: Some(ground),
-            };
-            self.gravity = Some(quantity.clone());
-            return self.denote(&formula, Meaning::Quantity(quantity), declaration);
-        }
-        let quantity = Quantity::Scalar {
-            text,
-            constant: true,
-        };
-        self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
-        let size = self
-            .system()
-            .value_of(&quantity)
-            .ok()
-            .and_then(|v| v.to_scalar().ok());
-        let vertical = self.vertical();
-        let axis = match self.has_plane_anyhow() {
-            true => Quantity::UnitVector {
-                text: "\\text{up}".into(),
-                carried: Some(ground),
-            },
-            false => Quantity::Axis(vertical.frame, vertical.axis),
-        }
-        .boxed();
-        // How great it is, in the direction in which things fall.
-        if let Some(g) = &size {
-            self.system().atoms.set_positive(g);
-        }
-        let along = |g: Fraction| if vertical.points_down { g } else { -g };
-        self.gravity = size.map(|g| Quantity::Scaled(axis, along(g)));
     }
 
     /// "A, A, C are the principal moments of the top about O on B": the products vanish, and A is two moments.

@@ -29,6 +29,13 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether a body would be one of its own parts.
+    pub(super) fn is_part_of_itself(&self, whole: BodyId, parts: &[BodyId]) -> bool {
+        let system = &self.reading.system;
+        let mut parts = parts.iter();
+        parts.any(|&part| system.wholes(part).contains(&whole))
+    }
+
     /// The only body, or the one of which all others are parts.
     pub(super) fn only_body(&self) -> Option<BodyId> {
         let bodies = &self.reading.system.bodies;

@@ -227,3 +227,38 @@ $w$ is the angular velocity of B relative to N along z.
     let text = "$$ w = p $$\n$$ w = q $$\n$$ w = p $$\n";
     assert_eq!(judged(sentences, text), "ppp");
 }
+
+#[test]
+fn what_the_model_has_nothing_for_denies_nothing() {
+    hold(&[
+        (
+            "P is a particle of mass $m$. / $F$ is one of the forces on P. / $a$ is the acceleration of P relative to N.",
+            &["F = m a"],
+            "u",
+        ),
+        (
+            "P is a point fixed in the disc. / P is a point of the rim of the disc. / The disc is a uniform thin disc of mass $m$ and radius $r$. / G is the mass centre of the disc. / $s$ is the position of P from G.",
+            &["s\\cdot s = r^2"],
+            "u",
+        ),
+        (
+            "The body is free. / G is the mass centre of the body. / $H$ is the angular momentum of the body about G relative to N.",
+            &["\\dot H = 0"],
+            "u",
+        ),
+        (
+            "The disc and the shaft are one rigid body. / $w$ is the angular velocity of the disc relative to N. / $u$ is the angular velocity of the shaft relative to N.",
+            &["w = u"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn the_names_of_axes_are_their_vectors_where_a_vector_is_told() {
+    hold(&[(
+        "x, y, z are the axes of N. / O is a point fixed in N. / P is a particle. / $r$ is the position of P from O. / $r = a x + b y$. / $u$ is the component of $r$ along z.",
+        &["u = 0", "u = a"],
+        "pr",
+    )]);
+}

@@ -1,0 +1,159 @@
+//! Which adjectives are understood before which nouns: any other one may turn what a noun means into something else.
+
+use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::{heads, is_thing};
+
+/// What may stand before any noun: it counts, points, or says nothing new.
+const OF_ALL: [&str; 13] = [
+    "any",
+    "also",
+    "constant",
+    "steady",
+    "instantaneous",
+    "corresponding",
+    "zero",
+    "one",
+    "two",
+    "three",
+    "four",
+    "whole",
+    "common",
+];
+
+/// What may be said of bodies, frames, points and planes without making them others.
+const OF_THINGS: [&str; 44] = [
+    "moving",
+    "uniform",
+    "thin",
+    "straight",
+    "main",
+    "solid",
+    "hollow",
+    "rigid",
+    "circular",
+    "square",
+    "rectangular",
+    "right",
+    "small",
+    "heavy",
+    "massive",
+    "massless",
+    "simple",
+    "physical",
+    "taut",
+    "inextensible",
+    "inclined",
+    "rolling",
+    "planar",
+    "smooth",
+    "rough",
+    "symmetric",
+    "ideal",
+    "desired",
+    "internal",
+    "external",
+    "inertial",
+    "body-fixed",
+    "laboratory",
+    "rotating",
+    "turning",
+    "intermediate",
+    "fixed",
+    "horizontal",
+    "vertical",
+    "upward",
+    "downward",
+    "orthogonal",
+    "parallel",
+    "free",
+];
+
+/// What is understood of some quantities alone.
+const OF_QUANTITIES: [(&str, &[&str]); 23] = [
+    (
+        "total",
+        &[
+            heads::FORCE,
+            heads::MOMENT,
+            heads::MASS,
+            heads::MOMENTUM,
+            heads::ANGULAR_MOMENTUM,
+            heads::KINETIC_ENERGY,
+            heads::POTENTIAL_ENERGY,
+            "load",
+            "impulse",
+        ],
+    ),
+    (
+        "external",
+        &[heads::FORCE, heads::MOMENT, "load", "impulse"],
+    ),
+    ("no", &[heads::FORCE, heads::MOMENT, heads::MASS, "load"]),
+    ("only", &[heads::FORCE, heads::MOMENT, "load", "impulse"]),
+    ("not", &["zero", "symmetric", "constant", "small"]),
+    ("small", &["disturbance", "angle", "oscillation", "value"]),
+    ("largest", &["value"]),
+    ("smallest", &["value"]),
+    ("positive", &["constant", "principal moments", "scalar"]),
+    ("real", &["constant", "scalar"]),
+    ("horizontal", &["vector", "unit vector", heads::NORMAL]),
+    ("vertical", &["vector", "unit vector", heads::NORMAL]),
+    ("upward", &["vector", "unit vector", heads::NORMAL]),
+    ("downward", &["vector", "unit vector", heads::NORMAL]),
+    ("tangential", &["part"]),
+    ("radial", &["part"]),
+    ("diagonal", &["entry", "matrix"]),
+    ("symmetric", &["matrix"]),
+    ("orthogonal", &["matrix"]),
+    ("natural", &["frequency"]),
+    (
+        "same",
+        &[
+            "frequency",
+            "body",
+            heads::MASS,
+            heads::ANGULAR_MOMENTUM,
+            heads::ANGULAR_VELOCITY,
+        ],
+    ),
+    ("local", &[heads::GRAVITY]),
+    ("equal", &[heads::MASS]),
+];
+
+/// Whether all adjectives of a statement are understood.
+pub(crate) fn has_plain_adjectives(statement: &Statement) -> bool {
+    let predicate = match statement {
+        Statement::Is { what, .. } | Statement::Premise(what) => is_plain(what),
+        _ => true,
+    };
+    let terms = statement.terms().into_iter();
+    predicate && terms.filter_map(phrase).all(is_plain)
+}
+
+fn phrase(term: &Term) -> Option<&NounPhrase> {
+    match term {
+        Term::Phrase(phrase) => Some(phrase),
+        _ => None,
+    }
+}
+
+/// A sum of several masses is none of them.
+fn is_sum_of_several(phrase: &NounPhrase) -> bool {
+    let several = phrase.all(Slot::Of).count() > 1;
+    phrase.is("total") && phrase.head == heads::MASS && several
+}
+
+fn is_plain(phrase: &NounPhrase) -> bool {
+    if is_sum_of_several(phrase) {
+        return false;
+    }
+    let mut own = phrase.adjectives.iter();
+    own.all(|adjective| goes_with(adjective, phrase.head))
+}
+
+fn goes_with(adjective: &str, noun: &str) -> bool {
+    let mut quantities = OF_QUANTITIES.iter();
+    OF_ALL.contains(&adjective)
+        || is_thing(noun) && OF_THINGS.contains(&adjective)
+        || quantities.any(|(said, of)| *said == adjective && of.contains(&noun))
+}

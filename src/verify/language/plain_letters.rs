@@ -1,0 +1,88 @@
+//! Letters that stand in a sentence as they are, without the signs of a formula: "m is the mass of the disc".
+
+use super::lexicon::{Class, Lexicon};
+use super::reader::rows;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+use std::collections::BTreeSet;
+
+/// What is said of letters alone, beside the quantities that they are.
+const OF_LETTERS: [&str; 4] = ["constant", "positive", "small", "nonzero"];
+
+/// Puts formulas in the places of names that sentences say to be quantities, where none says that they are things.
+pub(crate) fn write_letters(declarations: &mut [Declaration], lexicon: &Lexicon, macros: &Macros) {
+    let mut letters = BTreeSet::new();
+    let mut things = BTreeSet::new();
+    for declaration in declarations.iter() {
+        if let Statement::Is { subjects, what } = &declaration.statement {
+            let names = subjects.iter().filter_map(name);
+            match is_quantity(what, lexicon) {
+                true => letters.extend(names),
+                false => things.extend(names),
+            }
+        }
+        for term in declaration.statement.terms() {
+            letters.extend(called(term, lexicon));
+            things.extend(things_in(term));
+        }
+    }
+    letters.retain(|letter| !things.contains(letter));
+    for declaration in declarations {
+        for term in declaration.statement.terms_mut() {
+            write(term, &letters, macros);
+        }
+    }
+}
+
+/// Whether a noun says what a letter is: a quantity, or that it does not change.
+fn is_quantity(what: &NounPhrase, lexicon: &Lexicon) -> bool {
+    lexicon.entry(what.head, &[Class::Noun]).is_some() || OF_LETTERS.contains(&what.head)
+}
+
+/// "the mass m": the names of a quantity.
+fn called(term: &Term, lexicon: &Lexicon) -> Vec<String> {
+    match term {
+        Term::Phrase(phrase) if lexicon.entry(phrase.head, &[Class::Noun]).is_some() => {
+            phrase.all(Slot::Which).filter_map(name).collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// What something is fixed in, relative to or from is a thing.
+fn things_in(term: &Term) -> Vec<String> {
+    match term {
+        Term::Phrase(phrase) => {
+            let placed = [Slot::FixedIn, Slot::RelativeTo, Slot::From, Slot::SeenFrom];
+            let slots = phrase.slots.iter();
+            let things = slots.filter(|(slot, _)| placed.contains(slot));
+            things.filter_map(|(_, term)| name(term)).collect()
+        }
+        _ => vec![],
+    }
+}
+
+fn name(term: &Term) -> Option<String> {
+    match term {
+        Term::Name(name) => Some(name.clone()),
+        _ => None,
+    }
+}
+
+fn write(term: &mut Term, letters: &BTreeSet<String>, macros: &Macros) {
+    match term {
+        Term::Name(letter) if letters.contains(letter) => {
+            if let Some(row) = rows(letter, true, macros).into_iter().next() {
+                *term = Term::Formula(Formula {
+                    source: letter.clone(),
+                    row,
+                });
+            }
+        }
+        Term::Phrase(phrase) => {
+            let slots = phrase.slots.iter_mut();
+            slots.for_each(|(_, inner)| write(inner, letters, macros));
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,184 @@
+//! Small words that turn what a sentence says: adjectives, "or", "not", "its", a second thing in a list.
+
+use super::verdicts;
+
+/// Sentences behind "N is an inertial frame", formulas, and the verdicts that these get, whether the sentences are understood
+/// or not.
+fn hold(cases: &[(&str, &[&str], &str)]) {
+    for (sentences, formulas, expected) in cases {
+        let said = format!("N is an inertial frame.\n{sentences}\n").replace(" / ", "\n");
+        let lines = formulas.iter().map(|formula| format!("$$ {formula} $$\n"));
+        let text: String = lines.collect();
+        assert_eq!(verdicts(&said, &text).0, *expected, "{sentences}");
+    }
+}
+
+#[test]
+fn an_adjective_that_makes_a_quantity_another_one_is_not_dropped() {
+    hold(&[
+        (
+            "$x, y, z$ are the axes of N. / B turns relative to N about $z$ at the rate $p$. / $w$ is the negative angular velocity of B relative to N along $z$.",
+            &["w = p", "w = -p"],
+            "uu",
+        ),
+        (
+            "P is a particle of mass $m$. / $u$ is the velocity of P relative to N. / $k$ is the internal force on P.",
+            &["k = m \\dot u"],
+            "u",
+        ),
+        (
+            "P is a particle of mass $m$. / $u$ is the velocity of P relative to N. / No horizontal force acts on P.",
+            &["\\dot u = 0"],
+            "u",
+        ),
+        (
+            "The hub and the wheel have the total mass $m$. / $a$ and $b$ are the masses of the hub and the wheel.",
+            &["a = m"],
+            "u",
+        ),
+        (
+            "P is a particle of mass $m$. / $u$ is the velocity of P relative to N. / $T$ is the kinetic energy of P relative to N per unit mass.",
+            &["T = \\frac12 m u \\cdot u"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn a_choice_is_no_list_and_what_is_denied_does_not_hold() {
+    hold(&[
+        (
+            "P and Q are points. / P or Q is fixed in N. / $v$ is the velocity of P relative to N.",
+            &["v = 0"],
+            "u",
+        ),
+        (
+            "B is a frame fixed in the body. / G is the mass centre of the body. / The axes of B are no principal axes of the body. / $I$ is the inertia tensor of the body about G on B. / $I_{jk}$ is the entry of $I$.",
+            &["I_{12} = 0"],
+            "u",
+        ),
+        (
+            "P was fixed in N. / $v$ is the velocity of P relative to N.",
+            &["v = 0"],
+            "u",
+        ),
+        (
+            "A is a frame. / B is a frame. / If A is fixed in N, B turns relative to N about z at the rate $p$. / $w$ is the angular velocity of B relative to N along z.",
+            &["w = p"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn a_pronoun_is_not_the_thing_that_it_stands_beside() {
+    hold(&[
+        (
+            "$x, y, z$ are the axes of N. / A turns relative to N about $z$ by the angle $a$. / B turns relative to it about $z$ by the angle $b$. / $w$ is the angular velocity of B relative to N along $z$.",
+            &["w = \\dot b"],
+            "u",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / The disc turns relative to N about $z$ by the angle $a$. / B is its frame. / $w$ is the angular velocity of B relative to N along $z$.",
+            &["w = \\dot a", "w = 0"],
+            "pr",
+        ),
+        (
+            "P and Q are points. / They are fixed in N. / $v$ is the velocity of P relative to N.",
+            &["v = 0"],
+            "p",
+        ),
+        (
+            "P and Q are points. / The former is fixed in N. / $v$ is the velocity of P relative to N.",
+            &["v = 0"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn what_is_said_twice_of_one_thing_is_no_first_one() {
+    hold(&[
+        (
+            "$x, y, z$ are the axes of N. / B turns relative to N about $z$ at the rate $p$ and about $x$ at the rate $q$. / $w$ is the angular velocity of B relative to N along $z$.",
+            &["w = p"],
+            "u",
+        ),
+        (
+            "G is the mass centre of the body. / $H$ is the angular momentum of the body about G relative to N. / The force at G and the moment $M$ are the only loads on the body.",
+            &["\\dot H = 0"],
+            "u",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / $k$ is the acceleration of gravity. / P is a particle of mass $m$. / O is a point fixed in N. / P lies at the distance $h$ from O along $z$. / $-z$ is the upward vertical. / The potential energy is zero at O. / $V$ is the potential energy of P.",
+            &["V = m k h"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn a_load_along_an_axis_is_its_component() {
+    hold(&[(
+        "$x, y, z$ are the axes of N. / G is the mass centre of the body. / No moment acts on the body about G along $x$. / $H$ is the angular momentum of the body about G relative to N. / $M$ is the total moment on the body about G.",
+        &["M \\cdot x = 0", "M = 0"],
+        "pr",
+    )]);
+}
+
+#[test]
+fn everyday_words_are_read() {
+    hold(&[
+        (
+            "$x, y, z$ are the axes of N. / P and Q are particles of mass $m$. / The system consists of P and Q. / The mass centre of the system is at rest relative to N. / $u$ and $v$ are the velocities of P and Q relative to N.",
+            &["\\dot u + \\dot v = 0"],
+            "p",
+        ),
+        (
+            "P is a particle of mass m. / v is the velocity of P relative to N. / F is the total force on P.",
+            &["F = m \\dot v", "F = 2 m \\dot v"],
+            "pr",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / N is turned relative to B about $z$ by the angle $a$. / $R$ takes components on B to components on N.",
+            &[
+                "R = \\begin{pmatrix}\\cos a & \\sin a & 0\\\\ -\\sin a & \\cos a & 0\\\\ 0 & 0 & 1\\end{pmatrix}",
+            ],
+            "p",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / A is turned relative to N by $a$ about $z$ and then by $b$ about $u$. / $u, v, n$ are the axes of A. / $w$ is the angular velocity of A relative to N along $n$.",
+            &["w = \\dot a \\cos b", "w = \\dot a"],
+            "pr",
+        ),
+        (
+            "P is a particle of mass $m$. / The kinetic energy of P is constant. / $T$ is the kinetic energy of P relative to N.",
+            &["\\dot T = 0"],
+            "p",
+        ),
+        (
+            "P is a particle. / $2m$ is the mass of P. / Q is a particle of mass $m$. / $a$ and $b$ are the masses of P and Q.",
+            &["a = 2 b", "a = b"],
+            "pr",
+        ),
+        (
+            "O is a point fixed in N. / P is a point. / $r$ is the vector from O to P. / $s$ is the position of P from O.",
+            &["r = s", "r = -s"],
+            "pr",
+        ),
+        (
+            "The hub and the wheel form the craft. / B is a frame fixed in the hub. / x, y, z are the axes of B. / G is the mass centre of the craft. / G is the mass centre of the wheel. / $A$, $A$, $C$ are the principal moments of the hub about G on B. / The wheel turns relative to the hub about z at the rate $s$. / The wheel is symmetric about z. / $J$ is the moment of inertia of the wheel about z. / $w$ is the angular velocity of B relative to N along z. / $H$ is the angular momentum of the craft about G relative to N along z.",
+            &["H = (C + J) w + J s", "H = C w + J s"],
+            "pr",
+        ),
+    ]);
+}
+
+#[test]
+fn nothing_is_a_part_of_itself() {
+    hold(&[(
+        "The craft consists of the hub and the craft. / $m$ is the mass of the hub. / $c$ is the mass of the craft.",
+        &["c = m"],
+        "u",
+    )]);
+}
