@@ -1,11 +1,10 @@
 //! The change of a step with a direction of its input, stage by stage beside it.
 
 use super::algebra::{
-    Turn, Vector, applied, between, dot, minus, plus, plus_cross, plus_times, pulled, times,
-    turned, turning,
+    Turn, Vector, between, dot, minus, plus, plus_cross, plus_times, pulled, times, turned, turning,
 };
-use super::moments::{ByTurn, Moments, Place};
-use super::stages::{Stage, Stages, Start, weighed};
+use super::moments::{ByTurn, Moments, Place, Shift};
+use super::stages::{Reached, Stage, Stages, Start, weighed};
 use super::tensor::{Tensor, symmetric};
 use crate::motion::registers::Arithmetic;
 
@@ -16,7 +15,8 @@ pub(super) struct Direction<T> {
     pub(super) omega: Vector<T>,
     pub(super) torque: Vector<T>,
     pub(super) inertia: [T; 6],
-    pub(super) span: T,
+    /// `None` for a length that stays.
+    pub(super) span: Option<T>,
 }
 
 /// The change of a stage's rates; the last is that of the momentum, δI a alone along principal axes.
@@ -35,6 +35,9 @@ struct Moved<T> {
     momentum: Vector<T>,
 }
 
+/// A stage that keeps the change of its moment.
+type Along<T, K> = Stage<T, K, Vector<T>>;
+
 /// The step, and the change of (θ', ω') with a direction.
 #[inline(always)]
 pub(super) fn along<T: Arithmetic, I: Tensor<T>, M: Moments<T>>(
@@ -42,25 +45,40 @@ pub(super) fn along<T: Arithmetic, I: Tensor<T>, M: Moments<T>>(
     moments: &M,
     start: Start<T>,
     direction: &Direction<T>,
-) -> (Stages<T, I, M::ByTurn>, [T; 6]) {
-    let (number, step) = (|value: f64| direction.span.constant(value), start.step);
+) -> (Stages<T, I, Vector<T>>, [T; 6]) {
+    let (number, step) = (|value: f64| start.omega[0].constant(value), start.step);
     let way = Way::new(direction, &start);
-    let velocity = times(direction.omega, number(0.5 * step));
-    let velocity = plus_times(velocity, start.velocity(), way.span);
+    let mut velocity = times(direction.omega, number(0.5 * step));
+    if let Some(span) = way.span {
+        velocity = plus_times(velocity, start.velocity(), span);
+    }
     let own = Moved {
         turn: M::ByTurn::IS_ANY.then_some(way.turn),
         velocity,
         momentum: tensor.changed(velocity, symmetric(way.inertia, start.velocity())),
     };
     // Beside each other, for what a stage leaves behind fills all registers.
-    let first = Stage::first(&tensor, moments, start.velocity());
+    let place = Reached::start(&tensor, start.velocity());
+    let first = way.stage(&tensor, moments, Place::Start, place, &own);
     let a = way.change(&tensor, &first, &own);
-    let second = first.after(&tensor, moments, &first, Place::Middle);
-    let b = way.change(&tensor, &second, &own.after(&a, Place::Middle));
-    let third = second.after(&tensor, moments, &first, Place::Middle);
-    let c = way.change(&tensor, &third, &own.after(&b, Place::Middle));
-    let fourth = third.after(&tensor, moments, &first, Place::End);
-    let d = way.change(&tensor, &fourth, &own.after(&c, Place::End));
+    let (place, moved) = (
+        first.leading::<I>(&first, Place::Middle),
+        own.after(&a, Place::Middle),
+    );
+    let second = way.stage(&tensor, moments, Place::Middle, place, &moved);
+    let b = way.change(&tensor, &second, &moved);
+    let (place, moved) = (
+        second.leading::<I>(&first, Place::Middle),
+        own.after(&b, Place::Middle),
+    );
+    let third = way.stage(&tensor, moments, Place::Middle, place, &moved);
+    let c = way.change(&tensor, &third, &moved);
+    let (place, moved) = (
+        third.leading::<I>(&first, Place::End),
+        own.after(&c, Place::End),
+    );
+    let fourth = way.stage(&tensor, moments, Place::End, place, &moved);
+    let d = way.change(&tensor, &fourth, &moved);
     let stages = Stages::of(tensor, start, [first, second, third, fourth]);
 
     let moved = weighed([a.turn_rate, b.turn_rate, c.turn_rate, d.turn_rate]);
@@ -71,13 +89,15 @@ pub(super) fn along<T: Arithmetic, I: Tensor<T>, M: Moments<T>>(
     let turned = plus_times(turned, moved, number(1.0 / 3.0));
     let unit = number(2.0) / stages.square;
     let [p, q, r] = times(between(stages.end, turned), unit);
-    let faster = weighed([
+    let mut faster = weighed([
         a.acceleration,
         b.acceleration,
         c.acceleration,
         d.acceleration,
     ]);
-    let faster = minus(faster, times(stages.sum, way.span));
+    if let Some(span) = way.span {
+        faster = minus(faster, times(stages.sum, span));
+    }
     let [x, y, z] = plus_times(direction.omega, faster, number(2.0 / (3.0 * step)));
     (stages, [p, q, r, x, y, z])
 }
@@ -90,14 +110,14 @@ struct Way<T> {
     torque: Vector<T>,
     in_space: bool,
     inertia: [T; 6],
-    /// Of the logarithm of the length.
-    span: T,
+    /// Of the logarithm of the length, `None` for 0.
+    span: Option<T>,
 }
 
 impl<T: Arithmetic> Way<T> {
     #[inline(always)]
     fn new(direction: &Direction<T>, start: &Start<T>) -> Self {
-        let (number, step) = (|value: f64| direction.span.constant(value), start.step);
+        let (number, step) = (|value: f64| start.omega[0].constant(value), start.step);
         let [x, y, z] = times(direction.theta, number(0.5));
         let torque = times(direction.torque, number(0.25 * step * step));
         Self {
@@ -108,8 +128,35 @@ impl<T: Arithmetic> Way<T> {
             },
             in_space: start.axes.is_some(),
             inertia: direction.inertia,
-            span: direction.span * number(1.0 / step),
+            span: match direction.span {
+                Some(span) => Some(span * number(1.0 / step)),
+                None => None,
+            },
         }
+    }
+
+    /// A stage and the change of its moment.
+    #[inline(always)]
+    fn stage<I: Tensor<T>>(
+        &self,
+        tensor: &I,
+        moments: &impl Moments<T>,
+        place: Place,
+        reached: Reached<T, I::Momentum>,
+        moved: &Moved<T>,
+    ) -> Along<T, I::Momentum> {
+        let mut torque = self.torque;
+        if let (true, Some(turn)) = (self.in_space, reached.turn) {
+            torque = between(turn, turning(torque, turn));
+        }
+        let shift = Shift {
+            turn: moved.turn,
+            velocity: moved.velocity,
+            span: self.span,
+            torque,
+        };
+        let along = moments.along(place, reached.turn, reached.velocity, &shift);
+        Stage::new(tensor, reached, along)
     }
 
     /// The change of a turn with one beforehand, which goes through to the end.
@@ -121,32 +168,21 @@ impl<T: Arithmetic> Way<T> {
     }
 
     #[inline(always)]
-    fn change<I: Tensor<T>, D: ByTurn<T>>(
+    fn change<I: Tensor<T>>(
         &self,
         tensor: &I,
-        stage: &Stage<T, I::Momentum, D>,
+        stage: &Along<T, I::Momentum>,
         moved: &Moved<T>,
     ) -> Change<T> {
-        let mut moment = self.torque;
-        if self.in_space {
-            moment = between(stage.turn, turning(moment, stage.turn));
-        }
-        moment = plus_times(moment, stage.moment.by_length, self.span);
-        if let Some(by_velocity) = stage.moment.by_velocity {
-            moment = plus(moment, applied(by_velocity, moved.velocity));
-        }
-        if let Some(turn) = moved.turn {
-            moment = stage.moment.by_turn.along(moment, turn);
-        }
         let (acceleration, net) = tensor.along(
             (stage.velocity, stage.momentum),
-            moment,
+            stage.moment,
             moved.velocity,
             moved.momentum,
             symmetric(self.inertia, stage.acceleration),
         );
-        let half = times(moved.velocity, self.span.constant(0.5));
-        let zero = self.span.constant(0.0);
+        let half = times(moved.velocity, stage.half[0].constant(0.5));
+        let zero = stage.half[0].constant(0.0);
         Change {
             turn_rate: match moved.turn {
                 Some(turn) => plus(turned(turn, stage.half), turned(stage.turn, half)),

@@ -4,7 +4,7 @@ use super::algebra::{
     Turn, Vector, applied, before, between, cross, dot, minus, plus, plus_times, pulled, times,
     turned, turned_back,
 };
-use super::moments::ByTurn;
+use super::moments::{ByTurn, Moment};
 use super::stages::{Stage, Stages, weighed};
 use super::tensor::Tensor;
 use crate::motion::registers::Arithmetic;
@@ -41,7 +41,7 @@ struct Source<T> {
     momentum: Vector<T>,
 }
 
-impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, D> {
+impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
     /// A covector (of θ', of ω') of the result times the columns below `N` of the Jacobian; what is `None` is 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn pulled_back<const N: usize>(

@@ -2,7 +2,7 @@
 
 use super::algebra::{axes, loaded};
 use super::alone::{full, principal};
-use super::moments::{ByTurn, Linear, Moments, Parts, Seen, parts, some_length};
+use super::moments::{ByTurn, Linear, Moment, Moments, Parts, Seen, parts, some_length};
 use super::stages::{Stages, Start};
 use super::tensor::{Full, Principal, Tensor};
 use crate::motion::block::{Block, LANES, Lane};
@@ -64,7 +64,7 @@ impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for
 }
 
 /// The moments of a law as bodies see them that start their step in certain axes.
-trait Shared<T> {
+trait Shared<T: Arithmetic> {
     fn seen(&self, axes: [[T; 3]; 3]) -> impl Moments<T>;
 }
 
@@ -160,7 +160,7 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
     fn row<I: Tensor<R::Wide>, D: ByTurn<R::Wide>, const ROW: usize>(
         &mut self,
         first: usize,
-        stages: &Stages<R::Wide, I, D>,
+        stages: &Stages<R::Wide, I, Moment<R::Wide, D>>,
     ) {
         let registers = self.registers;
         let mut seed = [registers.splat(0.0); 3];

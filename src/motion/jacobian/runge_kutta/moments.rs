@@ -10,7 +10,8 @@ mod linear;
 pub(super) use any::Any;
 pub(super) use linear::{Linear, Parts, Seen, parts};
 
-use super::algebra::{Turn, Vector};
+use super::algebra::{Turn, Vector, applied, plus, plus_times};
+use crate::motion::registers::Arithmetic;
 
 /// Where in the step a stage stands.
 #[derive(Clone, Copy)]
@@ -45,6 +46,35 @@ pub(super) struct Moment<T, D> {
     pub(super) by_length: Vector<T>,
 }
 
+/// The change of what a moment is a function of, with a direction of the input; what is `None` is 0.
+#[derive(Clone, Copy)]
+pub(super) struct Shift<T> {
+    pub(super) turn: Option<Turn<T>>,
+    pub(super) velocity: Vector<T>,
+    /// Of the logarithm of the length.
+    pub(super) span: Option<T>,
+    /// Of the torque added to the law, in the axes of the stage.
+    pub(super) torque: Vector<T>,
+}
+
+impl<T: Arithmetic, D: ByTurn<T>> Moment<T, D> {
+    /// Its change with that of what it is a function of.
+    #[inline(always)]
+    fn along(&self, shift: &Shift<T>) -> Vector<T> {
+        let mut change = shift.torque;
+        if let Some(span) = shift.span {
+            change = plus_times(change, self.by_length, span);
+        }
+        if let Some(by_velocity) = self.by_velocity {
+            change = plus(change, applied(by_velocity, shift.velocity));
+        }
+        match shift.turn {
+            Some(turn) => self.by_turn.along(change, turn),
+            None => change,
+        }
+    }
+}
+
 /// Half of the derivative of a moment in the turn p, whose four components vary freely.
 pub(super) trait ByTurn<T>: Copy {
     /// Whether there can be any.
@@ -58,7 +88,7 @@ pub(super) trait ByTurn<T>: Copy {
 }
 
 /// What gives the moments of a step.
-pub(super) trait Moments<T> {
+pub(super) trait Moments<T: Arithmetic> {
     type ByTurn: ByTurn<T>;
 
     /// The moment at a stage, of no turn where there is `None`.
@@ -68,6 +98,19 @@ pub(super) trait Moments<T> {
         turn: Option<Turn<T>>,
         velocity: Vector<T>,
     ) -> Moment<T, Self::ByTurn>;
+
+    /// The moment at a stage, and its change in one direction alone.
+    #[inline(always)]
+    fn along(
+        &self,
+        place: Place,
+        turn: Option<Turn<T>>,
+        velocity: Vector<T>,
+        shift: &Shift<T>,
+    ) -> (Vector<T>, Vector<T>) {
+        let moment = self.at(place, turn, velocity);
+        (moment.value, moment.along(shift))
+    }
 }
 
 /// The length of a step as a divisor: a step of no length is to rounding a very short one.

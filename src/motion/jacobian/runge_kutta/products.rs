@@ -99,7 +99,7 @@ impl<const N: usize> Forward<'_, N> {
             omega: [d, e, f],
             torque: [g, h, i],
             inertia,
-            span,
+            span: (N > 15).then_some(span),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::algebra::loaded;
 use super::alone::{Task, alone, end};
-use super::moments::{ByTurn, Moments};
+use super::moments::{ByTurn, Moment, Moments};
 use super::stages::{Stages, Start};
 use super::tensor::Tensor;
 use crate::motion::registers::{Registers, Work, in_widest};
@@ -94,7 +94,7 @@ const OF_OMEGA: [[f64; 8]; 3] = [
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn rows<R: Registers, I: Tensor<R::Wide>, D: ByTurn<R::Wide>, const N: usize>(
     registers: R,
-    stages: &Stages<R::Wide, I, D>,
+    stages: &Stages<R::Wide, I, Moment<R::Wide, D>>,
     first: usize,
     columns: &mut [[f64; 6]; N],
 ) {

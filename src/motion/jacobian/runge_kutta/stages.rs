@@ -18,7 +18,7 @@ pub(super) struct Start<T> {
     pub(super) axes: Option<[Vector<T>; 3]>,
 }
 
-/// What a stage leaves behind for its derivatives.
+/// What a stage leaves behind for its derivatives, `D` of its moment.
 #[derive(Clone, Copy)]
 pub(super) struct Stage<T, K, D> {
     pub(super) velocity: Vector<T>,
@@ -27,54 +27,65 @@ pub(super) struct Stage<T, K, D> {
     pub(super) momentum: K,
     pub(super) net: K,
     pub(super) acceleration: Vector<T>,
-    pub(super) moment: Moment<T, D>,
+    pub(super) moment: D,
     /// Attitude p since the start of the step, and its rate p v/2.
     pub(super) turn: Turn<T>,
     pub(super) turn_rate: Turn<T>,
 }
 
-impl<T: Arithmetic, K: Copy, D: Copy> Stage<T, K, D> {
+/// Where a stage stands: its velocity with its momentum, and the attitude since the start, `None` for no turn.
+#[derive(Clone, Copy)]
+pub(super) struct Reached<T, K> {
+    pub(super) velocity: Vector<T>,
+    momentum: K,
+    pub(super) turn: Option<Turn<T>>,
+}
+
+impl<T: Arithmetic, K: Copy> Reached<T, K> {
     /// The first stage.
     #[inline(always)]
-    pub(super) fn first(
-        tensor: &impl Tensor<T, Momentum = K>,
-        moments: &impl Moments<T, ByTurn = D>,
-        velocity: Vector<T>,
-    ) -> Self {
-        let moment = moments.at(Place::Start, None, velocity);
-        Self::new(tensor, moment, (velocity, tensor.momentum(velocity)), None)
+    pub(super) fn start(tensor: &impl Tensor<T, Momentum = K>, velocity: Vector<T>) -> Self {
+        Self {
+            velocity,
+            momentum: tensor.momentum(velocity),
+            turn: None,
+        }
     }
+}
 
-    /// The stage so many half steps after `start`, by the rates of this one.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn after<I: Tensor<T, Momentum = K>>(
+impl<T: Arithmetic, K: Copy, D: Copy> Stage<T, K, D> {
+    /// Where the rates of this stage lead, so many half steps after `start`.
+    #[inline(always)]
+    pub(super) fn leading<I: Tensor<T, Momentum = K>>(
         &self,
-        tensor: &I,
-        moments: &impl Moments<T, ByTurn = D>,
         start: &Self,
         place: Place,
-    ) -> Self {
+    ) -> Reached<T, K> {
         let (span, one) = (
             self.half[0].constant(place.half_steps()),
             self.half[0].constant(1.0),
         );
-        let velocity = plus_times(start.velocity, self.acceleration, span);
-        let momentum = I::onward(start.momentum, self.net, span);
         let [w, x, y, z] = times(self.turn_rate, span);
-        let turn = Some([one + w, x, y, z]);
-        let moment = moments.at(place, turn, velocity);
-        Self::new(tensor, moment, (velocity, momentum), turn)
+        Reached {
+            velocity: plus_times(start.velocity, self.acceleration, span),
+            momentum: I::onward(start.momentum, self.net, span),
+            turn: Some([one + w, x, y, z]),
+        }
     }
 
-    /// The stage of a velocity with its momentum and of the attitude since the start, `None` for no turn.
+    /// The stage there, of a moment and what is kept of it.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn new(
+    pub(super) fn new(
         tensor: &impl Tensor<T, Momentum = K>,
-        moment: Moment<T, D>,
-        (velocity, momentum): (Vector<T>, K),
-        turn: Option<Turn<T>>,
+        reached: Reached<T, K>,
+        (value, moment): (Vector<T>, D),
     ) -> Self {
-        let (acceleration, net) = tensor.acceleration(moment.value, velocity, momentum);
+        let Reached {
+            velocity,
+            momentum,
+            turn,
+        } = reached;
+        let (acceleration, net) = tensor.acceleration(value, velocity, momentum);
         let half = times(velocity, velocity[0].constant(0.5));
         let (zero, one) = (half[0].constant(0.0), half[0].constant(1.0));
         Self {
@@ -96,6 +107,21 @@ impl<T: Arithmetic, K: Copy, D: Copy> Stage<T, K, D> {
     }
 }
 
+impl<T: Arithmetic, K: Copy, D: Copy> Stage<T, K, Moment<T, D>> {
+    /// The stage there, with all derivatives of its moment.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn at(
+        tensor: &impl Tensor<T, Momentum = K>,
+        moments: &impl Moments<T, ByTurn = D>,
+        place: Place,
+        reached: Reached<T, K>,
+    ) -> Self {
+        let moment = moments.at(place, reached.turn, reached.velocity);
+        Self::new(tensor, reached, (moment.value, moment))
+    }
+}
+
+/// A step by its stages, `D` what each keeps of its moment.
 #[derive(Clone, Copy)]
 pub(super) struct Stages<T, I: Tensor<T>, D> {
     pub(super) tensor: I,
@@ -108,17 +134,23 @@ pub(super) struct Stages<T, I: Tensor<T>, D> {
     pub(super) sum: Vector<T>,
 }
 
-impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
-    /// The stages of a step.
+impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, Moment<T, D>> {
+    /// The stages of a step, with all derivatives of their moments.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn new(tensor: I, moments: &impl Moments<T, ByTurn = D>, start: Start<T>) -> Self {
-        let first = Stage::first(&tensor, moments, start.velocity());
-        let second = first.after(&tensor, moments, &first, Place::Middle);
-        let third = second.after(&tensor, moments, &first, Place::Middle);
-        let fourth = third.after(&tensor, moments, &first, Place::End);
+        let place = Reached::start(&tensor, start.velocity());
+        let first = Stage::at(&tensor, moments, Place::Start, place);
+        let place = first.leading::<I>(&first, Place::Middle);
+        let second = Stage::at(&tensor, moments, Place::Middle, place);
+        let place = second.leading::<I>(&first, Place::Middle);
+        let third = Stage::at(&tensor, moments, Place::Middle, place);
+        let place = third.leading::<I>(&first, Place::End);
+        let fourth = Stage::at(&tensor, moments, Place::End, place);
         Self::of(tensor, start, [first, second, third, fourth])
     }
+}
 
+impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
     /// The step of its stages.
     #[inline(always)]
     pub(super) fn of(tensor: I, start: Start<T>, stages: [Stage<T, I::Momentum, D>; 4]) -> Self {

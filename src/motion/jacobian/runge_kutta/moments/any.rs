@@ -2,7 +2,7 @@
 
 use super::super::algebra::{Turn, Vector, dot, plus, plus_times, splat, times};
 use super::super::alone::firsts;
-use super::{ByTurn, Moment, Moments, Place};
+use super::{ByTurn, Moment, Moments, Place, Shift};
 use crate::motion::registers::{Arithmetic, Registers};
 use crate::motion::torque::SIDE;
 use crate::motion::{Number, Quaternion, SmoothLaw, State, System};
@@ -11,6 +11,9 @@ use nalgebra::Vector3;
 
 /// The derivatives of a stage: of the moment in p, in v and in the logarithm of the length.
 type Side = Jet<f64, SIDE>;
+
+/// The derivative of a stage in one direction.
+type Along = Jet<f64, 1>;
 
 /// The moments of any law in one step of one body.
 pub(in super::super) struct Any<'a, R, L> {
@@ -23,21 +26,11 @@ pub(in super::super) struct Any<'a, R, L> {
 }
 
 impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
-    /// The attitude after a turn since the start: its derivative in the turn is the product with the attitude at the start.
+    /// The four rows of the product of the attitude at the start and a turn since then.
     #[inline(always)]
-    fn attitude(&self, turn: [f64; 4]) -> Quaternion<Side> {
+    fn attitude_of_turn(&self) -> [[f64; 4]; 4] {
         let [w, x, y, z] = self.attitude.components();
-        let rows = [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]];
-        let mut components = [Side::of(0.0); 4];
-        for (component, row) in components.iter_mut().zip(rows) {
-            let [a, b, c, d] = row;
-            let [s, i, j, k] = turn;
-            *component = Jet {
-                value: a * s + b * i + c * j + d * k,
-                partials: [a, b, c, d, 0.0, 0.0, 0.0, 0.0],
-            };
-        }
-        Quaternion::new(components)
+        [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]]
     }
 
     /// The torque at a stage, M: its derivatives in p, in v and in ln h. Apart where no wide registers are to be had: in one
@@ -46,20 +39,59 @@ impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
     #[cfg_attr(not(feature = "batch"), inline(never))]
     fn torque(&self, place: Place, turn: [f64; 4], velocity: [f64; 3]) -> Vector3<Side> {
         let (pace, since) = (2.0 / self.step, place.since(self.step));
-        let mut omega = [Side::of(0.0); 3];
+        let (mut attitude, mut omega) = ([Side::of(0.0); 4], [Side::of(0.0); 3]);
+        for (component, row) in attitude.iter_mut().zip(self.attitude_of_turn()) {
+            component.value = dot(row, turn);
+            component.partials[..4].copy_from_slice(&row);
+        }
         for (i, omega) in omega.iter_mut().enumerate() {
             omega.value = velocity[i] * pace;
             omega.partials[4 + i] = pace;
             // ω = 2 v/h.
             omega.partials[7] = -omega.value;
         }
-        let state = State {
-            attitude: self.attitude(turn),
-            angular_velocity: omega.into(),
-        };
         let mut time = Side::of(self.time + since);
         time.partials[7] = since;
-        self.system.torque_over(time, &state)
+        self.system.torque_over(time, &state(attitude, omega))
+    }
+
+    /// The torque at a stage and its change with those of p, of v and of ln h.
+    #[cfg_attr(feature = "batch", inline(always))]
+    #[cfg_attr(not(feature = "batch"), inline(never))]
+    fn torque_along(
+        &self,
+        place: Place,
+        (turn, velocity): ([f64; 4], [f64; 3]),
+        (turned, faster, longer): ([f64; 4], [f64; 3], f64),
+    ) -> Vector3<Along> {
+        let (pace, since) = (2.0 / self.step, place.since(self.step));
+        let (mut attitude, mut omega) = ([Along::of(0.0); 4], [Along::of(0.0); 3]);
+        for (component, row) in attitude.iter_mut().zip(self.attitude_of_turn()) {
+            *component = Along::moving(dot(row, turn), dot(row, turned));
+        }
+        for (i, omega) in omega.iter_mut().enumerate() {
+            let change = faster[i] - velocity[i] * longer;
+            *omega = Along::moving(velocity[i] * pace, change * pace);
+        }
+        let time = Along::moving(self.time + since, since * longer);
+        self.system.torque_over(time, &state(attitude, omega))
+    }
+}
+
+#[inline(always)]
+fn state<T: Number>(attitude: [T; 4], angular_velocity: [T; 3]) -> State<T> {
+    State {
+        attitude: Quaternion::new(attitude),
+        angular_velocity: angular_velocity.into(),
+    }
+}
+
+/// The components of a turn since the start, where `None` is none.
+#[inline(always)]
+fn components<R: Registers>(registers: R, turn: Option<Turn<R::Wide>>) -> [f64; 4] {
+    match turn {
+        Some(turn) => firsts(registers, turn),
+        None => [1.0, 0.0, 0.0, 0.0],
     }
 }
 
@@ -95,10 +127,7 @@ impl<R: Registers, L: SmoothLaw> Moments<R::Wide> for Any<'_, R, L> {
         velocity: Vector<R::Wide>,
     ) -> Moment<R::Wide, Rows<R::Wide>> {
         let registers = self.registers;
-        let turn = match turn {
-            Some(turn) => firsts(registers, turn),
-            None => [1.0, 0.0, 0.0, 0.0],
-        };
+        let turn = components(registers, turn);
         let torque = self.torque(place, turn, firsts(registers, velocity));
         let scale = 0.25 * self.step * self.step;
         let mut value = [0.0; 3];
@@ -125,5 +154,40 @@ impl<R: Registers, L: SmoothLaw> Moments<R::Wide> for Any<'_, R, L> {
             by_turn: Rows(by_turn),
             by_length: plus(plus(value, value), by_length),
         }
+    }
+
+    #[inline(always)]
+    fn along(
+        &self,
+        place: Place,
+        turn: Option<Turn<R::Wide>>,
+        velocity: Vector<R::Wide>,
+        shift: &Shift<R::Wide>,
+    ) -> (Vector<R::Wide>, Vector<R::Wide>) {
+        let registers = self.registers;
+        let at = (components(registers, turn), firsts(registers, velocity));
+        let mut direction = ([0.0; 4], firsts(registers, shift.velocity), 0.0);
+        if let Some(turn) = shift.turn {
+            direction.0 = firsts(registers, turn);
+        }
+        if let Some(span) = shift.span {
+            direction.2 = registers.first(span);
+        }
+        let torque = self.torque_along(place, at, direction);
+        let scale = 0.25 * self.step * self.step;
+        let (mut value, mut change) = ([0.0; 3], [0.0; 3]);
+        for i in 0..3 {
+            value[i] = torque[i].value * scale;
+            change[i] = torque[i].partials[0] * scale;
+        }
+        let (value, mut change) = (
+            splat(registers, value),
+            plus(splat(registers, change), shift.torque),
+        );
+        if let Some(span) = shift.span {
+            // The moment grows as the square of the length besides.
+            change = plus_times(change, plus(value, value), span);
+        }
+        (value, change)
     }
 }
