@@ -66,4 +66,6 @@ pub use stepper::{FixedStep, Scheme, Stepper};
 pub use system::System;
 pub use tangent::{right_jacobian, right_jacobian_inverse};
 pub use taylor::{Taylor, TaylorMotion};
-pub use torque::{Frame, Later, LinearTorque, SmoothLaw, SpaceLoad, Torque, TorqueLaw};
+pub use torque::{
+    Coefficient, Frame, Later, Law, LinearTorque, SmoothLaw, SpaceLoad, Torque, TorqueLaw,
+};

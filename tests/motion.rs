@@ -9,6 +9,7 @@ mod motion {
     mod geometric;
     mod numbers_and_limits;
     mod objectivity;
+    mod parameters;
     mod rollout;
     mod scales;
     mod step_jacobian;

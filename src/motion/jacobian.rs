@@ -217,39 +217,31 @@ where
     (state, along)
 }
 
-/// One step of `scheme`, and its Jacobian in the `P` parameters of a law that is made of them: rows (θ', ω').
+/// One step of `scheme`, and its Jacobian in the `P` parameters that a system is made of: rows (θ', ω').
 ///
-/// The parameters are dual numbers, and the law is one over these.
+/// The parameters are dual numbers, and so are the tensor, the torque added and what the law is made of: damping, weight, arm,
+/// amplitude, frequency or phase of a [`Law`](crate::motion::Law), or the fields of a law of one's own. For many steps there is
+/// [`Rollout::by_parameters`](crate::motion::Rollout::by_parameters).
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
-/// use polhode::motion::{Number, Rk4, State, TorqueLaw, jacobian};
+/// use polhode::motion::{Law, Number, Rk4, State, System, jacobian};
 ///
-/// /// A drag, and a weight on an arm along z.
-/// #[derive(Clone, Copy)]
-/// struct Top<T> {
-///     drag: T,
-///     weight: T,
-/// }
-/// impl<T: Number> TorqueLaw<T> for Top<T> {
-///     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
-///         let down = Vector3::new(T::zero(), T::zero(), -self.weight);
-///         let seen = state.attitude.to_body(&down);
-///         Vector3::new(-seen.y, seen.x, T::zero()) - state.angular_velocity * self.drag
-///     }
-/// }
 /// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
 /// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
-/// let law = |[drag, weight]: [_; 2]| Top { drag, weight };
-/// let at = |values| jacobian::by_parameters(&Rk4, &inertia, law, values, (0.0, 0.1), &start);
-/// let (end, by_parameters) = at([0.2, 9.81]);
-/// let difference = end.difference(&at([0.2, 9.81 + 1e-6]).0) / 1e-6;
-/// assert!((by_parameters.column(1) - difference).norm() < 1e-7);
+/// // A top of which the weight and the height of its centre are sought.
+/// let top = |[weight, height]: [_; 2]| {
+///     let law = Law::Gravity { weight, arm: Vector3::z() * height };
+///     System::over(inertia.map(Number::of), law, Vector3::zeros())
+/// };
+/// let at = |values| jacobian::by_parameters(&Rk4, top, values, (0.0, 0.1), &start);
+/// let (end, by_parameters) = at([9.81, 0.2]);
+/// let difference = end.difference(&at([9.81, 0.2 + 1e-6]).0) / 1e-6;
+/// assert!((by_parameters.column(1) - difference).norm() < 1e-6);
 /// ```
 pub fn by_parameters<const P: usize, S, L>(
     scheme: &S,
-    inertia: &Matrix3<f64>,
-    law: impl Fn([Jet<f64, P>; P]) -> L,
+    system: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, L>,
     parameters: [f64; P],
     (time, step): (f64, f64),
     state: &State<f64>,
@@ -258,12 +250,7 @@ where
     S: Scheme<L> + ?Sized,
     L: TorqueLaw<Jet<f64, P>>,
 {
-    let law = law(std::array::from_fn(|i| Jet::variable(parameters[i], i)));
-    let system = System::over(
-        inertia.map(Number::of),
-        law,
-        Vector3::from_element(Jet::of(0.0)),
-    );
+    let system = system(std::array::from_fn(|i| Jet::variable(parameters[i], i)));
     let start = State {
         attitude: Quaternion::new(state.attitude.components().map(Number::of)),
         angular_velocity: state.angular_velocity.map(Number::of),

@@ -14,6 +14,13 @@ pub trait Number: Real + Copy {
     /// The number `value`, constant in every direction.
     fn of(value: f64) -> Self;
 
+    /// This number times a constant one, which has no derivatives to multiply by.
+    #[inline(always)]
+    #[must_use]
+    fn scaled(self, factor: f64) -> Self {
+        self * Self::of(factor)
+    }
+
     /// The value, its derivatives left behind.
     fn real(&self) -> Self::Value;
 
@@ -78,6 +85,14 @@ impl<T: Number, const N: usize> Number for Jet<T, N> {
     #[inline(always)]
     fn of(value: f64) -> Self {
         Self::constant(T::of(value))
+    }
+
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Self {
+            value: self.value.scaled(factor),
+            partials: self.partials.map(|partial| partial.scaled(factor)),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Quaternions, scalar first.
 
 use crate::mechanics::{cross, quaternion_product, rotation};
-use crate::motion::Number;
+use crate::motion::{Coefficient, Number};
 use nalgebra::{Matrix3, Vector3, Vector4};
 use std::ops::{Add, Mul};
 
@@ -76,6 +76,22 @@ impl<T: Number> Quaternion<T> {
     #[inline(always)]
     pub fn to_body(&self, v: &Vector3<T>) -> Vector3<T> {
         self.conjugate().to_space(v)
+    }
+
+    /// The components in the body of a vector that is constant in space, as [`to_body`](Self::to_body) has them: with derivatives
+    /// at about half the cost.
+    #[inline(always)]
+    pub fn constant_to_body<C: Coefficient<T>>(&self, v: &Vector3<C>) -> Vector3<T> {
+        let (w, u) = (self.w, &self.v);
+        let square = u.x * u.x + u.y * u.y + u.z * u.z;
+        let along = v.x.times(u.x) + v.y.times(u.y) + v.z.times(u.z);
+        let across = Vector3::new(
+            v.z.times(u.y) - v.y.times(u.z),
+            v.x.times(u.z) - v.z.times(u.x),
+            v.y.times(u.x) - v.x.times(u.y),
+        );
+        let straight = w * w - square;
+        v.map(|component| component.times(straight)) + u * (along + along) - across * (w + w)
     }
 
     /// The rotation matrix R, body → space.

@@ -1,9 +1,11 @@
 //! A trajectory of steps with a torque for each, and its derivatives.
 
 use crate::motion::{
-    MotionError, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, stepper,
+    MotionError, Number, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
+    stepper,
 };
-use nalgebra::{Vector3, Vector6};
+use crate::scalar::Jet;
+use nalgebra::{SMatrix, Vector3, Vector6};
 
 /// The trajectory of a system in steps of one length, a torque of its own added in each.
 ///
@@ -219,6 +221,57 @@ where
             let system = self.system.with_torque(*torque);
             let time = k as f64 * self.step;
             (self.scheme).step_with_jacobian::<N>(&system, time, state, self.step)
+        })
+    }
+
+    /// The derivative of each state but the first in `P` parameters that the system is made of, rows (θ, ω): those of
+    /// [`by_parameters`](jacobian::by_parameters), chained. The torque of each step is added to that of the system.
+    ///
+    /// ```
+    /// use nalgebra::{Matrix3, Vector3};
+    /// use polhode::motion::{Law, Number, Rk4, Rollout, State, System};
+    ///
+    /// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
+    /// let (start, torques) = (State::at_rest(), vec![Vector3::new(0.1, 0.0, -0.2); 50]);
+    /// let run = |coefficient| {
+    ///     let system = System::new(inertia, Law::Damping { coefficient })?;
+    ///     Rollout::new(Rk4, system, start, 0.02, &torques)
+    /// };
+    /// // The damping from the speed at the end, by Newton's steps.
+    /// let (seen, mut damping) = (run(0.3)?.end().angular_velocity.z, 0.0);
+    /// for _ in 0..5 {
+    ///     let rollout = run(damping)?;
+    ///     let damped = |[coefficient]: [_; 1]| {
+    ///         System::over(inertia.map(Number::of), Law::Damping { coefficient }, Vector3::zeros())
+    ///     };
+    ///     let slope = rollout.by_parameters(damped, [damping]).last().ok_or("no step")?[(5, 0)];
+    ///     damping += (seen - rollout.end().angular_velocity.z) / slope;
+    /// }
+    /// assert!((damping - 0.3).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn by_parameters<const P: usize, K>(
+        &self,
+        system: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, K>,
+        parameters: [f64; P],
+    ) -> impl Iterator<Item = SMatrix<f64, 6, P>>
+    where
+        S: Scheme<K>,
+        K: Copy + TorqueLaw<Jet<f64, P>>,
+        L: SmoothLaw,
+    {
+        let steps = self.jacobians::<6>().enumerate();
+        steps.scan(SMatrix::zeros(), move |chained, (k, step)| {
+            let moved = |variables| {
+                let system = system(variables);
+                let torque = system.added() + self.torques[k].map(Number::of);
+                system.with_torque(torque)
+            };
+            let times = (k as f64 * self.step, self.step);
+            let (_, own) =
+                jacobian::by_parameters(&self.scheme, moved, parameters, times, &self.states[k]);
+            *chained = step.matrix * *chained + own;
+            Some(*chained)
         })
     }
 }
