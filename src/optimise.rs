@@ -18,14 +18,20 @@
 //! | what is sought | what to take | what it costs |
 //! | --- | --- | --- |
 //! | the gradient of one cost in all torques | [`Rollout::gradient`](crate::motion::Rollout::gradient), [`Objective`] | no matrix: one product a step, backwards |
-//! | residuals of a fit in a few parameters | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | one small product a step |
+//! | residuals of a fit of the inertia | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | one small product a step |
+//! | of a fit of damping, weight, arm, phase | [`Rollout::by_parameters`](crate::motion::Rollout::by_parameters) | each step on dual numbers besides |
 //! | a motion with constraints | [`Nodes::defects`] | a banded matrix, as [`Csc`] for solvers |
 //!
 //! # A body that can exist
 //!
 //! An optimiser tries tensors that no body has. [`possible_inertia`](crate::mechanics::possible_inertia) takes six
-//! log-Cholesky parameters instead: every real vector is a body, and the derivative of the tensor in them comes with it. Where a
-//! torque is not known either, only ratios of the moments can be told.
+//! log-Cholesky parameters instead: every real vector is a body, and the derivative of the tensor in them comes with it.
+//! [`inertial_parameters`](crate::mechanics::inertial_parameters) does the same for mass, centre and tensor, ten numbers, where the
+//! law has them: under gravity the arm is m c and the weight is g. Where a torque is not known either, only ratios of the moments
+//! can be told.
+//!
+//! Where there is no motion at all, because a step is too long for it, the function that one hands to [`LeastSquares`] or
+//! [`Objective`] returns `None`, and the solver turns back and tries a shorter step.
 //!
 //! # From gyroscope data to an inertia tensor
 //!

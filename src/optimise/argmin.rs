@@ -27,14 +27,14 @@ impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquares<F> {
     }
 }
 
-/// ½ |r|², infinite where there is no value: no step goes there.
+/// ½ |r|², above all before where there is no value: no step goes there.
 impl<F: Fn(&DVector<f64>) -> Option<Residuals>> CostFunction for LeastSquares<F> {
     type Param = OlderVector<f64>;
     type Output = f64;
 
     fn cost(&self, parameters: &Self::Param) -> Result<f64, Error> {
         self.go_to(newer_vector(parameters));
-        Ok(self.value().unwrap_or(f64::INFINITY))
+        Ok(self.with_wall().map_or(f64::INFINITY, |(cost, _)| cost))
     }
 }
 
@@ -44,7 +44,11 @@ impl<F: Fn(&DVector<f64>) -> Option<Residuals>> Gradient for LeastSquares<F> {
     type Gradient = OlderVector<f64>;
 
     fn gradient(&self, parameters: &Self::Param) -> Result<Self::Gradient, Error> {
-        self.at(parameters, |r, jacobian| older_vector(&jacobian.tr_mul(r)))
+        self.go_to(newer_vector(parameters));
+        valued(
+            self.with_wall()
+                .map(|(_, gradient)| older_vector(&gradient)),
+        )
     }
 }
 
@@ -87,14 +91,14 @@ impl<F> Objective<F> {
     }
 }
 
-/// The cost, infinite where there is no value.
+/// The cost, above all before where there is no value: no step goes there.
 impl<F: Fn(&DVector<f64>) -> Option<Cost>> CostFunction for Objective<F> {
     type Param = OlderVector<f64>;
     type Output = f64;
 
     fn cost(&self, parameters: &Self::Param) -> Result<f64, Error> {
         self.go_to(newer_vector(parameters));
-        Ok(self.value().unwrap_or(f64::INFINITY))
+        Ok(self.with_wall().map_or(f64::INFINITY, |(cost, _)| cost))
     }
 }
 
@@ -105,6 +109,9 @@ impl<F: Fn(&DVector<f64>) -> Option<Cost>> Gradient for Objective<F> {
 
     fn gradient(&self, parameters: &Self::Param) -> Result<Self::Gradient, Error> {
         self.go_to(newer_vector(parameters));
-        valued(Self::gradient(self).as_ref().map(older_vector))
+        valued(
+            self.with_wall()
+                .map(|(_, gradient)| older_vector(&gradient)),
+        )
     }
 }

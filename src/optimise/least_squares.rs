@@ -1,14 +1,25 @@
 //! Residuals and their Jacobian, as one problem for any solver.
 
-use super::evaluated::Evaluated;
+use super::evaluated::{Evaluated, Valued};
 use nalgebra::{DMatrix, DVector};
 
 /// Residuals and their Jacobian.
 pub(super) type Residuals = (DVector<f64>, DMatrix<f64>);
 
+impl Valued for Residuals {
+    fn cost(&self) -> f64 {
+        self.0.norm_squared() / 2.0
+    }
+
+    fn gradient(&self) -> DVector<f64> {
+        self.1.tr_mul(&self.0)
+    }
+}
+
 /// A problem of least squares: the parameters that make ½ |r|² least.
 ///
-/// Residuals and Jacobian are computed together, once at each point, by a function that returns `None` where there is no value.
+/// Residuals and Jacobian are computed together, once at each point, by a function that returns `None` where there is no value:
+/// solvers turn back from there.
 /// The feature `levenberg-marquardt` makes this a `LeastSquaresProblem`, the feature `argmin` a `CostFunction` with
 /// `Gradient`, `Hessian` (JᵀJ, as Gauss and Newton take it), `Jacobian` and `Operator`.
 ///
@@ -56,7 +67,19 @@ impl<F> LeastSquares<F> {
 
     /// ½ |r|² there.
     pub fn value(&self) -> Option<f64> {
-        self.found(|r, _| r.norm_squared() / 2.0)
+        self.0.found(Valued::cost)
+    }
+
+    /// Cost and gradient, or the wall where there is no value.
+    #[cfg(feature = "argmin")]
+    pub(super) fn with_wall(&self) -> Option<(f64, DVector<f64>)> {
+        self.0.with_wall()
+    }
+
+    /// What `take` makes of residuals and Jacobian at the last point that had them.
+    #[cfg(feature = "levenberg-marquardt")]
+    pub(super) fn found_last<R>(&self, take: impl FnOnce(&DVector<f64>) -> R) -> Option<R> {
+        self.0.found_last(|(r, _)| take(r))
     }
 
     /// What to add to the parameters by Gauss and Newton: −J⁺ r. `None` where the columns of J depend on one another.

@@ -6,6 +6,9 @@ use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::DVector;
 use nalgebra_older::{Dyn, U1, VecStorage};
 
+/// By how much the residuals of a step that is not to be taken are larger.
+const REFUSED: f64 = 1e3;
+
 impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquaresProblem<f64, Dyn, Dyn>
     for LeastSquares<F>
 {
@@ -21,8 +24,10 @@ impl<F: Fn(&DVector<f64>) -> Option<Residuals>> LeastSquaresProblem<f64, Dyn, Dy
         older_vector(&self.parameters())
     }
 
+    /// Where there is no value, a multiple of the last residuals: the step is not taken, and the next is shorter.
     fn residuals(&self) -> Option<OlderVector<f64>> {
-        self.found(|r, _| older_vector(r))
+        let found = self.found(|r, _| older_vector(r));
+        found.or_else(|| self.found_last(|r| older_vector(r) * REFUSED))
     }
 
     fn jacobian(&self) -> Option<OlderMatrix<f64>> {

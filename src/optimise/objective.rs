@@ -1,15 +1,25 @@
 //! A cost and its gradient, as one problem for any solver.
 
-use super::evaluated::Evaluated;
+use super::evaluated::{Evaluated, Valued};
 use nalgebra::DVector;
 
 /// A cost and its gradient.
 pub(super) type Cost = (f64, DVector<f64>);
 
+impl Valued for Cost {
+    fn cost(&self) -> f64 {
+        self.0
+    }
+
+    fn gradient(&self) -> DVector<f64> {
+        self.1.clone()
+    }
+}
+
 /// A cost of which only the gradient is known: that of a whole rollout in all torques, say, where a Jacobian would be large.
 ///
 /// Cost and gradient are computed together, once at each point, by a function that returns `None` where there is no value.
-/// The feature `argmin` makes this a `CostFunction` with `Gradient`.
+/// The feature `argmin` makes this a `CostFunction` with `Gradient`; where there is no value, a line search turns back.
 ///
 /// ```
 /// use nalgebra::{DVector, Matrix3, Vector3, Vector6};
@@ -63,6 +73,12 @@ impl<F> Objective<F> {
 
     /// The gradient there.
     pub fn gradient(&self) -> Option<DVector<f64>> {
-        self.0.found(|(_, gradient)| gradient.clone())
+        self.0.found(Valued::gradient)
+    }
+
+    /// Cost and gradient, or the wall where there is no value.
+    #[cfg(feature = "argmin")]
+    pub(super) fn with_wall(&self) -> Option<Cost> {
+        self.0.with_wall()
     }
 }

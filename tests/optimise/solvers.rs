@@ -81,10 +81,49 @@ fn what_argmin_is_told_is_the_derivative() {
         problem.hessian(&at).expect("a Hessian"),
         jacobian.tr_mul(&jacobian)
     );
-    // Where there is no value, a solver turns back: the cost is without bound.
-    let beyond = OlderVector::from_vec(vec![2e3, 0.0]);
-    assert!(problem.cost(&beyond).expect("a cost").is_infinite());
-    assert!(problem.gradient(&beyond).is_err());
+}
+
+/// Where there is no value, the cost is that of a parabola from the last point that had one, which ends above all before.
+#[test]
+fn a_line_search_turns_back_where_there_is_no_value() {
+    let (problem, from) = (problem(), OlderVector::from_vec(vec![0.3, -0.7]));
+    let (here, downhill) = (
+        problem.cost(&from).expect("a cost"),
+        -problem.gradient(&from).expect("a gradient"),
+    );
+    let way = &downhill * (-2e3 / downhill[0]).abs();
+    let beyond = &from + &way * downhill[0].signum();
+    let (cost, gradient) = (
+        problem.cost(&beyond).expect("a cost"),
+        problem.gradient(&beyond).expect("a gradient"),
+    );
+    assert!(cost.is_finite() && cost > here);
+    // (f₁ − f₀)/t is the mean of both slopes.
+    let [fall, rise] = [-downhill, gradient].map(|g| g.dot(&(&beyond - &from)));
+    assert!(((cost - here) / (0.5 * (fall + rise)) - 1.0).abs() < 1e-12);
+    assert!(rise > 0.0);
+    // What is not a cost has no value.
+    assert!(problem.apply(&beyond).is_err() && problem.jacobian(&beyond).is_err());
+    // And before the first value there is nothing to turn back to.
+    let nowhere = LeastSquares::new(dvector![2e3, 0.0], valley);
+    let at = nowhere.start();
+    assert!(nowhere.cost(&at).expect("a cost").is_infinite() && nowhere.gradient(&at).is_err());
+}
+
+/// ln x has its least square at 1; from 8 the first step of Gauss and Newton ends below zero.
+#[test]
+fn levenberg_and_marquardt_turn_back_too() {
+    let logarithm =
+        |x: &DVector<f64>| (x[0] > 0.0).then(|| (dvector![x[0].ln()], dmatrix![1.0 / x[0]]));
+    let problem = LeastSquares::new(dvector![8.0], logarithm);
+    assert!(8.0 + problem.gauss_newton_step().expect("a step")[0] < 0.0);
+    let (problem, report) = LevenbergMarquardt::new().minimize(problem);
+    assert!(
+        report.termination.was_successful(),
+        "{:?}",
+        report.termination
+    );
+    assert!((problem.parameters()[0] - 1.0).abs() < 1e-8);
 }
 
 /// Single shooting: what stops a body in 100 steps with the least torque, by the gradient of the whole rollout.
@@ -102,12 +141,12 @@ fn a_body_is_stopped_by_single_shooting() {
         let rollout = Rollout::new(Rk4, system, spinning, 0.02, &torques).ok()?;
         let omega = rollout.states()[100].angular_velocity;
         let mut costs = vec![Vector6::zeros(); 101];
-        costs[100].fixed_rows_mut::<3>(3).copy_from(&omega);
+        costs[100].fixed_rows_mut::<3>(3).copy_from(&(omega * 1e4));
         let by_torques = rollout.gradient(&costs).torques;
-        let gradient = DVector::from_iterator(300, by_torques.iter().flatten().copied()) + x * 1e-7;
+        let gradient = DVector::from_iterator(300, by_torques.iter().flatten().copied());
         Some((
             omega.norm_squared() * 5e3 + x.norm_squared() * 0.01,
-            gradient,
+            gradient + x * 0.02,
         ))
     });
     let start = problem.start();
