@@ -1,7 +1,6 @@
 //! Matrices of few entries, as solvers take them.
 
 use nalgebra::{DMatrix, Dim, Matrix, RawStorage};
-use std::collections::BTreeMap;
 
 /// A matrix in compressed sparse columns: of column `c` the entries number `starts[c]` to `starts[c + 1]`, their rows rising.
 ///
@@ -10,7 +9,9 @@ use std::collections::BTreeMap;
 /// use polhode::optimise::Blocks;
 /// let mut blocks = Blocks::default();
 /// blocks.add(0, 0, &Matrix2::new(1.0, 2.0, 3.0, 0.0));
-/// blocks.add(2, 1, &RowVector2::new(5.0, 6.0));
+/// blocks.add(2, 1, &RowVector2::new(4.5, 6.0));
+/// // What stands at one place is added up.
+/// blocks.add(2, 1, &RowVector2::new(0.5, 0.0));
 /// let csc = blocks.csc(3, 3);
 /// assert_eq!((csc.starts, csc.row_indices), (vec![0, 2, 5, 6], vec![0, 1, 0, 1, 2, 2]));
 /// // The zero of a block stands: the pattern does not depend on the values.
@@ -33,8 +34,8 @@ pub struct Csc {
 /// A matrix under construction, from dense blocks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Blocks {
-    /// By column and row.
-    entries: BTreeMap<(usize, usize), f64>,
+    /// Row, column and value, in the order in which they were added.
+    entries: Vec<(usize, usize, f64)>,
 }
 
 impl Blocks {
@@ -47,28 +48,33 @@ impl Blocks {
     ) {
         for c in 0..block.ncols() {
             for r in 0..block.nrows() {
-                *self.entries.entry((column + c, row + r)).or_default() += block[(r, c)];
+                self.entries.push((row + r, column + c, block[(r, c)]));
             }
         }
     }
 
     /// The matrix of this size; what stands outside is left out.
     pub fn csc(&self, rows: usize, columns: usize) -> Csc {
+        let mut of_column = vec![vec![]; columns];
+        for (row, column, value) in &self.entries {
+            if let (true, Some(entries)) = (*row < rows, of_column.get_mut(*column)) {
+                entries.push((*row, *value));
+            }
+        }
         let mut csc = Csc {
             rows,
             columns,
-            starts: vec![0; columns + 1],
+            starts: vec![0],
             row_indices: vec![],
             values: vec![],
         };
-        let inside = |((c, r), _): &(&(usize, usize), &f64)| *c < columns && *r < rows;
-        for ((column, row), value) in self.entries.iter().filter(inside) {
-            csc.row_indices.push(*row);
-            csc.values.push(*value);
-            csc.starts[column + 1] += 1;
-        }
-        for column in 0..columns {
-            csc.starts[column + 1] += csc.starts[column];
+        for mut entries in of_column {
+            entries.sort_by_key(|(row, _)| *row);
+            for same in entries.chunk_by(|(a, _), (b, _)| a == b) {
+                csc.row_indices.push(same[0].0);
+                csc.values.push(same.iter().map(|(_, value)| value).sum());
+            }
+            csc.starts.push(csc.values.len());
         }
         csc
     }
