@@ -12,6 +12,7 @@ mod lqr;
 mod slew;
 
 mod optimise {
+    mod hanging_body;
     mod identification;
     mod regulator;
     mod shooting;
