@@ -91,7 +91,8 @@ def functions(law, in_space):
     yield "covector times Jacobian", ca.Function("f5", given + [covector], [at_rest, pulled])
 
 
-# Each function in turns; medians of the time of one call.
+# Each function in turns; medians of the time of one call. The last is a loop over the first and the one before it: a hundred
+# steps and the gradient backwards.
 HARNESS = """
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,25 +101,51 @@ HARNESS = """
 typedef int (*function)(const double**, double**, casadi_int*, double*, int);
 static double now(void) { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return 1e9 * t.tv_sec + t.tv_nsec; }
 static int order(const void *a, const void *b) { double x = *(double*)a, y = *(double*)b; return (x > y) - (x < y); }
+static double x[7] = {1, 0, 0, 0, 3, 0.5, -0.9}, inertia[6] = {0.6, 0.8, 1, 0.02, -0.03, 0.05}, torque[3], start[1];
+static double other[15] = {0.7, -0.4, -0.1, 0.2, 0.5, 0.8}, end[7], matrix[90], work[1 << 16], times[FUNCTIONS + 1][301];
+static double states[101][7], torques[100][3], costs[101][6], gradient[100][3], of_inertia[6];
+static casadi_int iw[1 << 10];
+static function f[] = {NAMES};
+static void call(int i) {
+    const double *in[] = {x, inertia, torque, start, other};
+    double *out[] = {end, matrix};
+    f[i](in, out, iw, work, 0);
+}
+static void rollout(void) {
+    double covector[6], pulled[15], time;
+    for (int i = 0; i < 7; i++) states[0][i] = x[i];
+    for (int k = 0; k < 100; k++) {
+        time = k * STEP;
+        const double *in[] = {states[k], inertia, torques[k], &time};
+        double *out[] = {states[k + 1]};
+        f[0](in, out, iw, work, 0);
+    }
+    for (int i = 0; i < 6; i++) { covector[i] = costs[100][i]; of_inertia[i] = 0; }
+    for (int k = 99; k >= 0; k--) {
+        time = k * STEP;
+        const double *in[] = {states[k], inertia, torques[k], &time, covector};
+        double *out[] = {0, pulled};
+        f[FUNCTIONS - 1](in, out, iw, work, 0);
+        for (int i = 0; i < 6; i++) { covector[i] = pulled[i] + costs[k][i]; of_inertia[i] += pulled[9 + i]; }
+        for (int i = 0; i < 3; i++) gradient[k][i] = pulled[6 + i];
+    }
+}
 int main(void) {
-    static double x[7] = {1, 0, 0, 0, 3, 0.5, -0.9}, inertia[6] = {0.6, 0.8, 1, 0.02, -0.03, 0.05}, torque[3], start[1];
-    static double other[15] = {0.7, -0.4, -0.1, 0.2, 0.5, 0.8}, end[7], matrix[90], work[1 << 16], times[%d][301];
-    static casadi_int iw[1 << 10];
-    function f[] = {%s};
+    for (int k = 0; k < 100; k++) { torques[k][0] = 0.1; torques[k][2] = -0.2; }
+    for (int k = 0; k < 101; k++) for (int i = 0; i < 6; i++) costs[k][i] = 0.3 * i - 0.7;
     for (int turn = 0; turn < 301; turn++)
-        for (int i = 0; i < %d; i++) {
+        for (int i = 0; i <= FUNCTIONS; i++) {
+            int calls = i < FUNCTIONS ? 64 : 1;
             double begun = now();
-            for (int n = 0; n < 64; n++) {
-                const double *in[] = {x, inertia, torque, start, other};
-                double *out[] = {end, matrix};
-                __asm__ volatile("" : : "g"(x), "g"(start), "g"(other) : "memory");
-                f[i](in, out, iw, work, 0);
+            for (int n = 0; n < calls; n++) {
+                __asm__ volatile("" : : "g"(x), "g"(start), "g"(other), "g"(torques), "g"(costs) : "memory");
+                if (i < FUNCTIONS) call(i); else rollout();
             }
-            times[i][turn] = (now() - begun) / 64;
+            times[i][turn] = (now() - begun) / calls;
         }
-    for (int i = 0; i < %d; i++) {
+    for (int i = 0; i <= FUNCTIONS; i++) {
         qsort(times[i], 301, sizeof(double), order);
-        printf("%%f\\n", times[i][150]);
+        printf("%f\\n", times[i][150]);
     }
 }
 """
@@ -126,6 +153,7 @@ int main(void) {
 
 def times(law, in_space, native):
     rows, made = zip(*functions(law, in_space))
+    rows += ("100 steps with gradient",)
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         code = ca.CodeGenerator("step.c")
@@ -133,7 +161,11 @@ def times(law, in_space, native):
             code.add(function)
         code.generate(f"{folder}/")
         names = ", ".join(function.name() for function in made)
-        (folder / "main.c").write_text(HARNESS % (len(made), names, len(made), len(made)))
+        known = {"FUNCTIONS": str(len(made)), "NAMES": names, "STEP": str(STEP)}
+        main = HARNESS
+        for name, value in known.items():
+            main = main.replace(name, value)
+        (folder / "main.c").write_text(main)
         flags = ["-O3"] + (["-march=native"] if native else [])
         subprocess.run(["cc", *flags, "main.c", "-o", "main", "-lm"], cwd=folder, check=True)
         printed = subprocess.run([folder / "main"], capture_output=True, text=True, check=True).stdout
