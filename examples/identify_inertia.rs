@@ -4,7 +4,7 @@ use levenberg_marquardt::LevenbergMarquardt;
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, SVector, Vector3};
 use polhode::mechanics::{InertiaParameters, possible_inertia};
 use polhode::motion::{MotionError, Rk4, Rollout, State, System, Torque};
-use polhode::optimise::{LeastSquares, from_start};
+use polhode::optimise::LeastSquares;
 
 /// Seconds from one sample to the next.
 pub const DT: f64 = 0.02;
@@ -52,11 +52,11 @@ pub fn residuals(
         let system = System::new(tensor, Torque::None).ok()?;
         let rollout = Rollout::new(Rk4, system, State::at_rest(), DT, torques).ok()?;
         let (mut missed, mut jacobian) = (DVector::zeros(last + 6), DMatrix::zeros(last + 6, 6));
-        let steps = from_start(rollout.jacobians::<15>()).zip(measured);
-        for (k, (step, seen)) in steps.enumerate() {
-            let off = step.state.angular_velocity - seen;
+        let states = rollout.states()[1..].iter().zip(rollout.by_inertia());
+        for (k, ((state, by_inertia), seen)) in states.zip(measured).enumerate() {
+            let off = state.angular_velocity - seen;
             missed.fixed_rows_mut::<3>(3 * k).copy_from(&off);
-            let slopes = step.by_inertia().fixed_rows::<3>(3) * by_guess;
+            let slopes = by_inertia.fixed_rows::<3>(3) * by_guess;
             jacobian.fixed_rows_mut::<3>(3 * k).copy_from(&slopes);
         }
         let prior = (guess - ball()) * PRIOR;

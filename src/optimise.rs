@@ -18,7 +18,8 @@
 //! | what is sought | what to take | what it costs |
 //! | --- | --- | --- |
 //! | the gradient of one cost in all torques | [`Rollout::gradient`](crate::motion::Rollout::gradient), [`Objective`] | no matrix: one product a step, backwards |
-//! | residuals of a fit of the inertia | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | one small product a step |
+//! | residuals of a fit of the inertia | [`Rollout::by_inertia`](crate::motion::Rollout::by_inertia) | one small product a step |
+//! | of a fit of the start or a torque besides | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | a larger one |
 //! | of a fit of damping, weight, arm, phase | [`Rollout::by_parameters`](crate::motion::Rollout::by_parameters) | each step on dual numbers besides |
 //! | a motion with constraints | [`Nodes::defects`] | a banded matrix, as [`Csc`] for solvers |
 //!
@@ -39,7 +40,7 @@
 //! use nalgebra::{DMatrix, DVector, Vector3};
 //! use polhode::mechanics::possible_inertia;
 //! use polhode::motion::{Rk4, Rollout, State, System, Torque};
-//! use polhode::optimise::{LeastSquares, from_start};
+//! use polhode::optimise::LeastSquares;
 //!
 //! let start = State::at_rest().turning(Vector3::new(1.0, 0.5, -0.9));
 //! let torques: Vec<_> = (0..40).map(|k| Vector3::new(0.3, (0.2 * k as f64).sin(), -0.2)).collect();
@@ -55,11 +56,11 @@
 //!     let rollout = run(guess).ok()?;
 //!     let (_, by_guess) = possible_inertia(&guess.fixed_rows::<6>(0).into_owned());
 //!     let (mut missed, mut jacobian) = (DVector::zeros(120), DMatrix::zeros(120, 6));
-//!     let steps = from_start(rollout.jacobians::<15>()).zip(&measured.states()[1..]);
-//!     for (k, (step, seen)) in steps.enumerate() {
-//!         let off = step.state.angular_velocity - seen.angular_velocity;
+//!     let states = rollout.states().iter().zip(measured.states()).skip(1);
+//!     for (k, ((state, seen), by_inertia)) in states.zip(rollout.by_inertia()).enumerate() {
+//!         let off = state.angular_velocity - seen.angular_velocity;
 //!         missed.fixed_rows_mut::<3>(3 * k).copy_from(&off);
-//!         let slopes = step.by_inertia().fixed_rows::<3>(3) * by_guess;
+//!         let slopes = by_inertia.fixed_rows::<3>(3) * by_guess;
 //!         jacobian.fixed_rows_mut::<3>(3 * k).copy_from(&slopes);
 //!     }
 //!     Some((missed, jacobian))

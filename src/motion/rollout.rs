@@ -1,11 +1,12 @@
 //! A trajectory of steps with a torque for each, and its derivatives.
 
+use crate::motion::jacobian::chain::chain;
 use crate::motion::{
     MotionError, Number, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
     stepper,
 };
 use crate::scalar::Jet;
-use nalgebra::{SMatrix, Vector3, Vector6};
+use nalgebra::{Matrix6, SMatrix, Vector3, Vector6};
 
 /// The trajectory of a system in steps of one length, a torque of its own added in each.
 ///
@@ -221,6 +222,23 @@ where
             let system = self.system.with_torque(*torque);
             let time = k as f64 * self.step;
             (self.scheme).step_with_jacobian::<N>(&system, time, state, self.step)
+        })
+    }
+
+    /// The derivative of each state but the first in the tensor's entries xx, yy, zz, xy, xz, yz: rows (θ, ω). At less
+    /// cost than all columns chained.
+    pub fn by_inertia(&self) -> impl Iterator<Item = Matrix6<f64>> + '_
+    where
+        L: SmoothLaw,
+    {
+        const FIRST: usize = 9;
+        let steps = self.torques.iter().zip(&self.states).enumerate();
+        steps.scan(Matrix6::zeros(), |chained, (k, (torque, state))| {
+            let system = self.system.with_torque(*torque);
+            let time = k as f64 * self.step;
+            let step = (self.scheme).step_with_jacobian::<15>(&system, time, state, self.step);
+            chain(chained, FIRST, &step.matrix);
+            Some(*chained)
         })
     }
 
