@@ -17,8 +17,8 @@
 //! `cargo bench --bench laws` has all laws beside num-dual, differences and CasADi.
 //!
 //! The feature `batch` finds out what registers the machine has. Without it the code is made for the machine that the crate is
-//! built for: on any x86-64 the step with 15 columns then takes 288 ns instead of 169, and the products 128 and 116 ns instead of
-//! 97 and 96. The plain step takes the same.
+//! built for: on any x86-64 the step with 15 columns then takes 290 ns instead of 172, and the products 130 and 110 ns instead of
+//! 88 and 98. The plain step takes the same.
 //!
 //! # Second derivatives
 //!

@@ -32,8 +32,8 @@ impl<const N: usize, const M: usize> Work for Chain<'_, N, M> {
     fn run<R: Registers>(self, registers: R) {
         // With room for the widest register behind the sixth row.
         let mut padded = [[0.0; 8]; N];
-        for i in 0..N {
-            padded[i][..6].copy_from_slice(&self.step[i]);
+        for (room, column) in padded.iter_mut().zip(self.step) {
+            room[..6].copy_from_slice(column);
         }
         for (number, column) in (self.from..).zip(self.columns) {
             let before = *column;

@@ -120,6 +120,10 @@ impl<T: Arithmetic> Way<T> {
         let (number, step) = (|value: f64| start.omega[0].constant(value), start.step);
         let [x, y, z] = times(direction.theta, number(0.5));
         let torque = times(direction.torque, number(0.25 * step * step));
+        let mut span = direction.span;
+        if let Some(span) = &mut span {
+            *span = *span * number(1.0 / step);
+        }
         Self {
             turn: [number(0.0), x, y, z],
             torque: match start.axes {
@@ -128,10 +132,7 @@ impl<T: Arithmetic> Way<T> {
             },
             in_space: start.axes.is_some(),
             inertia: direction.inertia,
-            span: match direction.span {
-                Some(span) => Some(span * number(1.0 / step)),
-                None => None,
-            },
+            span,
         }
     }
 
