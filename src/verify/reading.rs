@@ -1,5 +1,6 @@
 //! From statements to the model: which frames, points, bodies and loads there are, what letters denote, what holds.
 
+pub(crate) mod about_read;
 pub(crate) mod any_read;
 pub(crate) mod axes_read;
 pub(crate) mod bases_read;
@@ -28,6 +29,7 @@ pub(crate) mod no_loads_read;
 pub(crate) mod notation_read;
 pub(crate) mod only_loads_read;
 pub(crate) mod order;
+pub(crate) mod parents_read;
 pub(crate) mod points_read;
 pub(crate) mod premises_read;
 pub(crate) mod products_read;

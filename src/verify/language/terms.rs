@@ -94,9 +94,9 @@ impl Declaration {
         let letters = subjects.iter().map(as_formula);
         let letters: Option<Vec<Formula>> = letters.collect();
         let named = letters.filter(|letters| !letters.is_empty());
-        // How things move changes no letter but those that tell of it.
+        // How things move and what acts on them changes no letter but those that tell of it.
         let moving = match &self.statement {
-            Statement::Does { .. } => {
+            Statement::Does { .. } | Statement::Premise(_) => {
                 let terms = self.statement.terms().into_iter();
                 Some(terms.filter_map(as_formula).collect())
             }

@@ -27,6 +27,7 @@ pub(crate) fn instances(
     written: &WrittenSymbols,
 ) -> Vec<Declaration> {
     let mut declarations = declarations.to_vec();
+    declarations.iter_mut().for_each(name_any);
     declarations.extend(named_by_labels(&declarations, written));
     let declarations = &declarations;
     let frames = named(declarations, |what| what.head == "frame");
@@ -61,6 +62,31 @@ pub(crate) fn instances(
         made
     });
     each.collect()
+}
+
+/// "for any frames `$\\mathcal{X}$` and `$\\mathcal{Y}$`": the letters are the names of frames.
+fn name_any(declaration: &mut Declaration) {
+    let any = declaration.statement.slots().flatten();
+    let any = any.filter(|(slot, _)| *slot == Slot::ForAny);
+    let named: Vec<(Term, String)> = any
+        .filter_map(|(_, term)| Some((term.clone(), calligraphic(term)?)))
+        .collect();
+    for term in declaration.statement.terms_mut() {
+        if let Some((_, name)) = named.iter().find(|(any, _)| any == term) {
+            *term = Term::Name(name.clone());
+        }
+    }
+}
+
+/// The letter of a formula that is one in a font of its own.
+fn calligraphic(term: &Term) -> Option<String> {
+    let Term::Formula(formula) = term else {
+        return None;
+    };
+    match &node_of(formula)?.kind {
+        Kind::Symbol(symbol) if symbol.style.calligraphic => Some(symbol.name.clone()),
+        _ => None,
+    }
 }
 
 /// The letters that sentences say to number axes.

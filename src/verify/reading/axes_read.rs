@@ -369,14 +369,18 @@ impl Builder<'_> {
     }
 }
 
+/// Unit vectors along the axes, as they are called most often.
+const UNIT_VECTORS: [&str; 3] = ["i", "j", "k"];
+
 /// Whether two axes are called alike: `b_3` and `n_3`, `Z` and `z`.
 fn same_label(one: &str, other: &str) -> bool {
     let [one, other] = [one, other].map(|name| {
         let label = name.rsplit('_').next().unwrap_or(name);
         let label = label.trim_start_matches("\\hat ").to_lowercase();
-        let place = CUSTOMARY
-            .iter()
-            .find_map(|names| names.iter().position(|n| *n == label));
+        let customary = CUSTOMARY.iter().chain([&UNIT_VECTORS]);
+        let place = customary
+            .filter_map(|names| names.iter().position(|n| *n == label))
+            .next();
         (place, label)
     });
     one.1 == other.1 || one.0.is_some() && one.0 == other.0

@@ -5,11 +5,12 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, opposite};
+use crate::verify::reading::names::{along_of, name_of, opposite};
+use crate::verify::reading::parents_read::{carried_by_frames, of_euler_angles, turned_against};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// The names of the axes of a frame that has none of its own.
 pub(super) const CUSTOMARY: [[&str; 3]; 3] = [["x", "y", "z"], ["X", "Y", "Z"], ["1", "2", "3"]];
@@ -47,11 +48,19 @@ impl Builder<'_> {
         for other in inertial.into_iter().skip(1) {
             self.frames.insert(other, root);
         }
-        let parents = turned_against(declarations);
-        // What turns has axes of its own, and so has what others turn against.
-        let carried: BTreeSet<String> = declarations.iter().flat_map(carried_by_frames).collect();
+        // A body turns as the frame does that is fixed in it. What turns has axes of its own, and so has what others turn against.
+        let carried: Vec<(String, String)> =
+            declarations.iter().filter_map(carried_by_frames).collect();
+        let own = |name: String| {
+            let frame = carried.iter().find(|(body, _)| *body == name);
+            frame.map_or(name, |(_, frame)| frame.clone())
+        };
+        let parents = turned_against(declarations).into_iter();
+        let parents: BTreeMap<String, String> = parents
+            .map(|(name, parent)| (own(name), own(parent)))
+            .collect();
         let turning = parents.iter().flat_map(|(name, parent)| [name, parent]);
-        names.extend(turning.filter(|name| !carried.contains(*name)).cloned());
+        names.extend(turning.cloned());
         for name in &names {
             self.add_named_frame(name, &parents, &names, 0);
         }
@@ -345,65 +354,6 @@ impl Builder<'_> {
             Statement::Is { what, .. } => self.frame(what.slot(Slot::FixedIn)?),
             _ => None,
         })
-    }
-}
-
-/// What is said to turn against what.
-fn turned_against(declarations: &[Declaration]) -> BTreeMap<String, String> {
-    let mut parents = BTreeMap::new();
-    let angles = declarations.iter().filter_map(of_euler_angles);
-    let angles = angles.filter_map(|(of, relative)| Some((of, relative?)));
-    let angles: BTreeMap<String, String> = angles.collect();
-    for declaration in declarations {
-        let (subjects, relative) = match &declaration.statement {
-            Statement::Does {
-                subjects,
-                verb: "turn",
-                slots,
-            } => {
-                // A rate tells less than angles do, and is a premise beside them.
-                let by_angles = |term| name_of(term).is_some_and(|name| angles.contains_key(&name));
-                if slot(slots, Slot::By).is_none() && subjects.iter().any(by_angles) {
-                    continue;
-                }
-                (subjects, slot(slots, Slot::RelativeTo))
-            }
-            Statement::Is { subjects, what } if what.head == "frame" => {
-                (subjects, what.slot(Slot::RelativeTo))
-            }
-            _ => continue,
-        };
-        let Some(relative) = relative.and_then(name_of) else {
-            continue;
-        };
-        for name in subjects.iter().filter_map(name_of) {
-            parents.entry(name).or_insert_with(|| relative.clone());
-        }
-    }
-    for (name, relative) in angles {
-        parents.entry(name).or_insert(relative);
-    }
-    parents
-}
-
-/// The bodies in which a sentence says that a frame is fixed.
-fn carried_by_frames(declaration: &Declaration) -> Option<String> {
-    match &declaration.statement {
-        Statement::Is { what, .. } if what.head == "frame" => {
-            what.slot(Slot::FixedIn).and_then(name_of)
-        }
-        _ => None,
-    }
-}
-
-/// The frame whose Euler angles a sentence names, and the one that they are relative to.
-fn of_euler_angles(declaration: &Declaration) -> Option<(String, Option<String>)> {
-    match &declaration.statement {
-        Statement::Is { what, .. } if what.head == EULER_ANGLES => {
-            let name = |slot| what.slot(slot).and_then(name_of);
-            Some((name(Slot::Of)?, name(Slot::RelativeTo)))
-        }
-        _ => None,
     }
 }
 

@@ -1,20 +1,20 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    ANGULAR_MOMENTUM, AXES, CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT, MOMENT_OF_INERTIA,
-    NORMAL_FORCE, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART,
+    SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{BodyId, FrameId, PointId, Rotors};
+use crate::verify::model::system::{FrameId, PointId, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{
-    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
-    UNIT_VECTOR, name_of, opposite, told,
+    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
+    name_of, opposite, told,
 };
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -77,10 +77,7 @@ impl Builder<'_> {
                 let of = self.moving_spot(phrase)?;
                 Quantity::Velocity { of, relative }
             }
-            "speed" => {
-                let of = self.moving_spot(phrase)?;
-                Quantity::Magnitude(Quantity::Velocity { of, relative }.boxed())
-            }
+            "speed" => self.speed(phrase, relative)?,
             "acceleration" => {
                 let of = self.moving_spot(phrase)?;
                 Quantity::Acceleration { of, relative }
@@ -114,6 +111,16 @@ impl Builder<'_> {
             "volume" => self.volume(phrase)?,
             DENSITY => self.density(phrase, declaration)?,
             _ => return self.dynamic_quantity(phrase, declaration, relative),
+        })
+    }
+
+    /// The magnitude of a velocity; along an axis it is a component.
+    fn speed(&self, phrase: &NounPhrase, relative: FrameId) -> Option<Quantity> {
+        let of = self.moving_spot(phrase)?;
+        let velocity = Quantity::Velocity { of, relative };
+        Some(match phrase.slot(Slot::Along) {
+            Some(_) => velocity,
+            None => Quantity::Magnitude(velocity.boxed()),
         })
     }
 
@@ -250,60 +257,6 @@ impl Builder<'_> {
             },
             _ => None,
         }
-    }
-
-    /// The point that a quantity is about; the mass centre where none is said, as of an axis through none.
-    pub(super) fn about(&self, phrase: &NounPhrase, of: &Whole) -> Option<PointId> {
-        let centre = match of {
-            Whole::Body(body) => self.centre_of(*body),
-            Whole::Member(..) => 0,
-        };
-        let Some(term) = phrase.slot(Slot::About) else {
-            return Some(centre);
-        };
-        self.point(term).or_else(|| match term {
-            Term::Phrase(point) if point.head == MASS_CENTRE => None,
-            Term::Phrase(axis) => {
-                let turned_about = self.point_on_axis(phrase, of, centre);
-                told(axis.slot(Slot::Through), turned_about, |t| self.point(t))
-            }
-            Term::Name(name) if self.axes.get(name).is_none() => None,
-            _ => Some(self.point_on_axis(phrase, of, centre)),
-        })
-    }
-
-    /// A point on an axis that passes through none that is told: for loads and momenta the one that is fixed in space.
-    fn point_on_axis(&self, phrase: &NounPhrase, of: &Whole, centre: PointId) -> PointId {
-        let Whole::Body(body) = of else {
-            return centre;
-        };
-        let mut points = 0..self.reading.system.points.len();
-        let fixed = points.find(|&point| self.is_fixed_point(point, *body));
-        match phrase.head {
-            MOMENT | ANGULAR_MOMENTUM => fixed.unwrap_or(centre),
-            _ => centre,
-        }
-    }
-
-    /// Whether a point is fixed in a body and in space.
-    fn is_fixed_point(&self, point: PointId, body: BodyId) -> bool {
-        let system = &self.reading.system;
-        let fixed = &system.points[point].fixed_in;
-        let own = system.bodies[body].frame;
-        fixed.contains(&system.ground) && own.is_some_and(|frame| fixed.contains(&frame))
-    }
-
-    /// The axis that a moment or an angular momentum is about: of a vector, the component along it.
-    fn axis_about<'t>(&self, phrase: &'t NounPhrase) -> Option<&'t Term> {
-        let about = phrase.slot(Slot::About)?;
-        let axis = match about {
-            Term::Phrase(axis) => AXES.contains(&axis.head),
-            _ => {
-                let named = name_of(about).is_some_and(|name| self.axes.get(&name).is_some());
-                named && self.point(about).is_none()
-            }
-        };
-        (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
     }
 
     pub(super) fn centre_of(&self, body: usize) -> PointId {

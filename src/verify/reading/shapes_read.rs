@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
 ];
+/// A body without extent.
+const PARTICLE: &str = "particle";
+
 /// The size of what is round.
 const RADIUS: &str = "radius";
 
@@ -69,10 +72,37 @@ impl Builder<'_> {
             } if slots.iter().any(|(slot, _)| *slot == Slot::From) => subjects.as_slice(),
             _ => &[],
         });
+        // "the particles P and Q", and what is only called the particle
+        let terms = self.declarations.iter().flat_map(|d| d.statement.terms());
+        let called = terms.flat_map(|term| match term {
+            Term::Phrase(phrase) if phrase.head == PARTICLE => phrase.all(Slot::Which).collect(),
+            Term::Name(name) if name == PARTICLE => vec![term],
+            _ => vec![],
+        });
+        let said = said.chain(called).chain(self.listed_particles());
         let said = said.filter_map(name_of);
         let stand_for = self.points_of.iter();
         let stand_for = stand_for.map(|&(own, _)| self.reading.system.bodies[own].name.clone());
         said.chain(stand_for).collect()
+    }
+
+    /// "consists of the particles P and Q": the names behind the first one.
+    fn listed_particles(&self) -> impl Iterator<Item = &Term> {
+        let lists = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Does {
+                verb: "consist",
+                slots,
+                ..
+            } => Some(slots),
+            _ => None,
+        });
+        let particle = |term: &Term| matches!(term, Term::Phrase(p) if p.head == PARTICLE);
+        let letter = |term: &&Term| matches!(term, Term::Name(name) if name.chars().count() == 1);
+        lists.flat_map(move |slots| {
+            let parts = slots.iter().map(|(_, term)| term);
+            let rest = parts.skip_while(move |term| !particle(term));
+            rest.skip(1).take_while(letter)
+        })
     }
 
     /// The inertia tensor of a uniform body, by exact integrals, on the axes of its frame.

@@ -7,6 +7,7 @@ use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
+use crate::verify::model::contact::Round;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -24,15 +25,8 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
-        let along = match what.slot(Slot::Along).cloned() {
-            None if what.slot(Slot::To).is_some() => self.way_between(what),
-            // Of a vector that no sentence tells it is only said that it has a direction.
-            Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
-            Some(term) => match self.direction_named(&term, declaration) {
-                Some(along) => Some(along),
-                None => return self.say_unused(declaration),
-            },
-            None => None,
+        let Some(along) = self.said_direction(what, declaration) else {
+            return self.say_unused(declaration);
         };
         for formula in formulas(subjects) {
             // Where a frame turns about it, that sentence has told more.
@@ -77,6 +71,22 @@ impl Builder<'_> {
         }
     }
 
+    /// Along what a vector is said to be: `Some(None)` where nothing is said, `None` where it is not understood.
+    fn said_direction(
+        &mut self,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Option<Quantity>> {
+        Some(match what.slot(Slot::Along).cloned() {
+            None if what.slot(Slot::To).is_some() => self.way_between(what),
+            None if what.slot(Slot::With).is_some() => Some(self.normal_of_shape(what)?),
+            // Of a vector that no sentence tells it is only said that it has a direction.
+            Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
+            Some(term) => Some(self.direction_named(&term, declaration)?),
+            None => None,
+        })
+    }
+
     /// "the unit vector from O to G": along the position of the one from the other.
     fn way_between(&mut self, what: &NounPhrase) -> Option<Quantity> {
         let from = what.slot(Slot::From).and_then(|term| self.point(term))?;
@@ -85,6 +95,19 @@ impl Builder<'_> {
             of: Spot::Point(to),
             from,
         })
+    }
+
+    /// "the unit vector perpendicular to the plane of the ring": along the axis about which that is round.
+    fn normal_of_shape(&self, what: &NounPhrase) -> Option<Quantity> {
+        let across = match what.slot(Slot::With)? {
+            Term::Phrase(plane) if plane.head == "plane" => plane.slot(Slot::Of)?,
+            _ => return None,
+        };
+        let body = &self.reading.system.bodies[self.body(across)?];
+        match (&body.round, body.frame) {
+            (Some(Round::Rim { axis, .. }), Some(frame)) => Some(Quantity::Axis(frame, *axis)),
+            _ => None,
+        }
     }
 
     /// What a unit vector is along: an axis, or a vector by its letter.

@@ -12,7 +12,7 @@ use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
-use crate::verify::standing::roles::{Purpose, purpose};
+use crate::verify::standing::roles::{Purpose, RELATION, purpose};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{
@@ -208,7 +208,7 @@ impl<'a> Judge<'a> {
                 Row::Unreadable { .. } => {}
             }
         }
-        self.words.sentence.push_str(" ⟨=⟩ ");
+        self.words.sentence.extend([" ", RELATION, " "]);
         // A full stop in a display ends the sentence.
         let written = self.document.source.slice(formula.span);
         if formula.display && ends_with_full_stop(written) {

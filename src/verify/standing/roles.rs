@@ -5,6 +5,9 @@ use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues};
 use crate::verify::standing::chains::Link;
 
+/// What stands in a sentence for a relation.
+pub(crate) const RELATION: &str = "⟨=⟩";
+
 /// The role of a line and whether words derive it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Purpose {
@@ -86,6 +89,9 @@ fn is_quantity(node: &Node) -> bool {
 /// What the words of a sentence so far make of the next formula: the last cue counts.
 pub(crate) fn purpose(sentence: &str) -> Purpose {
     let mut purpose = Purpose::default();
+    if is_told_in_brackets(sentence) {
+        return purpose;
+    }
     for cue in cues(sentence) {
         purpose = match cue {
             Cue::Derive => Purpose {
@@ -98,4 +104,13 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
         };
     }
     purpose
+}
+
+/// Whether a sentence has said what it leads in with a formula in brackets, and ended there: "we assume that the body is
+/// symmetric (`A = B`)".
+fn is_told_in_brackets(sentence: &str) -> bool {
+    let behind = sentence
+        .rsplit_once(RELATION)
+        .map(|(_, behind)| behind.trim());
+    behind == Some(")")
 }

@@ -217,8 +217,11 @@ impl Lowering<'_> {
     /// A component or an entry on the axes of a frame. One label of a tensor is a principal moment.
     pub(super) fn entry(&mut self, value: &Value, axes: &[usize], frame: FrameId) -> Valued {
         self.frames_seen.insert(frame);
+        // A matrix between two frames has its rows on the one and its columns on the other.
+        let between = value.is_matrix() && value.basis[0] != value.basis[1];
         let out = match value.basis.contains(&Basis::Written) {
             true => value.clone(),
+            false if between => self.system.written_out(value, frame)?,
             false => self.system.written_out(&on(value.clone(), frame), frame)?,
         };
         let at = |row: usize, column: usize| out.entries.get(row * out.columns + column).cloned();

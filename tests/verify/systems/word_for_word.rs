@@ -182,3 +182,52 @@ fn nothing_is_a_part_of_itself() {
         "u",
     )]);
 }
+
+#[test]
+fn axes_that_are_called_otherwise_are_the_same_by_their_order() {
+    hold(&[
+        (
+            "$x, y, z$ are the axes of N. / A turns relative to N about $z$ at the rate $s$. / $i, j, k$ are the axes of A. / $w$ is the angular velocity of A relative to N. / $\\frac{d}{dt}$ is the rate seen from N.",
+            &["w = s k", "\\frac{di}{dt} = s j", "\\frac{di}{dt} = -s j"],
+            "ppr",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / A is a frame fixed in the arm. / B is a frame fixed in the forearm. / The arm turns relative to N about $z$ by $a$. / The forearm turns relative to the arm about $z$ by $b$. / $S$ takes components on B to components on N. / $S_{jk}$ is the entry of $S$.",
+            &["S_{11} = \\cos(a + b)", "S_{11} = \\cos b"],
+            "pr",
+        ),
+    ]);
+}
+
+#[test]
+fn what_is_called_a_particle_is_one() {
+    hold(&[
+        (
+            "The body consists of the particles P and Q. / $a$ and $b$ are the masses of P and Q. / $u$ and $v$ are the velocities of P and Q relative to N. / $T$ is the kinetic energy of the body relative to N.",
+            &[
+                "T = \\frac12 a u \\cdot u + \\frac12 b v \\cdot v",
+                "T = \\frac12 a u \\cdot u",
+            ],
+            "pr",
+        ),
+        (
+            "m is the mass of the particle. / $v$ is the velocity of the particle relative to N. / $T$ is the kinetic energy of the particle relative to N.",
+            &["T = \\frac12 m v \\cdot v", "T = m v \\cdot v"],
+            "pr",
+        ),
+        (
+            "$x, y, z$ are the axes of N. / P is a point. / $v$ is the velocity of P relative to N. / $s$ is the speed of P along $x$.",
+            &["s = v \\cdot x"],
+            "p",
+        ),
+    ]);
+}
+
+#[test]
+fn the_normal_of_a_ring_is_its_axis() {
+    hold(&[(
+        "The ring is a uniform thin ring of mass $m$ and radius $r$. / G is the centre of the ring. / n is the unit vector perpendicular to the plane of the ring. / $J$ is the moment of inertia of the ring about the axis through G along n.",
+        &["J = m r^2", "J = \\frac12 m r^2"],
+        "pr",
+    )]);
+}

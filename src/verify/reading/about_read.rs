@@ -1,0 +1,64 @@
+//! The points and axes that momenta, moments and energies are about.
+
+use crate::verify::language::heads::{ANGULAR_MOMENTUM, AXES, MOMENT};
+use crate::verify::language::statement::{NounPhrase, Slot, Term};
+use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{MASS_CENTRE, name_of, told};
+use crate::verify::term::quantity::Whole;
+
+impl Builder<'_> {
+    /// The point that a quantity is about; the mass centre where none is said, as of an axis through none.
+    pub(super) fn about(&self, phrase: &NounPhrase, of: &Whole) -> Option<PointId> {
+        let centre = match of {
+            Whole::Body(body) => self.centre_of(*body),
+            Whole::Member(..) => 0,
+        };
+        let Some(term) = phrase.slot(Slot::About) else {
+            return Some(centre);
+        };
+        self.point(term).or_else(|| match term {
+            Term::Phrase(point) if point.head == MASS_CENTRE => None,
+            Term::Phrase(axis) => {
+                let turned_about = self.point_on_axis(phrase, of, centre);
+                told(axis.slot(Slot::Through), turned_about, |t| self.point(t))
+            }
+            Term::Name(name) if self.axes.get(name).is_none() => None,
+            _ => Some(self.point_on_axis(phrase, of, centre)),
+        })
+    }
+
+    /// A point on an axis that passes through none that is told: for loads and momenta the one that is fixed in space.
+    fn point_on_axis(&self, phrase: &NounPhrase, of: &Whole, centre: PointId) -> PointId {
+        let Whole::Body(body) = of else {
+            return centre;
+        };
+        let mut points = 0..self.reading.system.points.len();
+        let fixed = points.find(|&point| self.is_fixed_point(point, *body));
+        match phrase.head {
+            MOMENT | ANGULAR_MOMENTUM => fixed.unwrap_or(centre),
+            _ => centre,
+        }
+    }
+
+    /// Whether a point is fixed in a body and in space.
+    pub(super) fn is_fixed_point(&self, point: PointId, body: BodyId) -> bool {
+        let system = &self.reading.system;
+        let fixed = &system.points[point].fixed_in;
+        let own = system.bodies[body].frame;
+        fixed.contains(&system.ground) && own.is_some_and(|frame| fixed.contains(&frame))
+    }
+
+    /// The axis that a moment or an angular momentum is about: of a vector, the component along it.
+    pub(super) fn axis_about<'t>(&self, phrase: &'t NounPhrase) -> Option<&'t Term> {
+        let about = phrase.slot(Slot::About)?;
+        let axis = match about {
+            Term::Phrase(axis) => AXES.contains(&axis.head),
+            _ => {
+                let named = name_of(about).is_some_and(|name| self.axes.get(&name).is_some());
+                named && self.point(about).is_none()
+            }
+        };
+        (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
+    }
+}
