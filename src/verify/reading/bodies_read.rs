@@ -1,8 +1,7 @@
 //! Bodies, their parts, and the families that their members make.
 
-use crate::verify::language::heads::MASS;
-use crate::verify::language::is_bodily;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::{heads::MASS, is_bodily};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
@@ -220,7 +219,9 @@ impl Builder<'_> {
     }
 
     fn add_family(&mut self, name: &str, body: Option<BodyId>) {
-        if self.families.contains_key(name) {
+        if let Some(&known) = self.families.get(name) {
+            let family = &mut self.reading.system.families[known];
+            family.body = family.body.or(body);
             return;
         }
         let family = Family {

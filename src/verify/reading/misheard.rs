@@ -3,8 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL};
-use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::{is_body, only_names};
 use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
@@ -28,6 +28,12 @@ fn is_misheard(statement: &Statement) -> bool {
         return true;
     }
     match statement {
+        // What a thing consists of are things.
+        Statement::Does {
+            verb: "consist",
+            slots,
+            ..
+        } => slots.iter().any(|(_, term)| is_quantity(term)),
         Statement::Does { verb, slots, .. } => {
             let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
             MOTIONS.contains(verb) && slots.iter().any(strange) || has_reversed(slots)
@@ -57,6 +63,10 @@ const ONCE: [Slot; 9] = [
     Slot::From,
     Slot::To,
 ];
+
+fn is_quantity(term: &Term) -> bool {
+    matches!(term, Term::Phrase(phrase) if only_names(phrase.head))
+}
 
 /// Whether it is, and not once of each of several subjects.
 fn is_said_twice(slots: &[(Slot, Term)], several: usize) -> bool {

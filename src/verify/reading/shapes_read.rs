@@ -2,7 +2,8 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::heads::MASS;
+use crate::verify::language::heads::{MASS, POSITION};
+use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
@@ -80,10 +81,30 @@ impl Builder<'_> {
             _ => vec![],
         });
         let said = said.chain(called).chain(self.listed_particles());
+        let said = said.chain(self.placed_as_points());
         let said = said.filter_map(name_of);
         let stand_for = self.points_of.iter();
         let stand_for = stand_for.map(|&(own, _)| self.reading.system.bodies[own].name.clone());
         said.chain(stand_for).collect()
+    }
+
+    /// "`$r$` is the position of the bead", of which no sentence says that it is a body with an extent.
+    fn placed_as_points(&self) -> impl Iterator<Item = &Term> {
+        let bodies: BTreeSet<String> = self
+            .declarations
+            .iter()
+            .filter_map(|d| match &d.statement {
+                Statement::Is { subjects, what } if is_body(what.head) => Some(subjects),
+                _ => None,
+            })
+            .flatten()
+            .filter_map(name_of)
+            .collect();
+        let positions = self.declarations.iter().flat_map(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == POSITION => what.all(Slot::Of).collect(),
+            _ => vec![],
+        });
+        positions.filter(move |term| name_of(term).is_some_and(|name| !bodies.contains(&name)))
     }
 
     /// "consists of the particles P and Q": the names behind the first one.

@@ -216,11 +216,34 @@ fn what_is_called_a_particle_is_one() {
             "pr",
         ),
         (
+            "O is a point fixed in N. / m is the mass of the bead. / $r$ is the position of the bead from O. / $v$ is the velocity of the bead relative to N. / $T$ is the kinetic energy of the bead relative to N.",
+            &["T = \\frac12 m v \\cdot v", "T = m v \\cdot v"],
+            "pr",
+        ),
+        (
             "$x, y, z$ are the axes of N. / P is a point. / $v$ is the velocity of P relative to N. / $s$ is the speed of P along $x$.",
             &["s = v \\cdot x"],
             "p",
         ),
     ]);
+}
+
+#[test]
+fn it_does_not_matter_what_is_said_first() {
+    hold(&[(
+        "$i$ numbers the particles. / The body consists of particles. / $m_i$ is the mass of particle $i$. / $v_i$ is the velocity of particle $i$ relative to N. / $p$ is the momentum of the body relative to N.",
+        &["p = \\sum_i m_i v_i"],
+        "p",
+    )]);
+}
+
+#[test]
+fn what_a_thing_consists_of_are_things() {
+    hold(&[(
+        "The body consists of the particles P, Q and S of masses $m$, $2m$ and $3m$. / $a$ and $b$ are the masses of P and Q.",
+        &["b = 2 a"],
+        "u",
+    )]);
 }
 
 #[test]
