@@ -105,7 +105,12 @@ fn has_solution(atoms: &Atoms, equation: &Fraction, letter: Variable) -> bool {
     let is_cosine =
         matches!(&atoms.atom(own).nature, Nature::Cosine(angle) if angle.is_polynomial());
     let is_letter = own == letter;
-    match value.degree_in(own) {
+    // A product that vanishes does not say which factor does.
+    let (degree, rest) = (value.degree_in(own), value.coefficient_of(own, 0));
+    if rest.is_zero() && !value.coefficient_of(own, degree).variables().is_empty() {
+        return false;
+    }
+    match degree {
         1 => is_letter || is_cosine,
         2 => is_letter && value.coefficient_of(own, 1).is_zero(),
         _ => false,

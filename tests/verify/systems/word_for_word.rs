@@ -254,3 +254,12 @@ fn the_normal_of_a_ring_is_its_axis() {
         "pr",
     )]);
 }
+
+#[test]
+fn a_product_that_vanishes_denies_none_of_its_factors() {
+    hold(&[(
+        "$X, Y, Z$ are the axes of N. / O is a point fixed in N and in B. / The rod is a uniform thin rod of mass $m$ and length $2a$. / B is a frame fixed in the rod. / $x, y, z$ are the axes of B. / The rod is symmetric about $x$. / G is the mass centre of the rod. / G lies at the distance $a$ from O along $x$. / B turns relative to N about $Z$ by the angle $h$. / The force at O is the only load on the rod.",
+        &["\\ddot h = 0"],
+        "u",
+    )]);
+}
