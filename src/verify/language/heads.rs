@@ -80,6 +80,8 @@ pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
     "restoring moment",
     "aerodynamic moment",
 ];
+/// Angles that lead from one frame to another, one after the other.
+pub(crate) const EULER_ANGLES: &str = "Euler angles";
 /// What a moment may be about, beside points.
 pub(crate) const AXES: [&str; 4] = [VERTICAL, "axis", "symmetry axis", "spin axis"];
 /// Words of sentences about where up is.

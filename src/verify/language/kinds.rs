@@ -2,9 +2,9 @@
 //! says what G is.
 
 use super::heads::POSITION;
-use super::is_thing;
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::{is_body, is_thing};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use std::collections::BTreeSet;
@@ -46,7 +46,7 @@ pub(crate) fn name_the_only_one(declarations: &mut [Declaration], lexicon: &Lexi
     let mut nouns: BTreeSet<&'static str> = said.map(|entry| entry.name).collect();
     nouns.extend(["body", "frame"]);
     for noun in nouns {
-        let only = only_one(declarations, noun, lexicon);
+        let only = only_one(declarations, noun);
         let Some(only) = only.filter(|only| !are_apart(declarations, noun, only)) else {
             continue;
         };
@@ -59,9 +59,9 @@ pub(crate) fn name_the_only_one(declarations: &mut [Declaration], lexicon: &Lexi
 }
 
 /// The only thing that is said to be what a noun means, by another name.
-fn only_one(declarations: &[Declaration], noun: &str, lexicon: &Lexicon) -> Option<String> {
+fn only_one(declarations: &[Declaration], noun: &str) -> Option<String> {
     let is_one = |what: &NounPhrase| match noun {
-        "body" => what.head != "particle" && lexicon.entry(what.head, &[Class::Thing]).is_some(),
+        "body" => what.head != "particle" && is_body(what.head),
         "frame" => what.head == noun && !what.is("inertial"),
         _ => what.head == noun,
     };

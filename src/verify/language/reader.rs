@@ -1,7 +1,6 @@
 //! Goes along a sentence word by word.
 
-use super::bodies::LONGEST_NAME;
-use super::bodies::may_name;
+use super::bodies::{LONGEST_NAME, may_name};
 use super::lexicon::{Class, Found, Lexicon};
 use super::statement::{Formula, Misread, NounPhrase, Term};
 use super::words::{Kind, Token, wrong};

@@ -1,10 +1,8 @@
 //! Turns of one thing that one sentence tells one after the other: "by `$a$` about z and then by `$b$` about x".
 
 use super::clause::as_formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, Touched};
-
-/// The noun for angles that lead from one frame to another, one after the other.
-const EULER_ANGLES: &str = "Euler angles";
+use super::heads::EULER_ANGLES;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Puts the turns of a sentence together: by angles they are Euler angles; several rates of one thing are not understood.
 pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> {
@@ -15,9 +13,10 @@ pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> 
         while let Some(next) = rest.next_if(|next| is_next_turn(&row[0], next)) {
             row.push(next);
         }
-        match row.len() {
-            1 => all.append(&mut row),
-            _ => all.push(in_order(&row)),
+        match (row.len(), in_order(&row)) {
+            (1, _) => all.append(&mut row),
+            (_, Some(angles)) => all.push(angles),
+            (_, None) => all.extend(row.into_iter().map(Declaration::not_understood)),
         }
     }
     all
@@ -41,37 +40,26 @@ fn is_next_turn(one: &Declaration, next: &Declaration) -> bool {
         && turn(one).is_some_and(|t| turn(next) == Some(t))
 }
 
-fn in_order(row: &[Declaration]) -> Declaration {
-    let turns: Option<Vec<(Term, Term)>> = row.iter().map(angle_and_axis).collect();
-    let first = row[0].clone();
-    let (
-        Some(turns),
-        Statement::Does {
-            subjects, slots, ..
-        },
-    ) = (turns, &first.statement)
+/// The Euler angles that some turns are; none if one of them is not by an angle.
+fn in_order(row: &[Declaration]) -> Option<Declaration> {
+    let turns = row.iter().map(angle_and_axis);
+    let turns = turns.collect::<Option<Vec<(Term, Term)>>>()?;
+    let first = row.first()?;
+    let Statement::Does {
+        subjects, slots, ..
+    } = &first.statement
     else {
-        let terms = row.iter().flat_map(|d| d.statement.terms());
-        let formulas = terms.filter_map(as_formula).collect();
-        let touched = Touched::Letters {
-            formulas,
-            anew: false,
-        };
-        let letters = vec![];
-        return Declaration {
-            statement: Statement::Unread { letters, touched },
-            ..first
-        };
+        return None;
     };
     let of = subjects.iter().map(|s| (Slot::Of, s.clone()));
     let relative = term_in(slots, Slot::RelativeTo).map(|term| (Slot::RelativeTo, term));
     let axes = turns.iter().map(|(_, axis)| (Slot::InOrder, axis.clone()));
     let what = NounPhrase::new(EULER_ANGLES, of.chain(relative).chain(axes).collect());
     let subjects = turns.iter().map(|(angle, _)| angle.clone()).collect();
-    Declaration {
+    Some(Declaration {
         statement: Statement::Is { subjects, what },
-        ..first
-    }
+        ..first.clone()
+    })
 }
 
 /// The angle of a turn and the axis that it is about.

@@ -16,15 +16,10 @@ impl Builder<'_> {
                 continue;
             };
             for formula in masses_said(what).filter(|mass| !is_letter(mass)) {
-                let Some(value) = self.formula_value(formula, declaration) else {
-                    self.say_unused(declaration);
-                    continue;
-                };
-                let told = Quantity::Known(value);
                 for subject in subjects {
                     if let Some(body) = self.body(subject) {
                         let mass = Quantity::Mass(Whole::Body(body));
-                        self.hold_quantities(&mass, &told, declaration);
+                        self.hold_formula_is(formula, &mass, declaration);
                     }
                 }
             }

@@ -73,10 +73,7 @@ impl Builder<'_> {
         let bodies = premise.all(Slot::Of).filter_map(|term| self.body(term));
         for body in bodies.collect::<Vec<_>>() {
             let centre = self.centre_of(body);
-            if let Some((from, way)) = self.centre_of_parts(body) {
-                let told = self.system().position(centre, from) - way;
-                self.hold_zero(&told, declaration);
-            }
+            self.hold_centre_at(centre, body, declaration);
         }
         Some(())
     }

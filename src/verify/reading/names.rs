@@ -27,8 +27,7 @@ pub(crate) fn is_of_products(phrase: &NounPhrase) -> bool {
 /// The noun of the entries of a tensor on its principal axes.
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 
-/// The noun of angles in an order.
-pub(crate) const EULER_ANGLES: &str = "Euler angles";
+pub(crate) use crate::verify::language::heads::EULER_ANGLES;
 
 /// The noun of how a frame turns.
 pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";

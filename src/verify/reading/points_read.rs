@@ -216,7 +216,7 @@ impl Builder<'_> {
     }
 
     /// The mass centre of a body of parts, from those of the parts: Σ m r over Σ m.
-    pub(super) fn centre_of_parts(&mut self, body: usize) -> Option<(PointId, Vector)> {
+    fn centre_of_parts(&mut self, body: usize) -> Option<(PointId, Vector)> {
         let parts = self.reading.system.wholes(body);
         if parts == [body] {
             return None;
@@ -367,18 +367,25 @@ impl Builder<'_> {
             let Some(body) = what.slot(Slot::Of).and_then(|term| self.body(term)) else {
                 continue;
             };
-            let centre = self.reading.system.bodies[body].centre;
-            let (from, centre) = self
-                .centre_of_parts(body)
-                .unwrap_or((centre, Vector::zeros()));
             for name in subjects.iter().filter_map(name_of) {
-                let Some(&point) = self.points.get(&name) else {
-                    continue;
-                };
-                let way = self.system().position(point, from) - centre.clone();
-                self.hold_zero(&way, declaration);
+                if let Some(&point) = self.points.get(&name) {
+                    self.hold_centre_at(point, body, declaration);
+                }
             }
         }
+    }
+
+    /// A point is where the mass centre of a body is, or where the parts of a whole say that it is.
+    pub(super) fn hold_centre_at(
+        &mut self,
+        point: PointId,
+        body: usize,
+        declaration: &Declaration,
+    ) {
+        let own = (self.centre_of(body), Vector::zeros());
+        let (from, centre) = self.centre_of_parts(body).unwrap_or(own);
+        let way = self.system().position(point, from) - centre;
+        self.hold_zero(&way, declaration);
     }
 
     pub(super) fn hold_zero(&mut self, vector: &Vector, declaration: &Declaration) {

@@ -263,3 +263,12 @@ fn a_product_that_vanishes_denies_none_of_its_factors() {
         "u",
     )]);
 }
+
+#[test]
+fn a_unit_vector_that_points_from_a_point_is_no_position() {
+    hold(&[(
+        "O and Q are points. / $\\hat u$ points from O to Q. / $s$ is the position of Q from O.",
+        &["\\hat u = s"],
+        "r",
+    )]);
+}
