@@ -86,6 +86,8 @@ impl Facts {
             let mut case = self.clone();
             match case.extend(atoms, &Fraction::from(factor), source) {
                 Ok(Extended::Contradicts) => {}
+                // What could not be solved for one variable either is in force in no case.
+                Ok(Extended::Unsolved) => return None,
                 Ok(_) if case.missing().is_none() => cases.push(case),
                 Ok(_) | Err(_) => return None,
             }

@@ -460,3 +460,15 @@ $a$, $b$ and $c$ are numbers.
     assert!(!found.contains('r'), "{found}");
     assert_eq!(misread.len(), 1);
 }
+
+#[test]
+fn a_relation_of_cosines_alone_is_no_relation_that_may_be_left_out() {
+    let said = "\
+N is an inertial frame.
+B turns relative to N about $z$ by the angle $\\alpha$.
+A turns relative to N about $z$ by the angle $\\beta$.
+$\\cos\\alpha = \\cos\\beta$.
+";
+    let text = "$$ 3\\cos\\alpha = 3\\cos\\beta $$\n\n$$ \\cos^2\\alpha = 1 - \\sin^2\\beta $$\n";
+    assert!(!verdicts(said, text).0.contains('r'));
+}
