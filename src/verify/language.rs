@@ -3,7 +3,7 @@
 //! `lexicon` reads the words from a file of data, `words` parts a sentence, `reader` goes along it, `phrase`,
 //! `hanging`, `gaps`, `extent`, `sign`, `roles`, `subjects`, `predicate`, `decide` and `clause` are the grammar, `bodies` finds
 //! the bodies that a text introduces, `kinds` what things are by other sentences, `rewrite`, `reorder`, `ellipsis` and
-//! `anaphora` bring other wordings to the plain one, `declare` reads many sentences, `kept` and `unread` find what still holds
+//! `anaphora` bring other wordings to the plain one, `hinges` says which points they are, `declare` reads many sentences, `kept` and `unread` find what still holds
 //! of one that is not understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as
 //! sentences again and `manual` tells people about all of it. English stands nowhere else.
 
@@ -21,6 +21,7 @@ mod forms;
 mod gaps;
 mod hanging;
 pub(crate) mod heads;
+mod hinges;
 mod implied;
 mod in_turn;
 mod kept;

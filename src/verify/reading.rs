@@ -5,17 +5,20 @@ pub(crate) mod any_read;
 pub(crate) mod axes_read;
 pub(crate) mod bases_read;
 pub(crate) mod bodies_read;
+pub(crate) mod body_lines;
 pub(crate) mod builder;
 pub(crate) mod components_read;
 pub(crate) mod compounds_read;
 pub(crate) mod constants_read;
 pub(crate) mod contact_read;
+pub(crate) mod coordinates_read;
 pub(crate) mod densities_read;
 pub(crate) mod elements_read;
 pub(crate) mod elements_spoken;
 pub(crate) mod formulas_read;
 pub(crate) mod frames_read;
 pub(crate) mod incline_read;
+pub(crate) mod inertia_read;
 pub(crate) mod label_read;
 pub(crate) mod late_read;
 pub(crate) mod letters_read;
@@ -31,6 +34,7 @@ pub(crate) mod only_loads_read;
 pub(crate) mod order;
 pub(crate) mod parents_read;
 pub(crate) mod points_read;
+pub(crate) mod points_spoken;
 pub(crate) mod premises_read;
 pub(crate) mod products_read;
 pub(crate) mod quantities_read;
@@ -48,12 +52,13 @@ pub(crate) mod vectors_read;
 pub(crate) mod wholes;
 
 use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
 use crate::verify::model::system::System;
 use crate::verify::reading::unused::Unused;
-use crate::verify::term::letters::{At, Letters, Reach};
+use crate::verify::term::letters::{At, Letters, Reach, spelled};
 use crate::verify::term::value::Shape;
 use std::collections::{BTreeSet, HashMap};
 
@@ -132,6 +137,8 @@ pub(crate) struct Sizes {
     pub(crate) orders: Vec<(Reach, Fraction)>,
     /// Lines that hold to first order in these variables.
     pub(crate) small: Vec<(Reach, Small)>,
+    /// The letters of the state from which others are small deviations, as they are spelled.
+    pub(crate) reference: BTreeSet<String>,
 }
 
 impl Reading {
@@ -140,6 +147,20 @@ impl Reading {
         self.roles
             .iter()
             .any(|line| line.role.is_none() && line.reach.covers(at, 0))
+    }
+
+    /// Whether links speak of nothing but the state from which others are small deviations: they choose it.
+    pub(crate) fn chooses_reference(&self, sides: &[&Node]) -> bool {
+        fn symbols<'n>(node: &'n Node, found: &mut Vec<&'n Node>) {
+            match &node.kind {
+                Kind::Symbol(_) => found.push(node),
+                _ => node.children().for_each(|child| symbols(child, found)),
+            }
+        }
+        let mut found = vec![];
+        sides.iter().for_each(|side| symbols(side, &mut found));
+        let known = |symbol: &Node| self.sizes.reference.contains(&spelled(symbol));
+        !found.is_empty() && found.into_iter().all(known)
     }
 
     /// What is small at a place.

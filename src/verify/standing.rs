@@ -14,6 +14,7 @@ pub(crate) mod orders;
 pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod prepared;
+pub(crate) mod purposes;
 pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;

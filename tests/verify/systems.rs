@@ -13,6 +13,7 @@ mod named_loads;
 mod parts;
 mod quaternions;
 mod reading;
+mod rods;
 mod rolling;
 mod slopes;
 mod sound;

@@ -69,7 +69,7 @@ const OF_THINGS: [&str; 44] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 23] = [
+const OF_QUANTITIES: [(&str, &[&str]); 28] = [
     (
         "total",
         &[
@@ -92,6 +92,11 @@ const OF_QUANTITIES: [(&str, &[&str]); 23] = [
     ("only", &[heads::FORCE, heads::MOMENT, "load", "impulse"]),
     ("not", &["zero", "symmetric", "constant", "small"]),
     ("small", &["disturbance", "angle", "oscillation", "value"]),
+    ("axial", &[heads::MOMENT_OF_INERTIA]),
+    ("transverse", &[heads::MOMENT_OF_INERTIA]),
+    ("other", &["end"]),
+    ("upper", &["end"]),
+    ("lower", &["end"]),
     ("largest", &["value"]),
     ("smallest", &["value"]),
     ("positive", &["constant", "principal moments", "scalar"]),

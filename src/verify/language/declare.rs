@@ -5,10 +5,12 @@ use super::bodies::introduced;
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
+use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::part_respectively;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{
-    centre_shapes, fix_frames, name_positions, name_the_only_one, show_frames, tell_mass_centres,
+    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, shape_by_name,
+    show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
 use super::plain_letters::write_letters;
@@ -19,7 +21,7 @@ use super::reorder::{
 };
 use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
-use super::turns::turn_in_order;
+use super::turns::{turn_by_aircraft_angles, turn_in_order};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -94,9 +96,15 @@ fn in_plain_terms(
 ) -> Vec<Declaration> {
     let mut declarations = turn_in_order(part_respectively(declarations));
     write_letters(&mut declarations, lexicon, macros);
+    turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);
     name_positions(&mut declarations);
+    name_numbered(&mut declarations);
+    tell_axes(&mut declarations);
+    tell_hinges(&mut declarations);
+    name_ends(&mut declarations);
     fix_frames(&mut declarations);
+    shape_by_name(&mut declarations, lexicon);
     centre_shapes(&mut declarations);
     show_frames(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);

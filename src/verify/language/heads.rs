@@ -109,6 +109,14 @@ pub(crate) const PER_UNIT: [&str; 4] = [
 ];
 /// What a motion is said to be without being another one.
 pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
+/// The letters that tell how a system lies.
+pub(crate) const COORDINATES: &str = "generalised coordinates";
+/// The second derivatives of the kinetic energy in the rates of the coordinates.
+pub(crate) const MASS_MATRIX: &str = "mass matrix";
+/// The energy that a body would have as a particle at its mass centre.
+pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
+/// What the square of a letter means that is a vector.
+pub(crate) const SQUARE_OF_VECTOR: &str = "square of a vector";
 /// Products that no letter names.
 pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";
 
@@ -158,6 +166,10 @@ mod tests {
             IMAGINARY_UNIT,
             KEEPS_DIRECTION,
             OTHER_PRODUCTS,
+            COORDINATES,
+            MASS_MATRIX,
+            ENERGY_OF_TRANSLATION,
+            SQUARE_OF_VECTOR,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

@@ -1,6 +1,7 @@
 //! What kind of thing a name is, as other sentences show it: what has axes is a frame, and "the mass centre G of the body"
 //! says what G is.
 
+use super::bodies::singular;
 use super::heads::POSITION;
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
@@ -94,7 +95,7 @@ fn are_apart(declarations: &[Declaration], one: &str, other: &str) -> bool {
     all.any(|d| speaks(d, one) && speaks(d, other) || tells(d))
 }
 
-fn rename(term: &mut Term, from: &str, to: &str) {
+pub(super) fn rename(term: &mut Term, from: &str, to: &str) {
     let bare = |phrase: &NounPhrase| phrase.slots.is_empty() && phrase.adjectives.is_empty();
     match term {
         Term::Name(name) if name == from => to.clone_into(name),
@@ -182,6 +183,79 @@ pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
     }
 }
 
+/// "The rod is a uniform body of length `$l$`": what is called a rod is one.
+pub(crate) fn shape_by_name(declarations: &mut [Declaration], lexicon: &Lexicon) {
+    for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && what.head == "body"
+            && what.is("uniform")
+            && let [Term::Name(called)] = subjects.as_slice()
+            && let Some(thing) = lexicon.entry(called, &[Class::Thing])
+        {
+            what.head = thing.name;
+        }
+    }
+}
+
+/// "A is a frame with the axes x, y, z": these are its axes.
+pub(crate) fn tell_axes(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let axes: Vec<Term> = what.all(Slot::With).cloned().collect();
+        let named = axes.iter().all(|axis| name(axis).is_some());
+        if what.head == "frame" && named && axes.len() == 3 && subjects.len() == 1 {
+            what.slots.retain(|(slot, _)| *slot != Slot::With);
+            let of = vec![(Slot::Of, subjects[0].clone())];
+            told.push(Declaration {
+                statement: Statement::Is {
+                    subjects: axes,
+                    what: NounPhrase::new("axes", of),
+                },
+                ..declaration.clone()
+            });
+        }
+    }
+    declarations.extend(told);
+}
+
+/// "link 1" is a body of this name where no letter numbers the links.
+pub(crate) fn name_numbered(declarations: &mut [Declaration]) {
+    let numbered: BTreeSet<String> = declarations
+        .iter()
+        .flat_map(|d| d.statement.terms())
+        .filter_map(|term| match term {
+            Term::Member { family, index } if !is_number(index) => Some(family.clone()),
+            // "`$i$` numbers the links", "the arm consists of links"
+            Term::Name(plural) => singular(plural),
+            _ => None,
+        })
+        .collect();
+    let terms = declarations.iter_mut();
+    for term in terms.flat_map(|d| d.statement.terms_mut()) {
+        name_member(term, &numbered);
+    }
+}
+
+fn is_number(index: &Formula) -> bool {
+    index.source.chars().all(|c| c.is_ascii_digit())
+}
+
+fn name_member(term: &mut Term, numbered: &BTreeSet<String>) {
+    match term {
+        Term::Member { family, index } if is_number(index) && !numbered.contains(family) => {
+            *term = Term::Name(format!("{family} {}", index.source));
+        }
+        Term::Phrase(phrase) => {
+            let inner = phrase.slots.iter_mut();
+            inner.for_each(|(_, term)| name_member(term, numbered));
+        }
+        _ => {}
+    }
+}
+
 /// "B is the frame of the disc": it is fixed in the disc.
 pub(crate) fn fix_frames(declarations: &mut [Declaration]) {
     for declaration in declarations {
@@ -234,7 +308,7 @@ fn seen_in(phrase: &NounPhrase, frames: &mut BTreeSet<String>) {
 }
 
 /// A thing by its name, plain or between dollar signs.
-fn name(term: &Term) -> Option<String> {
+pub(super) fn name(term: &Term) -> Option<String> {
     match term {
         Term::Name(name) => Some(name.clone()),
         Term::Formula(formula) => Some(formula.source.clone()),

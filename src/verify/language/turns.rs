@@ -22,6 +22,52 @@ pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> 
     all
 }
 
+/// The angles of an aircraft, in the order of their axes x, y, z.
+const AIRCRAFT_ANGLES: [&str; 3] = ["roll angle", "pitch angle", "yaw angle"];
+
+/// "`$\\phi$`, `$\\theta$`, `$\\psi$` are the roll, pitch and yaw angles of B": Euler angles about z, y and x.
+pub(crate) fn turn_by_aircraft_angles(declarations: &mut Vec<Declaration>) {
+    let said = |d: &Declaration, noun: &str| match &d.statement {
+        Statement::Is { subjects, what } if what.head == noun => match subjects.as_slice() {
+            [angle] => Some((angle.clone(), what.slots.clone())),
+            _ => None,
+        },
+        _ => None,
+    };
+    let yaws: Vec<Declaration> = declarations
+        .iter()
+        .filter(|d| said(d, AIRCRAFT_ANGLES[2]).is_some())
+        .cloned()
+        .collect();
+    for yaw in yaws {
+        let Some((psi, slots)) = said(&yaw, AIRCRAFT_ANGLES[2]) else {
+            continue;
+        };
+        let other = |noun| {
+            let mut all = declarations.iter().filter(|d| d.extent == yaw.extent);
+            all.find_map(|d| said(d, noun).filter(|(_, own)| *own == slots))
+        };
+        let (Some((theta, _)), Some((phi, _))) =
+            (other(AIRCRAFT_ANGLES[1]), other(AIRCRAFT_ANGLES[0]))
+        else {
+            continue;
+        };
+        declarations.retain(|d| {
+            let angle = AIRCRAFT_ANGLES.iter().find_map(|noun| said(d, noun));
+            d.extent != yaw.extent || angle.is_none_or(|(_, own)| own != slots)
+        });
+        let order = ["z", "y", "x"].map(|axis| (Slot::InOrder, Term::Name(axis.to_owned())));
+        let slots = slots.into_iter().chain(order).collect();
+        declarations.push(Declaration {
+            statement: Statement::Is {
+                subjects: vec![psi, theta, phi],
+                what: NounPhrase::new(EULER_ANGLES, slots),
+            },
+            ..yaw
+        });
+    }
+}
+
 /// Whether a sentence goes on with another turn of the same thing against the same frame.
 fn is_next_turn(one: &Declaration, next: &Declaration) -> bool {
     let turn = |d: &Declaration| match &d.statement {

@@ -42,6 +42,7 @@ impl System {
             base: None,
             parts: vec![],
             rotors: None,
+            line: None,
             round: None,
             members: None,
         });

@@ -108,6 +108,9 @@ impl Atoms {
 
     /// The kernel of 1/q of a unit angle. That of the angle itself is told by the one of its half, where both stand.
     pub(super) fn kernel(&mut self, unit: &Fraction, q: i64) -> Option<(Fraction, Fraction)> {
+        if let Some(sum) = self.sum_of_angles(unit, q) {
+            return self.cosine_sine(&sum);
+        }
         let angle = unit.clone() / whole(q);
         if angle.to_rational().is_some() {
             return None;
@@ -136,6 +139,15 @@ impl Atoms {
             self.tell_by_parts(unit, q, &(fraction(c), fraction(s)));
         }
         Some((fraction(c), fraction(s)))
+    }
+
+    /// The sum of other angles that an angle is by definition, where it has no sine of its own yet.
+    fn sum_of_angles(&self, unit: &Fraction, q: i64) -> Option<Fraction> {
+        let variable = unit.as_variable().filter(|_| q == 1)?;
+        let law = self.atom(variable).law.as_ref()?;
+        let own = Key::new(format!("\\sin {}", self.angle_text(unit)));
+        let sum = law.value.numerator().len() > 1 && law.value.is_polynomial();
+        (law.name == "definition" && sum && self.find(&own).is_none()).then(|| law.value.clone())
     }
 
     fn tell_by_parts(&mut self, unit: &Fraction, q: i64, kernel: &(Fraction, Fraction)) {

@@ -335,6 +335,12 @@ fn denies(declaration: &Declaration) -> bool {
 fn has_condition(declaration: &Declaration) -> bool {
     let slots = match &declaration.statement {
         Statement::Is { what, .. } if rests_before(what) => return false,
+        // How a body points where its angles are zero tells where these begin.
+        Statement::Does {
+            subjects,
+            verb: "point",
+            ..
+        } if !subjects.iter().any(|s| matches!(s, Term::Formula(_))) => return false,
         Statement::Is { what, .. } | Statement::Premise(what) => &what.slots,
         Statement::Does { slots, .. } => slots,
         _ => return false,

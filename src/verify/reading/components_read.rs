@@ -118,7 +118,7 @@ impl Builder<'_> {
                     axis,
                     on: frame,
                 };
-                self.denote(formula, Meaning::Quantity(quantity), declaration);
+                self.tell(formula, quantity, declaration);
             }
         }
     }
@@ -187,7 +187,7 @@ impl Builder<'_> {
             of: of.clone().boxed(),
             axis: axis.boxed(),
         };
-        self.denote(formula, Meaning::Quantity(along), declaration);
+        self.tell(formula, along, declaration);
     }
 
     /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.

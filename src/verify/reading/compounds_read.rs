@@ -5,7 +5,8 @@ use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::verify::language::statement::{Declaration, Formula, Term};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{name_of, name_of_formula, node_of};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 
@@ -15,11 +16,28 @@ impl Builder<'_> {
         let Some(node) = node_of(formula) else {
             return false;
         };
-        let number = |f: &Factor| matches!(f.node.kind, Kind::Number(_));
+        let worked = |f: &Factor| matches!(f.node.kind, Kind::Number(_) | Kind::Function(..));
         match &node.kind {
-            Kind::Negate(_) | Kind::Sum(_) | Kind::Quotient(..) => true,
-            Kind::Product(factors) if factors.iter().any(number) => true,
+            Kind::Number(_)
+            | Kind::Negate(_)
+            | Kind::Sum(_)
+            | Kind::Quotient(..)
+            | Kind::Function(..) => true,
+            Kind::Product(factors) if factors.iter().any(worked) => true,
             _ => !self.names_of_axes(node, declaration).is_empty(),
+        }
+    }
+
+    /// What a formula is said to be: the meaning of a letter, or a premise of what is worked out.
+    pub(super) fn tell(
+        &mut self,
+        formula: &Formula,
+        quantity: Quantity,
+        declaration: &Declaration,
+    ) {
+        match self.is_worked_out(formula, declaration) {
+            true => self.hold_formula_is(formula, &quantity, declaration),
+            false => self.denote(formula, Meaning::Quantity(quantity), declaration),
         }
     }
 
@@ -33,12 +51,39 @@ impl Builder<'_> {
         let known = self.system().value_of(quantity).ok();
         let value = match quantity {
             Quantity::Position { .. } => self.place_value(formula, declaration),
-            _ => self.formula_value(formula, declaration),
+            Quantity::Component { of, .. } if matches!(**of, Quantity::Position { .. }) => {
+                self.place_value(formula, declaration)
+            }
+            _ => self.value_with_new_letters(formula, declaration),
         };
         match value.zip(known) {
             Some((value, known)) => self.hold_equal(&value, &known, declaration),
             None => self.say_unused(declaration),
         }
+    }
+
+    /// The value of a formula, whose letters of which nothing is said are new ones.
+    fn value_with_new_letters(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Value> {
+        for letter in symbols_in(&node_of(formula)?.clone()) {
+            if self.is_untold_everywhere(&letter, declaration) {
+                self.scalar(&letter, declaration);
+            }
+        }
+        self.formula_value(formula, declaration)
+    }
+
+    /// Whether no sentence tells what a letter is.
+    fn is_untold_everywhere(&mut self, letter: &Formula, declaration: &Declaration) -> bool {
+        let named = name_of_formula(letter);
+        let told = self.declarations.iter().any(|d| {
+            let mut subjects = d.statement.subjects().iter().filter_map(name_of);
+            subjects.any(|subject| subject == named)
+        });
+        !told && !self.is_told(letter, declaration)
     }
 
     /// The place that a formula tells: its letters of which nothing is said, and of which no rate is written, are constant.

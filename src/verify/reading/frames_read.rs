@@ -165,6 +165,7 @@ impl Builder<'_> {
         for declaration in angles {
             self.read_euler_angles(declaration);
         }
+        self.read_lines();
     }
 
     /// Whether a sentence gives Euler angles of a frame that no sentence turns by an angle.
@@ -327,6 +328,10 @@ impl Builder<'_> {
                 let meaning = Meaning::Quantity(unit.clone());
                 self.denote_within(formula, meaning, Reach::All, declaration);
                 self.system().value_of(&unit).ok()?.to_vector().ok()
+            }
+            Term::Name(name) if self.bodies.contains_key(name) => {
+                let body = self.body(term)?;
+                self.line_of(body)
             }
             Term::Name(name) => {
                 let axis = CUSTOMARY

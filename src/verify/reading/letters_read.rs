@@ -2,8 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL,
-    OTHER_PRODUCTS, PLANE_OF_SYMMETRY, UPHILL,
+    COMPONENT_ROTATION, COORDINATES, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA, NATURAL_BASE,
+    NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -45,7 +45,7 @@ const THINGS: [&str; 20] = [
     EULER_ANGLES,
     CONTACT_POINT,
     "symmetric",
-    "generalised coordinates",
+    COORDINATES,
     "integral",
     "cross product",
     "dot product",

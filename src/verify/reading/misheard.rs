@@ -1,6 +1,7 @@
 //! Sentences with a word that the model has nothing for, and that turns what they say into something else: they tell nothing.
 
 use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -70,7 +71,12 @@ fn is_quantity(term: &Term) -> bool {
 
 /// Whether it is, and not once of each of several subjects.
 fn is_said_twice(slots: &[(Slot, Term)], several: usize) -> bool {
-    let said = |wanted: &Slot| slots.iter().filter(|(slot, _)| slot == wanted).count();
+    // Of several conditions each holds.
+    let condition = |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
+    let said = |wanted: &Slot| {
+        let own = |(slot, term): &&(Slot, Term)| slot == wanted && !condition(term);
+        slots.iter().filter(own).count()
+    };
     let mut said = ONCE.iter().map(said);
     said.any(|times| times > 1 && times != several)
 }

@@ -2,7 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, TWO_DOTS,
+    CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
+    TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -262,6 +263,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
                 | QUATERNION_PRODUCT
                 | "transpose"
         ),
+        Sign::Custom(SQUARE_OF_VECTOR) => phrase.head == "dot product",
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,

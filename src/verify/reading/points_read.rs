@@ -1,32 +1,16 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::Place;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
-use crate::verify::reading::names::{MASS_CENTRE, name_of, node_of, reach_of};
+use crate::verify::reading::names::{MASS_CENTRE, is_marked_vector, name_of, node_of};
+use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;
-use crate::verify::term::letters::{Reach, spelled};
-
-/// What is said of a point, gathered from all sentences.
-#[derive(Clone, Debug, Default)]
-struct Spoken {
-    name: String,
-    fixed_in: Vec<FrameId>,
-    centre_of: Option<usize>,
-    /// The other bodies whose mass centre it is as well.
-    also_centre_of: Vec<usize>,
-    /// Where it lies, by the sentence that says so.
-    lies: Option<usize>,
-}
-
-impl Spoken {
-    fn is_centre_of(&self, body: usize) -> bool {
-        self.centre_of == Some(body) || self.also_centre_of.contains(&body)
-    }
-}
+use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::quantity::{Quantity, Spot};
 
 impl Builder<'_> {
     /// Places every point: pivots first, then mass centres, then what is fixed in bodies, then what moves freely.
@@ -55,164 +39,52 @@ impl Builder<'_> {
             _ => 5,
         };
         spoken.sort_by_key(rank);
-        for point in spoken {
+        while !spoken.is_empty() {
+            let next = spoken.iter().position(|s| self.may_be_placed(s));
+            let point = spoken.remove(next.unwrap_or(0));
             self.place_point(&point);
         }
         for (own, of) in self.points_of.clone() {
             self.reading.system.bodies[own].centre = self.centre_of(of);
         }
         self.hold_other_places();
+        self.name_ways();
     }
 
-    fn spoken_points(&self) -> Vec<Spoken> {
-        let mut all: Vec<Spoken> = vec![];
-        for (index, declaration) in self.declarations.iter().enumerate() {
-            let whole = reach_of(&declaration.extent) == Reach::All;
-            match &declaration.statement {
-                Statement::Is { subjects, what }
-                    if matches!(what.head, "point" | MASS_CENTRE | "fixed" | "origin") =>
-                {
-                    for name in subjects.iter().filter_map(name_of) {
-                        match self
-                            .particle(&name)
-                            .filter(|_| what.head == "fixed" && whole)
-                        {
-                            Some(body) => self.speak_of_centre(&mut all, &name, body, what),
-                            None => self.speak_of_point(&mut all, &name, what, whole),
-                        }
-                    }
-                }
-                // "P is a particle fixed in B": its mass centre is.
-                Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
-                    for body in subjects.iter().filter_map(|subject| self.body(subject)) {
-                        let name = self.reading.system.bodies[body].name.clone();
-                        self.speak_of_centre(&mut all, &name, body, what);
-                    }
-                }
-                // "The mass centres of the gimbal and of the wheel are fixed in B."
-                Statement::Premise(p) if p.head == MASS_CENTRE && p.is("fixed") => {
-                    for body in p.all(Slot::Of).filter_map(|term| self.body(term)) {
-                        let name = format!("centre of {}", self.reading.system.bodies[body].name);
-                        self.speak_of_centre(&mut all, &name, body, p);
-                    }
-                }
-                Statement::Does {
-                    subjects,
-                    verb: "lie" | "place",
-                    ..
-                } => {
-                    for name in subjects.iter().filter_map(name_of_particle) {
-                        let particle = self.particle(&name);
-                        let spoken = entry(&mut all, &name);
-                        spoken.lies = Some(index).filter(|_| whole).or(spoken.lies);
-                        spoken.centre_of = spoken.centre_of.or(particle);
-                    }
-                }
-                _ => {}
-            }
-        }
-        all
-    }
-
-    /// The particle of a name: where it lies its mass does.
-    fn particle(&self, name: &str) -> Option<usize> {
-        let body = *self.bodies.get(name)?;
-        let whole = &self.reading.system.bodies[body];
-        (whole.frame.is_none() && whole.parts.is_empty()).then_some(body)
-    }
-
-    /// A point by its name; what is said of a part of the document alone comes later.
-    fn speak_of_point(&self, all: &mut Vec<Spoken>, name: &str, what: &NounPhrase, whole: bool) {
-        let known = all.iter().any(|s| s.name == name);
-        let attribute = what.head == "fixed";
-        if attribute && self.frames.contains_key(name) || known && !whole || !known && attribute {
-            return;
-        }
-        let spoken = entry(all, name);
-        spoken.fixed_in.extend(self.frames_fixed(what));
-        if what.head == MASS_CENTRE {
-            let said = what.all(Slot::Of).filter_map(|term| self.body(term));
-            let only = what.slot(Slot::Of).is_none().then(|| self.only_body());
-            for body in said.chain(only.flatten()) {
-                match spoken.centre_of {
-                    None => spoken.centre_of = Some(body),
-                    Some(known) if known == body => {}
-                    Some(_) => spoken.also_centre_of.push(body),
-                }
-            }
-        }
-    }
-
-    /// The mass centre of a body, by what the body or the centre is fixed in.
-    fn speak_of_centre(&self, all: &mut Vec<Spoken>, name: &str, body: usize, what: &NounPhrase) {
-        let spoken = entry(all, name);
-        spoken.centre_of = Some(body);
-        spoken.fixed_in.extend(self.frames_fixed(what));
-    }
-
-    fn frames_fixed(&self, what: &NounPhrase) -> Vec<FrameId> {
-        let fixed = what.all(Slot::FixedIn);
-        // "the fixed point of the top" is fixed in both.
-        if what.head == "point" && what.is("fixed") {
-            let body = |term| self.reading.system.bodies[self.body(term)?].frame;
-            let own = what.all(Slot::Of).filter_map(body);
-            return own.chain([self.reading.system.ground]).collect();
-        }
-        // The origin of a frame is fixed in it.
-        let origin = what.all(Slot::Of).filter(|_| what.head == "origin");
-        fixed
-            .chain(origin)
-            .filter_map(|term| self.frame(term))
-            .collect()
-    }
-
-    /// Where the mass centres of a whole and of all its parts but one are the same point, that of the last part is too.
-    fn share_centres(&self, all: &mut [Spoken]) {
-        let system = &self.reading.system;
-        for whole in 0..system.bodies.len() {
-            let parts = system.wholes(whole);
-            let told = |body: usize| all.iter().position(|s| s.is_centre_of(body));
-            let each = |part: &usize| system.bodies[*part].members.is_some();
-            let Some(place) = told(whole).filter(|_| parts != [whole] && !parts.iter().any(each))
+    /// "G is placed from O by `$\\vec a$`": what the letter is, where no other sentence tells it.
+    fn name_ways(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Does {
+                subjects,
+                verb: "place",
+                slots,
+            } = &declaration.statement
             else {
                 continue;
             };
-            let apart = parts.iter().filter(|part| told(**part) != Some(place));
-            let apart: Vec<usize> = apart.copied().collect();
-            let last = match apart.as_slice() {
-                [last] if parts.len() > 1 => Some(*last).filter(|last| told(*last).is_none()),
-                _ => None,
+            let [subject] = subjects.as_slice() else {
+                continue;
             };
-            let spoken = &mut all[place];
-            spoken.also_centre_of.extend(last);
-            // Where a part has its mass centre there, this says where the point is.
-            if spoken.centre_of == Some(whole) && !spoken.also_centre_of.is_empty() {
-                spoken.centre_of = Some(spoken.also_centre_of.remove(0));
-                spoken.also_centre_of.push(whole);
+            let (Some(Term::Formula(by)), Some(from), Some(of)) = (
+                slot(slots, Slot::By),
+                slot(slots, Slot::From).and_then(|from| self.point(from)),
+                self.point(subject),
+            ) else {
+                continue;
+            };
+            if is_marked_vector(by) && !self.is_subject(by) {
+                let of = Spot::Point(of);
+                let way = Quantity::Position { of, from };
+                self.denote(by, Meaning::Quantity(way), declaration);
             }
         }
     }
 
-    /// A mass centre without a name is a point as well.
-    fn add_centres(&self, spoken: &mut Vec<Spoken>) {
-        for (body, whole) in self.reading.system.bodies.iter().enumerate() {
-            let known = spoken.iter().any(|s| s.is_centre_of(body));
-            let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
-            let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
-            if !known && !stands_for && !hub {
-                let particle = whole.frame.is_none() && whole.parts.is_empty();
-                let name = if particle {
-                    whole.name.clone()
-                } else {
-                    format!("centre of {}", whole.name)
-                };
-                spoken.push(Spoken {
-                    name,
-                    centre_of: Some(body),
-                    ..Spoken::default()
-                });
-            }
-        }
+    /// Whether a sentence tells what a letter is.
+    fn is_subject(&self, letter: &Formula) -> bool {
+        let own = |term: &Term| matches!(term, Term::Formula(f) if f.source == letter.source);
+        let mut all = self.declarations.iter();
+        all.any(|d| d.statement.subjects().iter().any(own))
     }
 
     /// The mass centre of a body of parts, from those of the parts: Σ m r over Σ m.
@@ -265,6 +137,21 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether what a point is placed from stands already: an end of the rod whose mass centre it is, or the other way round.
+    fn may_be_placed(&self, spoken: &Spoken) -> bool {
+        let placed = |body: usize| self.reading.system.bodies[body].centre != 0;
+        let ends = self.bodies_that_end_at(&spoken.name);
+        match spoken.centre_of.filter(|_| spoken.lies.is_none()) {
+            Some(body) => {
+                self.ends_of(body)
+                    .iter()
+                    .any(|end| self.points.contains_key(end))
+                    || !self.has_ends(body)
+            }
+            None => ends.is_empty() || ends.iter().any(|(body, _)| placed(*body)),
+        }
+    }
+
     /// The point that another is placed from, and the way there.
     fn way_to(&mut self, spoken: &Spoken, fixed_in: &[FrameId]) -> (PointId, Vector) {
         let bodies = &self.reading.system.bodies;
@@ -272,6 +159,10 @@ impl Builder<'_> {
             .centre_of
             .is_some_and(|body| bodies[body].members.is_some());
         if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index, each)) {
+            return placed;
+        }
+        let by_end = spoken.centre_of.and_then(|body| self.centre_from_end(body));
+        if let Some(placed) = by_end.or_else(|| self.end_from_centre(&spoken.name)) {
             return placed;
         }
         let text = format!("r_{{{}}}", spoken.name);
@@ -403,15 +294,4 @@ pub(super) fn name_of_particle(term: &Term) -> Option<String> {
         Term::Member { family, .. } if family == "particle" => Some(EACH.to_owned()),
         _ => name_of(term),
     }
-}
-
-fn entry<'s>(all: &'s mut Vec<Spoken>, name: &str) -> &'s mut Spoken {
-    let at = all.iter().position(|s| s.name == name).unwrap_or_else(|| {
-        all.push(Spoken {
-            name: name.to_owned(),
-            ..Spoken::default()
-        });
-        all.len() - 1
-    });
-    &mut all[at]
 }

@@ -1,8 +1,8 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    CONJUGATE, CONTACT_FORCE, FORCE, FRICTION, MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART,
-    SECOND_RATE, VECTOR_PART,
+    CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION, KINETIC_ENERGY, MASS_MATRIX,
+    MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -13,8 +13,8 @@ use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{
-    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
-    name_of, opposite, told,
+    ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
+    UNIT_VECTOR, name_of, opposite, told,
 };
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -201,6 +201,7 @@ impl Builder<'_> {
             }
             FORCE | CONTACT_FORCE | NORMAL_FORCE | FRICTION => self.force(phrase)?,
             head if inertial(head).is_some() => self.inertial_force(phrase)?,
+            MASS_MATRIX => self.mass_matrix(phrase, declaration)?,
             "weight" => self.weight(phrase)?,
             "moment" => self.moment(phrase, declaration)?,
             _ if names_load(phrase) => self.named_force(phrase)?,
@@ -212,6 +213,10 @@ impl Builder<'_> {
         if phrase.head == "height" {
             return self.height(phrase);
         }
+        if let Some(body) = as_particle(phrase) {
+            let moving = NounPhrase::new(ENERGY_OF_TRANSLATION, vec![(Slot::Of, body.clone())]);
+            return self.energy(&moving, relative);
+        }
         let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
         let rotation = phrase.head == "kinetic energy of rotation";
         let kinetic = Quantity::KineticEnergy {
@@ -219,18 +224,24 @@ impl Builder<'_> {
             relative,
             rotation,
         };
+        let energy = |rotation| Quantity::KineticEnergy {
+            of: of.clone(),
+            relative,
+            rotation,
+        };
         match phrase.head {
+            ENERGY_OF_TRANSLATION => Some(without(energy(false), energy(true))),
             // About a point that is fixed in the body and in space all energy is that of rotation; about another one than the
             // mass centre it is another.
-            "kinetic energy" | "kinetic energy of rotation" => match phrase.slot(Slot::About) {
+            KINETIC_ENERGY | "kinetic energy of rotation" => match phrase.slot(Slot::About) {
                 None => Some(kinetic),
                 Some(about) => {
-                    let fixed = self.is_fixed_point(self.point(about)?, body?);
-                    (rotation && fixed).then_some(Quantity::KineticEnergy {
-                        of,
-                        relative,
-                        rotation: false,
-                    })
+                    let about = self.point(about)?;
+                    if rotation && about == self.centre_of(body?) {
+                        return Some(kinetic);
+                    }
+                    let fixed = self.is_fixed_point(about, body?);
+                    (rotation && fixed).then_some(energy(false))
                 }
             },
             POTENTIAL => self.potential_energy(body?),
@@ -287,35 +298,6 @@ impl Builder<'_> {
         Some(Quantity::Known(Value::vector(&vector, Basis::Itself)))
     }
 
-    fn moment_of_inertia(
-        &mut self,
-        phrase: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<Quantity> {
-        let of = self.whole_of(phrase)?;
-        if let Some(rotors) = self.rotors_of(&of) {
-            return Some(Quantity::Known(Value::scalar(rotors.inertia)));
-        }
-        let about = self.about(phrase, &of)?;
-        let axis = phrase
-            .slot(Slot::About)
-            .or_else(|| phrase.slot(Slot::Along))?
-            .clone();
-        let axis = match &axis {
-            Term::Phrase(line) => line
-                .slot(Slot::Along)
-                .cloned()
-                .unwrap_or_else(|| axis.clone()),
-            _ => axis,
-        };
-        let axis = self.axis_quantity(&axis, declaration)?;
-        let tensor = Quantity::Inertia { of, about };
-        Some(Quantity::Along {
-            of: tensor.boxed(),
-            axis: axis.boxed(),
-        })
-    }
-
     /// The rotors that a member is one of.
     pub(super) fn rotors_of(&self, of: &Whole) -> Option<Rotors> {
         let Whole::Member(family, index) = of else {
@@ -366,4 +348,26 @@ impl Builder<'_> {
             Whole::Member(..) => None,
         }
     }
+}
+
+/// One quantity less another.
+fn without(whole: Quantity, part: Quantity) -> Quantity {
+    Quantity::Sum(vec![
+        whole,
+        Quantity::Scaled(part.boxed(), crate::verify::model::atoms::whole(-1)),
+    ])
+}
+
+/// The body of "the kinetic energy of link 1 as a particle at its mass centre".
+fn as_particle(energy: &NounPhrase) -> Option<&Term> {
+    let Some(Term::Phrase(particle)) = energy.slot(Slot::Of) else {
+        return None;
+    };
+    let body = particle.slot(Slot::Of)?;
+    let at_centre = particle.all(Slot::At).all(|at| match at {
+        Term::Phrase(at) => at.head == MASS_CENTRE && at.slot(Slot::Of).is_none_or(|of| of == body),
+        _ => false,
+    });
+    let only = energy.head == KINETIC_ENERGY && particle.head == "particle";
+    (only && at_centre && energy.slots.len() == 1).then_some(body)
 }

@@ -1,12 +1,13 @@
 //! Reference values and small disturbances: P = P₀ + p.
 
-use crate::algebra::{Fraction, Polynomial, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable, compose};
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::atoms::Law;
-use crate::verify::reading::builder::Builder;
+use crate::verify::model::atoms::{Atoms, Law};
+use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use num_traits::Zero;
@@ -24,6 +25,10 @@ impl Builder<'_> {
     ) -> Option<()> {
         let of = self.of_letter(what)?;
         let whole = self.formula_value(&of, declaration)?;
+        // What a disturbance is of which no reference value has a letter the reference values of others tell.
+        if what.head == DISTURBANCE && self.letter_said(REFERENCE, &of).is_none() {
+            return Some(());
+        }
         for formula in formulas(subjects) {
             let text = formula.source.clone();
             let quantity = match whole.is_scalar() {
@@ -37,6 +42,10 @@ impl Builder<'_> {
                 },
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+            if what.head == REFERENCE {
+                let letter = node_of(formula).map(spelled);
+                self.reading.sizes.reference.extend(letter);
+            }
         }
         Some(())
     }
@@ -57,12 +66,39 @@ impl Builder<'_> {
     }
 
     fn made_up(&mut self, of: &Formula, declaration: &Declaration) -> Option<()> {
-        let reference = self.letter_said(REFERENCE, of)?;
+        let Some(reference) = self.letter_said(REFERENCE, of) else {
+            return self.disturbed(of, declaration);
+        };
         let disturbance = self.letter_said(DISTURBANCE, of)?;
         let whole = self.mentioned_value(of, declaration)?;
         let reference = self.mentioned_value(&reference, declaration)?;
         let disturbance = self.mentioned_value(&disturbance, declaration)?;
-        self.make_up(&whole, &reference, &disturbance)
+        self.make_up(&whole, &reference, &disturbance, declaration);
+        Some(())
+    }
+
+    /// The disturbance of what has no letter for its reference value: what it is more than where nothing is disturbed.
+    fn disturbed(&mut self, of: &Formula, declaration: &Declaration) -> Option<()> {
+        let letter = self.letter_said(DISTURBANCE, of)?;
+        let whole = self.mentioned_value(of, declaration)?;
+        let small = self.disturbances();
+        let mut change = whole.clone();
+        for entry in &mut change.entries {
+            let atoms = &mut self.reading.system.atoms;
+            let value = Facts::default().normal(atoms, entry).ok()?;
+            let calm = undisturbed(atoms, &value, &small)?;
+            // What no disturbance changes has none: its own reference value would have to be told.
+            if calm == value {
+                return None;
+            }
+            *entry = value - calm;
+        }
+        self.denote(
+            &letter,
+            Meaning::Quantity(Quantity::Known(change)),
+            declaration,
+        );
+        Some(())
     }
 
     /// The letter that a sentence says to be the reference value, or the disturbance, of another.
@@ -107,21 +143,71 @@ impl Builder<'_> {
         Some(whole.unwrap_or_else(|| of.clone()))
     }
 
-    /// Each component is its reference value and its disturbance; one that is told otherwise already holds the same.
-    fn make_up(&mut self, whole: &Value, reference: &Value, disturbance: &Value) -> Option<()> {
+    /// Each component is its reference value and its disturbance: by definition, or as a premise where it is told already.
+    fn make_up(
+        &mut self,
+        whole: &Value,
+        reference: &Value,
+        disturbance: &Value,
+        declaration: &Declaration,
+    ) {
         let parts = reference.entries.iter().zip(&disturbance.entries);
         for (entry, (a, b)) in whole.entries.iter().zip(parts) {
-            let variable = entry.as_variable()?;
-            let atom = self.reading.system.atoms.atom_mut(variable);
-            if atom.law.is_some() || a.variables().contains(&variable) {
-                continue;
-            }
-            atom.law = Some(Law {
-                name: "definition",
-                value: a.clone() + b.clone(),
+            let sum = a.clone() + b.clone();
+            let free = entry.as_variable().filter(|variable| {
+                let untold = self.reading.system.atoms.atom(*variable).law.is_none();
+                untold && !a.variables().contains(variable)
             });
+            match free {
+                Some(variable) => {
+                    self.tell_kernels(variable, &sum);
+                    let atom = self.reading.system.atoms.atom_mut(variable);
+                    atom.law = Some(Law {
+                        name: "definition",
+                        value: sum,
+                    });
+                }
+                None if self.is_made_up_so(entry, &sum) => {}
+                None => self.hold(entry.clone() - sum, declaration),
+            }
         }
-        Some(())
+    }
+
+    /// The sines and cosines of an angle that the model has already are those of the sum.
+    fn tell_kernels(&mut self, angle: Variable, sum: &Fraction) {
+        let atoms = &mut self.reading.system.atoms;
+        let known: Vec<Fraction> = (0..atoms.len())
+            .filter_map(|place| atoms.angle_of(Variable::try_from(place).ok()?).cloned())
+            .filter(|known| known.variables().contains(&angle))
+            .collect();
+        for known in known {
+            let put = compose(
+                known.numerator(),
+                &[(angle, sum.clone())].into(),
+                MOST_TERMS,
+            );
+            let Ok(other) = put.map(|above| above / Fraction::from(known.denominator().clone()))
+            else {
+                continue;
+            };
+            let (own, told) = (atoms.cosine_sine(&known), atoms.cosine_sine(&other));
+            let (Some((c, s)), Some((cosine, sine))) = (own, told) else {
+                continue;
+            };
+            for (kernel, value) in [(c, cosine), (s, sine)] {
+                if let Some(variable) = kernel.as_variable() {
+                    let name = "definition";
+                    atoms.atom_mut(variable).law = Some(Law { name, value });
+                }
+            }
+        }
+    }
+
+    /// Whether a letter is defined as this sum.
+    fn is_made_up_so(&self, entry: &Fraction, sum: &Fraction) -> bool {
+        let variable = entry.as_variable();
+        let law = variable.and_then(|v| self.reading.system.atoms.atom(v).law.as_ref());
+        law.is_some_and(|law| law.value == *sum)
     }
 
     /// What is said to obey the equations of motion.
@@ -152,24 +238,10 @@ impl Builder<'_> {
         for premise in self.reading.premises.clone() {
             let atoms = &mut self.reading.system.atoms;
             let value = Facts::default().normal(atoms, &premise.equation).ok()?;
-            let is_small = |variable: Variable| {
-                let mut at = Some(variable);
-                while let Some(variable) = at {
-                    if small.contains(&variable) {
-                        return true;
-                    }
-                    at = atoms.atom(variable).rate_of;
-                }
-                false
-            };
-            let mut undisturbed = value.numerator().clone();
-            for variable in value.numerator().variables() {
-                if is_small(variable) {
-                    undisturbed = undisturbed.substitute(variable, &Polynomial::zero());
-                }
-            }
+            let above = Fraction::from(value.numerator().clone());
+            let calm = undisturbed(atoms, &above, &small)?;
             let mut other = premise.clone();
-            other.equation = Fraction::from(undisturbed);
+            other.equation = calm;
             other.source = Self::source_of(declaration);
             if !other.equation.is_zero() {
                 self.reading.premises.push(other);
@@ -196,4 +268,26 @@ impl Builder<'_> {
         }
         variables
     }
+}
+
+/// A value where all disturbances and their rates are zero; none where it has no value there.
+fn undisturbed(atoms: &Atoms, value: &Fraction, small: &[Variable]) -> Option<Fraction> {
+    let is_small = |variable: Variable| {
+        let mut at = Some(variable);
+        while let Some(variable) = at {
+            if small.contains(&variable) {
+                return true;
+            }
+            at = atoms.atom(variable).rate_of;
+        }
+        false
+    };
+    let calm = |polynomial: &Polynomial| {
+        let small = polynomial.variables().into_iter().filter(|v| is_small(*v));
+        small.fold(polynomial.clone(), |calm, variable| {
+            calm.substitute(variable, &Polynomial::zero())
+        })
+    };
+    let below = calm(value.denominator());
+    (!below.is_zero()).then(|| Fraction::from(calm(value.numerator())) / Fraction::from(below))
 }

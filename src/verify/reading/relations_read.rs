@@ -41,6 +41,9 @@ impl Builder<'_> {
             return None;
         };
         let angle = self.scalar(letter, declaration)?;
+        if self.turns_by_line(&ends, &angle) {
+            return Some(());
+        }
         let (one, other) = (
             self.vector(one, declaration)?,
             self.vector(other, declaration)?,
@@ -112,6 +115,15 @@ impl Builder<'_> {
             let [row, column] = told
                 .or_else(|| labelled_entry(formula))
                 .or(ENTRIES.get(place).copied())?;
+            if let Quantity::Known(value) = &of
+                && (value.rows, value.columns) != (3, 3)
+            {
+                let labelled = value.entries.get(row * value.columns + column);
+                let entry = labelled.filter(|_| column < value.columns)?.clone();
+                let entry = Quantity::Known(Value::scalar(entry));
+                self.denote(formula, Meaning::Quantity(entry), declaration);
+                continue;
+            }
             let integral = told.is_none() && self.says_integrals() && is_tensor(&of);
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),

@@ -77,7 +77,8 @@ impl Builder<'_> {
         let terms = self.declarations.iter().flat_map(|d| d.statement.terms());
         let called = terms.flat_map(|term| match term {
             Term::Phrase(phrase) if phrase.head == PARTICLE => phrase.all(Slot::Which).collect(),
-            Term::Name(name) if name == PARTICLE => vec![term],
+            // "particle 1"
+            Term::Name(name) if name.split(' ').next() == Some(PARTICLE) => vec![term],
             _ => vec![],
         });
         let said = said.chain(called).chain(self.listed_particles());
@@ -149,7 +150,8 @@ impl Builder<'_> {
         let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
         let round_all_over = matches!(shape.name(), "sphere" | "shell");
-        let axis = match self.told_axis_of_shape(body) {
+        let line = self.reading.system.bodies[body].line.map(|(axis, _)| axis);
+        let axis = match line.or_else(|| self.told_axis_of_shape(body)) {
             Some(axis) => axis,
             // What rolls turns about its own axis; another shape that turns about an axis may lie across it.
             None if !round_all_over => match self.axis_of_turn(body) {
@@ -177,7 +179,7 @@ impl Builder<'_> {
     }
 
     /// A size by its letter; one of which nothing is said is a constant without a letter.
-    fn size_of_shape(
+    pub(super) fn size_of_shape(
         &mut self,
         body: BodyId,
         what: &NounPhrase,
@@ -222,7 +224,7 @@ impl Builder<'_> {
     }
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
-    fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
+    pub(super) fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
         let system = &self.reading.system;
         let frame = system.bodies[body].frame?;
         let name = |term: &Term| self.axis_of_frame(term);
@@ -261,7 +263,7 @@ impl Builder<'_> {
     }
 
     /// The number of the axis about which a body's frame is said to turn.
-    fn axis_of_turn(&self, body: BodyId) -> Option<usize> {
+    pub(super) fn axis_of_turn(&self, body: BodyId) -> Option<usize> {
         let system = &self.reading.system;
         system.frames[system.bodies[body].frame?].turn.axis()
     }
@@ -277,7 +279,7 @@ impl Builder<'_> {
         })
     }
 
-    fn is_rod(&self, body: BodyId) -> bool {
+    pub(super) fn is_rod(&self, body: BodyId) -> bool {
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Is { subjects, what } => {
                 what.head == "rod" && subjects.iter().any(|term| self.body(term) == Some(body))
@@ -286,8 +288,19 @@ impl Builder<'_> {
         })
     }
 
+    /// Whether a sentence says that a body is a disc or a ring, which lies in a plane.
+    pub(super) fn is_flat(&self, body: BodyId) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let flat = matches!(what.head, "disc" | "ring");
+                flat && subjects.iter().any(|term| self.body(term) == Some(body))
+            }
+            _ => false,
+        })
+    }
+
     /// Whether sentences name axes of a body's frame, so that its third one need not be that of its shape.
-    fn has_named_axes(&self, body: BodyId) -> bool {
+    pub(super) fn has_named_axes(&self, body: BodyId) -> bool {
         let frame = self.reading.system.bodies[body].frame;
         self.axes.iter().any(|(_, (of, _))| Some(*of) == frame)
     }

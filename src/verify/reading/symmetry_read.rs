@@ -72,7 +72,12 @@ impl Builder<'_> {
     }
 
     /// A body that is symmetric about an axis has I = I_t 1 + (I_s − I_t) n nᵀ.
-    fn hold_symmetry(&mut self, body: usize, n: &Vector, declaration: &Declaration) -> Option<()> {
+    pub(super) fn hold_symmetry(
+        &mut self,
+        body: usize,
+        n: &Vector,
+        declaration: &Declaration,
+    ) -> Option<()> {
         let of = Whole::Body(body);
         // The axis passes through the point about which all is told.
         let about = self.base_of(&of).unwrap_or_else(|| self.centre_of(body));

@@ -52,7 +52,11 @@ impl Builder<'_> {
     }
 
     /// The turns about axes by angles that lead from a frame to another, which is above it.
-    fn turns_between(&self, frame: FrameId, above: FrameId) -> Option<Vec<(usize, Fraction)>> {
+    pub(super) fn turns_between(
+        &self,
+        frame: FrameId,
+        above: FrameId,
+    ) -> Option<Vec<(usize, Fraction)>> {
         let (mut turns, mut at) = (vec![], frame);
         while at != above {
             let turned = &self.reading.system.frames[at];

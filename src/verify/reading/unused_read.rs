@@ -9,7 +9,7 @@ use crate::verify::language::statement::{
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
-use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::names::{MASS_CENTRE, node_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
 use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
@@ -55,7 +55,21 @@ impl Builder<'_> {
                     subjects,
                     verb: "point",
                     ..
-                } => subjects.iter().all(|subject| self.is_force(subject)),
+                } => subjects.iter().all(|subject| {
+                    let body = self.body(subject);
+                    let line = body.and_then(|body| self.reading.system.bodies[body].line);
+                    line.is_some() || self.is_force(subject)
+                }),
+                Statement::Does {
+                    subjects,
+                    verb: "swing" | "move" | "fall",
+                    ..
+                } => subjects.iter().all(|subject| {
+                    let body = self.body(subject);
+                    body.is_some_and(|body| {
+                        self.turns_in_plane(body) && self.moves_in_vertical_plane(body)
+                    })
+                }),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { subjects, what } => self.has_use_for(subjects, what),
                 Statement::Unread { .. } => false,
@@ -82,8 +96,18 @@ impl Builder<'_> {
         let things = !subjects.iter().all(|subject| in_formula(subject).is_some());
         let sized = what.head == "vector" && what.slot(Slot::Of).is_some();
         let resting = what.head == "point" && what.slot(Slot::At).is_some();
-        let nothing = what.head == "free" || what.head == "equal" && things || sized || resting;
-        !(of_body && UNPLACED.contains(&what.head) || rim || one || nothing)
+        // What is fixed in something that the model has not is not said to be free of it.
+        let places = ["point", "fixed", MASS_CENTRE].contains(&what.head);
+        let thing = |t: &Term| match t {
+            Term::Name(name) => name.starts_with(char::is_lowercase),
+            term => matches!(term, Term::Phrase(_)),
+        };
+        let mut fixed_in = what.all(Slot::FixedIn);
+        let lost = places && fixed_in.any(|t| thing(t) && self.frame(t).is_none());
+        let nothing =
+            what.head == "free" || what.head == "equal" && things || sized || resting || lost;
+        let unplaced = UNPLACED.contains(&what.head) && !self.is_end_placed(what);
+        !(of_body && unplaced || rim || one || nothing)
     }
 
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {

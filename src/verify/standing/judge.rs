@@ -1,7 +1,7 @@
 //! Goes through a document from top to bottom and judges each line by the facts.
 
 use crate::algebra::{Fraction, Proof};
-use crate::notation::ast::{Line, Relation};
+use crate::notation::ast::Line;
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
 use crate::source::{self, Span};
 use crate::verify::Role;
@@ -12,7 +12,7 @@ use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
-use crate::verify::standing::roles::{Purpose, RELATION, purpose};
+use crate::verify::standing::roles::{Purpose, RELATION};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{
@@ -233,21 +233,7 @@ impl<'a> Judge<'a> {
         self.take_premises();
         self.enter_space();
         self.keep_from_start();
-        let mut purpose = purpose(&self.words.sentence).on(line.continues, &links);
-        if !display {
-            purpose = purpose.in_text(&links);
-        }
-        if let Some(role) = self.reading.role(&self.at) {
-            purpose = Purpose {
-                role,
-                derived: role == Role::Claim,
-                declared: true,
-                ..Purpose::default()
-            };
-        }
-        if line.relations.iter().all(|(r, _)| *r == Relation::Defined) {
-            purpose.role = Role::Define;
-        }
+        let purpose = self.purpose_of(line, &links, display);
         let held = self.hold_line(line, &links);
         if named && held.iter().any(|h| h.standing != Standing::Entailed) {
             return;

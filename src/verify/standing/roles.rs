@@ -92,7 +92,10 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
     if is_told_in_brackets(sentence) {
         return purpose;
     }
-    for cue in cues(sentence) {
+    let (before, behind) = last_paragraph(sentence);
+    let goes_on = behind.chars().find(|c| c.is_alphabetic());
+    let anew = goes_on.is_some_and(char::is_uppercase);
+    for cue in cues(if anew { behind } else { sentence }) {
         purpose = match cue {
             Cue::Derive => Purpose {
                 derived: true,
@@ -103,7 +106,29 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
             Cue::Give => Purpose::of(Role::Given),
         };
     }
+    // What is assumed stands in the paragraph behind the words, or words go on from it.
+    let assumed = matches!(purpose.role, Role::Assume | Role::Given);
+    if assumed && before.is_some() && goes_on.is_none() {
+        purpose = Purpose {
+            doubtful: true,
+            ..Purpose::default()
+        };
+    }
     purpose
+}
+
+/// What stands behind the last formula that ends a paragraph, and what stands before that, if there is one.
+fn last_paragraph(sentence: &str) -> (Option<&str>, &str) {
+    let ends = |(at, _): &(usize, &str)| {
+        sentence[at + RELATION.len()..]
+            .trim_start_matches(' ')
+            .starts_with('\n')
+    };
+    let end = sentence.rmatch_indices(RELATION).find(ends);
+    match end {
+        Some((at, _)) => (Some(&sentence[..at]), &sentence[at + RELATION.len()..]),
+        None => (None, sentence),
+    }
 }
 
 /// Whether a sentence has said what it leads in with a formula in brackets, and ended there: "we assume that the body is

@@ -48,7 +48,9 @@ impl Printer<'_> {
             .split(' ')
             .next()
             .is_some_and(|first| self.lexicon.begins(first));
-        match word || known {
+        // "link 1"
+        let numbered = name.ends_with(|c: char| c.is_ascii_digit());
+        match (word || known) && !numbered {
             true => format!("the {name}"),
             false => name.to_owned(),
         }

@@ -1,0 +1,204 @@
+//! Hinges: the point of a hinge is fixed in each of the bodies that it joins, and an end by which a body is hinged is there.
+
+use super::kinds::{name, rename};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// Verbs of bodies that are joined at a point.
+const JOINS: [&str; 3] = ["hinge", "pin", "pivot"];
+
+/// The noun of a point of what is long.
+const END: &str = "end";
+
+/// What is called so is the only hinge of the document.
+const CALLED: [&str; 2] = ["joint", "pivot"];
+
+/// What stands still where no sentence says that it moves.
+const SUPPORTS: [&str; 7] = [
+    "floor", "wall", "support", "bearing", "table", "ceiling", "ground",
+];
+
+/// "the speed of the free end E of the rod": the speed of E, which is an end of the rod.
+pub(crate) fn name_ends(declarations: &mut Vec<Declaration>) {
+    let mut named = vec![];
+    for declaration in declarations.iter_mut() {
+        let mut ends = vec![];
+        for term in declaration.statement.terms_mut() {
+            name_end(term, &mut ends);
+        }
+        named.extend(ends.into_iter().map(|statement| Declaration {
+            statement,
+            ..declaration.clone()
+        }));
+    }
+    for end in named {
+        if !declarations.iter().any(|d| d.statement == end.statement) {
+            declarations.push(end);
+        }
+    }
+}
+
+/// Puts the name of an end in its place, and tells what that is.
+fn name_end(term: &mut Term, ends: &mut Vec<Statement>) {
+    let Term::Phrase(phrase) = term else { return };
+    if let (END, Some(point), Some(body)) = (
+        phrase.head,
+        phrase.slot(Slot::Which).cloned(),
+        phrase.slot(Slot::Of).cloned(),
+    ) {
+        ends.push(Statement::Is {
+            subjects: vec![point.clone()],
+            what: NounPhrase::new(END, vec![(Slot::Of, body)]),
+        });
+        *term = point;
+        return;
+    }
+    for (_, inner) in &mut phrase.slots {
+        name_end(inner, ends);
+    }
+}
+
+/// A hinge, as a sentence tells it.
+struct Hinge {
+    body: Term,
+    point: Term,
+    /// What the body is joined to; nothing is said of what stands still.
+    to: Option<Term>,
+    at_end: bool,
+    about: Option<Term>,
+}
+
+/// "The rod is hinged to the shaft at its end O": O is a point fixed in both, and an end of the rod.
+pub(crate) fn tell_hinges(declarations: &mut Vec<Declaration>) {
+    let mut points: Vec<Term> = vec![];
+    let mut told = vec![];
+    for declaration in declarations.iter() {
+        match hinge(&declaration.statement, declarations) {
+            Some(hinge) => {
+                if !points.contains(&hinge.point) {
+                    points.push(hinge.point.clone());
+                }
+                let statement = |statement| Declaration {
+                    statement,
+                    ..declaration.clone()
+                };
+                told.extend(statements(hinge, declarations).into_iter().map(statement));
+            }
+            None => told.push(declaration.clone()),
+        }
+    }
+    if let [Term::Name(point)] = points.as_slice() {
+        let terms = told.iter_mut().flat_map(|d| d.statement.terms_mut());
+        terms.for_each(|term| {
+            CALLED.iter().for_each(|noun| rename(term, noun, point));
+        });
+    }
+    *declarations = told;
+}
+
+fn hinge(statement: &Statement, declarations: &[Declaration]) -> Option<Hinge> {
+    let Statement::Does {
+        subjects,
+        verb,
+        slots,
+    } = statement
+    else {
+        return None;
+    };
+    let ([subject], true) = (subjects.as_slice(), JOINS.contains(verb)) else {
+        return None;
+    };
+    let said = |wanted| {
+        let mut terms = slots.iter().filter(|(slot, _)| *slot == wanted);
+        let first = terms.next().map(|(_, term)| term);
+        first.filter(|_| terms.next().is_none())
+    };
+    let known = [Slot::At, Slot::To, Slot::On, Slot::About];
+    if slots.iter().any(|(slot, _)| !known.contains(slot)) {
+        return None;
+    }
+    let (body, by_end) = match subject {
+        Term::Phrase(end) if end.head == END => (end.slot(Slot::Of)?.clone(), true),
+        _ => (subject.clone(), false),
+    };
+    let to = said(Slot::To).or_else(|| said(Slot::On));
+    let (place, to) = match said(Slot::At) {
+        Some(place) => (place, to),
+        None => (to.filter(|to| !is_said_to_be(to, declarations))?, None),
+    };
+    let (point, at_end) = match place {
+        Term::Phrase(end) if end.head == END => (end.slot(Slot::Which)?.clone(), true),
+        Term::Phrase(point) if point.head == "point" => (point.slot(Slot::Which)?.clone(), false),
+        _ => (place.clone(), false),
+    };
+    let named = |t: &Term| name(t).is_some_and(|name| !name.starts_with(char::is_lowercase));
+    named(&point).then(|| Hinge {
+        body,
+        point,
+        to: to.cloned(),
+        at_end: by_end || at_end,
+        about: said(Slot::About).cloned(),
+    })
+}
+
+/// Whether a sentence says that something is a thing that is no point.
+fn is_said_to_be(thing: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head != "point" && subjects.contains(thing),
+        _ => false,
+    })
+}
+
+fn statements(hinge: Hinge, declarations: &[Declaration]) -> Vec<Statement> {
+    let is = |head, slots| Statement::Is {
+        subjects: vec![hinge.point.clone()],
+        what: NounPhrase::new(head, slots),
+    };
+    let still = |to: &Term| {
+        let moves = |d: &Declaration| d.statement.subjects().contains(to);
+        let called = match to {
+            Term::Phrase(thing) => Some(thing.head.to_owned()),
+            _ => name(to),
+        };
+        let support = called.is_some_and(|name| SUPPORTS.contains(&name.as_str()));
+        support && !declarations.iter().any(moves)
+    };
+    let mut point = match hinge.to.clone().filter(|to| !still(to)) {
+        Some(to) => is(
+            "point",
+            vec![(Slot::FixedIn, hinge.body.clone()), (Slot::FixedIn, to)],
+        ),
+        None if is_fixed_elsewhere(&hinge, declarations) => {
+            is("point", vec![(Slot::FixedIn, hinge.body.clone())])
+        }
+        None => is("point", vec![(Slot::Of, hinge.body.clone())]),
+    };
+    if let Statement::Is { what, .. } = &mut point
+        && what.slot(Slot::FixedIn).is_none()
+    {
+        what.adjectives.push("fixed");
+    }
+    let end = is(END, vec![(Slot::Of, hinge.body.clone())]);
+    let turn = |about| Statement::Does {
+        subjects: vec![hinge.body.clone()],
+        verb: "turn",
+        slots: vec![(Slot::About, about)],
+    };
+    let end = hinge.at_end.then_some(end);
+    let turn = hinge.about.clone().map(turn);
+    [point].into_iter().chain(end).chain(turn).collect()
+}
+
+/// Whether another sentence says what the point of a hinge is fixed in.
+fn is_fixed_elsewhere(hinge: &Hinge, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let mut fixed = what.all(Slot::FixedIn);
+            subjects.contains(&hinge.point) && fixed.any(|other| *other != hinge.body)
+        }
+        Statement::Does { verb, slots, .. } if JOINS.contains(verb) => {
+            let to = slots.iter().find(|(slot, _)| *slot == Slot::To);
+            slots.contains(&(Slot::At, hinge.point.clone())) && to.is_some()
+        }
+        _ => false,
+    })
+}

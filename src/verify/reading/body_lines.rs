@@ -1,0 +1,326 @@
+//! The line of a body: the axis of its frame along which a rod lies or a link points, and the ends on it.
+
+use crate::algebra::Fraction;
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::notation::print::latex;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::model::system::{Axis, BodyId, PointId, Turn, Vector};
+use crate::verify::reading::axes_read::Vertical;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::slot;
+use crate::verify::reading::names::{name_of, opposite};
+use num_traits::Zero;
+
+/// The noun of the points at which a rod ends.
+pub(super) const END: &str = "end";
+
+/// The axis of a frame along which the line of a body is, where no sentence tells it.
+const ALONG: usize = 2;
+/// The axis about which it turns in a plane, where no sentence tells it.
+const ACROSS: usize = 0;
+
+impl<'a> Builder<'a> {
+    /// The unit vector along a body: from its first end to the other.
+    pub(super) fn line_of(&mut self, body: BodyId) -> Option<Vector> {
+        let frame = self.reading.system.bodies[body].frame?;
+        if let Some((axis, reversed)) = self.reading.system.bodies[body].line {
+            let line = self.system().axis(frame, axis);
+            return Some(if reversed { -line } else { line });
+        }
+        let axis = self
+            .told_axis_of_shape(body)
+            .or_else(|| self.own_line(body))?;
+        Some(self.system().axis(frame, axis))
+    }
+
+    /// A rod whose frame has no axes with names lies along the third one, about which it does not turn.
+    pub(super) fn own_line(&self, body: BodyId) -> Option<usize> {
+        let turns_about = self.axis_of_turn(body) == Some(ALONG);
+        (self.is_rod(body) && !self.has_named_axes(body) && !turns_about).then_some(ALONG)
+    }
+
+    /// How bodies point, and how they turn in a plane by the angle of their line.
+    pub(super) fn read_lines(&mut self) {
+        for declaration in self.declarations {
+            self.read_line_at_zero(declaration);
+            self.read_planar_angle(declaration);
+        }
+    }
+
+    /// "At `$\theta = 0$` link 1 points along `$-y$`": its line is that axis of its own frame, which is turned by θ.
+    fn read_line_at_zero(&mut self, declaration: &Declaration) -> Option<()> {
+        let Statement::Does {
+            subjects,
+            verb: "point",
+            slots,
+        } = &declaration.statement
+        else {
+            return None;
+        };
+        let [subject] = subjects.as_slice() else {
+            return None;
+        };
+        let body = self.body(subject)?;
+        let frame = self.reading.system.bodies[body].frame?;
+        let along = slot(slots, Slot::Along)?;
+        let (along, reversed) = match opposite(along) {
+            Some(along) => (along, true),
+            None => (along.clone(), false),
+        };
+        let (from, axis) = self.axis_of_frame(&along)?;
+        let zero = slots.iter().filter(|(slot, _)| *slot == Slot::At);
+        let zero: Vec<Fraction> = zero
+            .flat_map(|(_, term)| self.angles_that_are_zero(term, declaration))
+            .collect();
+        let turns = self.turns_between(frame, from)?;
+        if turns.iter().all(|(_, angle)| zero.contains(angle)) {
+            self.reading.system.bodies[body].line = Some((axis, reversed));
+        }
+        Some(())
+    }
+
+    /// "`$\theta$` is the angle between the rod and the downward vertical", of a rod that moves in a vertical plane: it turns
+    /// by this angle. To which side is all the same where no axis of the plane has a name.
+    fn read_planar_angle(&mut self, declaration: &Declaration) -> Option<()> {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            return None;
+        };
+        let (Term::Formula(letter), "angle") = (subjects.first()?, what.head) else {
+            return None;
+        };
+        let ends: Vec<&Term> = what.all(Slot::Between).collect();
+        let &[one, other] = ends.as_slice() else {
+            return None;
+        };
+        let vertical = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "vertical");
+        let (line, vertical) = match (vertical(one), vertical(other)) {
+            (false, true) => (one, other),
+            (true, false) => (other, one),
+            _ => return None,
+        };
+        let body = self.body(line).filter(|&body| self.is_rod(body))?;
+        let frame = self.reading.system.bodies[body].frame?;
+        let ground = self.reading.system.ground;
+        let free = self.is_free_against(frame, ground) && !self.has_named_axes(body);
+        if !free || !self.moves_in_vertical_plane(body) || self.names_horizontal_axes() {
+            return None;
+        }
+        let down = self.points_down(vertical, body)?;
+        let angle = self.scalar(&letter.clone(), declaration)?;
+        let upright = match down {
+            true => angle + self.system().atoms.pi(),
+            false => angle,
+        };
+        self.reading.system.frames[frame].turn = Turn::Angle(ACROSS, Box::new(upright));
+        self.reading.system.bodies[body].line = Some((ALONG, false));
+        self.bearings.vertical = Some(Vertical {
+            frame: ground,
+            axis: ALONG,
+            points_down: false,
+        });
+        Some(())
+    }
+
+    /// Whether an angle between the line of a body and the vertical is the one by which that turns.
+    pub(super) fn turns_by_line(&self, ends: &[Term], angle: &Fraction) -> bool {
+        let vertical = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "vertical");
+        let turns = |body: BodyId| {
+            let system = &self.reading.system;
+            let frame = system.bodies[body]
+                .frame
+                .map(|frame| &system.frames[frame].turn);
+            let by = |turn: &Turn| match (turn, angle.as_variable()) {
+                (Turn::Angle(_, own), Some(angle)) => own.variables().contains(&angle),
+                _ => false,
+            };
+            system.bodies[body].line.is_some() && frame.is_some_and(by)
+        };
+        let body = ends.iter().find_map(|end| self.body(end));
+        ends.iter().any(vertical)
+            && body.is_some_and(turns)
+            && self.moves_in_vertical_plane_of(ends)
+    }
+
+    fn moves_in_vertical_plane_of(&self, ends: &[Term]) -> bool {
+        let mut bodies = ends.iter().filter_map(|end| self.body(end));
+        bodies.any(|body| self.moves_in_vertical_plane(body)) && !self.names_horizontal_axes()
+    }
+
+    /// Which way a vertical points: as it is said, or down from where a body hangs and swings.
+    fn points_down(&self, vertical: &Term, body: BodyId) -> Option<bool> {
+        let Term::Phrase(vertical) = vertical else {
+            return None;
+        };
+        let hangs = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "swing" | "hang",
+                ..
+            } => subjects.iter().any(|s| self.body(s) == Some(body)),
+            _ => false,
+        });
+        match (vertical.is("downward"), vertical.is("upward")) {
+            (false, false) => hangs.then_some(true),
+            (down, _) => Some(down),
+        }
+    }
+
+    /// Whether the inertial frame has axes with names beside the vertical.
+    fn names_horizontal_axes(&self) -> bool {
+        let ground = self.reading.system.ground;
+        let told = self.bearings.vertical;
+        let upright = |axis: usize| told.is_some_and(|v| v.frame == ground && v.axis == axis);
+        let odd = told.is_some_and(|v| v.frame != ground || v.axis != ALONG || v.points_down);
+        let mut named = self.axes.iter();
+        odd || named.any(|(_, &(frame, axis))| frame == ground && !upright(axis))
+    }
+
+    /// "The rod swings in a vertical plane", "it turns about a horizontal axis."
+    pub(super) fn moves_in_vertical_plane(&self, body: BodyId) -> bool {
+        let plain = |term: &Term, head: &str, adjective: &str| match term {
+            Term::Phrase(phrase) => {
+                let fixed = |slot: Slot| matches!(slot, Slot::FixedIn | Slot::Through);
+                let still = phrase.slots.iter().all(|(slot, _)| fixed(*slot));
+                phrase.head == head && phrase.is(adjective) && still
+            }
+            _ => false,
+        };
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "swing" | "turn" | "move" | "fall",
+                slots,
+            } => {
+                let own = subjects.iter().any(|s| self.body(s) == Some(body));
+                own && slots.iter().any(|(_, term)| {
+                    plain(term, "plane", "vertical") || plain(term, "axis", "horizontal")
+                })
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether a frame turns in a plane about an axis that it shares with the inertial one.
+    pub(super) fn turns_in_plane(&self, body: BodyId) -> bool {
+        let system = &self.reading.system;
+        let frame = system.bodies[body].frame.map(|frame| &system.frames[frame]);
+        frame.is_some_and(|frame| {
+            let planar = matches!(frame.turn, Turn::Angle(..) | Turn::Rate(Axis::Number(_), _));
+            planar && frame.parent == Some(system.ground)
+        })
+    }
+
+    /// The names of the ends of a body: those that are fixed in space first.
+    pub(super) fn ends_of(&self, body: BodyId) -> Vec<String> {
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == END => {
+                let own = what.slot(Slot::Of).and_then(|of| self.body(of));
+                (own == Some(body)).then_some(subjects)
+            }
+            _ => None,
+        });
+        let mut ends: Vec<String> = vec![];
+        for name in said.flatten().filter_map(name_of) {
+            if !ends.contains(&name) {
+                ends.push(name);
+            }
+        }
+        ends.sort_by_key(|name| !self.is_said_fixed(name));
+        ends
+    }
+
+    /// Whether a sentence says that a point is fixed in space.
+    fn is_said_fixed(&self, name: &str) -> bool {
+        let ground = self.reading.system.ground;
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = subjects.iter().any(|s| name_of(s).as_deref() == Some(name));
+                own && self.frames_fixed(what).contains(&ground)
+            }
+            _ => false,
+        })
+    }
+
+    /// The bodies that have an end of this name, and whether it is the one at which the line of each begins.
+    pub(super) fn bodies_that_end_at(&self, name: &str) -> Vec<(BodyId, bool)> {
+        let bodies = 0..self.reading.system.bodies.len();
+        let place = |body| self.ends_of(body).iter().position(|end| end == name);
+        let ends = bodies.filter_map(|body| Some((body, place(body)?)));
+        ends.map(|(body, place)| (body, place == 0)).collect()
+    }
+
+    /// Whether the model knows where the ends of a body are.
+    pub(super) fn has_ends(&self, body: BodyId) -> bool {
+        let (ends, system) = (self.ends_of(body).len(), &self.reading.system.bodies[body]);
+        let line = system.line.is_some()
+            || self.told_axis_of_shape(body).is_some()
+            || self.own_line(body).is_some();
+        line && (1..=2).contains(&ends) && self.rod_said(body).is_some()
+    }
+
+    /// Whether a noun is that of ends that the model knows.
+    pub(super) fn is_end_placed(&self, what: &NounPhrase) -> bool {
+        let body = what.slot(Slot::Of).and_then(|of| self.body(of));
+        what.head == END && body.is_some_and(|body| self.has_ends(body))
+    }
+
+    /// The way from the middle of a uniform rod to one of its ends.
+    fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
+        let (what, declaration) = self.rod_said(body).filter(|_| self.has_ends(body))?;
+        let length = self.size_of_shape(body, what, "length", declaration)?;
+        let half = length * Fraction::from_ratio(if first { -1 } else { 1 }, 2);
+        Some(self.line_of(body)? * half)
+    }
+
+    /// Where the mass centre of a rod is from an end of it that stands already.
+    pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
+        let ends = self.ends_of(body).into_iter().enumerate();
+        let mut known = ends.filter_map(|(at, name)| Some((at, *self.points.get(&name)?)));
+        let (at, end) = known.next()?;
+        Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
+    }
+
+    /// Where an end of a rod is from its mass centre, if that stands already.
+    pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
+        let bodies = self.bodies_that_end_at(name).into_iter();
+        let mut placed = bodies.filter(|(body, _)| self.reading.system.bodies[*body].centre != 0);
+        let (body, first) = placed.next()?;
+        Some((self.centre_of(body), self.way_to_end(body, first)?))
+    }
+
+    /// The sentence that says that a body is a rod.
+    fn rod_said(&self, body: BodyId) -> Option<(&'a NounPhrase, &'a Declaration)> {
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "rod" => {
+                let own = subjects.iter().any(|s| self.body(s) == Some(body));
+                own.then_some((what, d))
+            }
+            _ => None,
+        })
+    }
+
+    /// The angles of "`$\theta = 0$`", "`$\alpha = \beta = 0$`".
+    fn angles_that_are_zero(&mut self, term: &Term, declaration: &Declaration) -> Vec<Fraction> {
+        let line = match term {
+            Term::Formula(Formula {
+                row: Row::Line(line),
+                ..
+            }) => line.clone(),
+            _ => return vec![],
+        };
+        let Some((zero, angles)) = line.sides.split_last() else {
+            return vec![];
+        };
+        let is_zero = matches!(&zero.kind, Kind::Number(number) if number.value.is_zero());
+        let letter = |angle: &Node| Formula {
+            source: latex(angle),
+            row: Row::Expression(angle.clone()),
+        };
+        let letters = angles.iter().filter(|_| is_zero).map(letter);
+        letters
+            .filter_map(|letter| self.scalar(&letter, declaration))
+            .collect()
+    }
+}

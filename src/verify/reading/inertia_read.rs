@@ -1,0 +1,132 @@
+//! Moments of inertia: about an axis that is told, about the one that a body has of its own, across it.
+
+use crate::algebra::Fraction;
+use crate::verify::language::heads::AXES;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::model::contact::Round;
+use crate::verify::model::system::{BodyId, Vector};
+use crate::verify::reading::builder::Builder;
+use crate::verify::term::quantity::{Quantity, Whole};
+use crate::verify::term::value::{Basis, Value};
+
+impl Builder<'_> {
+    /// "the moment of inertia of the wheel about its axis", "the transverse moment of inertia of the rotor".
+    pub(super) fn moment_of_inertia(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let of = self.whole_of(phrase)?;
+        if let Some(rotors) = self.rotors_of(&of) {
+            return Some(Quantity::Known(Value::scalar(rotors.inertia)));
+        }
+        let about = self.about(phrase, &of)?;
+        let tensor = Quantity::Inertia {
+            of: of.clone(),
+            about,
+        };
+        let own = match of {
+            Whole::Body(body) => Some(body),
+            Whole::Member(..) => None,
+        };
+        if phrase.is("transverse") {
+            return self.transverse_moment(own?, tensor, declaration);
+        }
+        let axis = match (self.told_axis(phrase, declaration), own) {
+            (Some(axis), _) if !phrase.is("axial") => axis,
+            (None, Some(body)) => self.axis_by_itself(phrase, body)?,
+            _ => return None,
+        };
+        Some(Quantity::Along {
+            of: tensor.boxed(),
+            axis: axis.boxed(),
+        })
+    }
+
+    /// The axis that a sentence names, by its letter or by what it is along.
+    fn told_axis(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        let about = phrase.slot(Slot::About).or(phrase.slot(Slot::Along))?;
+        let along = match about {
+            Term::Phrase(line) => line.slot(Slot::Along).unwrap_or(about),
+            _ => about,
+        };
+        self.axis_quantity(&along.clone(), declaration)
+    }
+
+    /// The axis that is meant where none is told: that of the body itself, one across its line, or the one about which it turns.
+    fn axis_by_itself(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Quantity> {
+        let axis = match phrase.slot(Slot::About) {
+            Some(Term::Phrase(axis)) if AXES.contains(&axis.head) => {
+                let across = axis.slot(Slot::With).map(|of| self.body(of));
+                match across {
+                    Some(of) => self.axis_across(of?)?,
+                    None if axis.slot(Slot::Through).is_none() => self.axis_of_body(body)?,
+                    None => return None,
+                }
+            }
+            None if phrase.is("axial") => self.axis_of_body(body)?,
+            None if self.has_pivot(body) => return None,
+            _ if self.turns_in_plane(body) => {
+                let frame = self.reading.system.bodies[body].frame?;
+                let axis = self.axis_of_turn(body)?;
+                self.system().axis(frame, axis)
+            }
+            _ if self.is_rod(body) => self.axis_across(body)?,
+            _ => return None,
+        };
+        Some(Quantity::Known(Value::vector(&axis, Basis::Itself)))
+    }
+
+    /// Whether a point of a body that is not its mass centre is fixed in space.
+    fn has_pivot(&self, body: BodyId) -> bool {
+        let centre = self.centre_of(body);
+        let mut points = 0..self.reading.system.points.len();
+        points.any(|point| point != centre && self.is_fixed_point(point, body))
+    }
+
+    /// The axis about which a body is round or symmetric, or else turns.
+    pub(super) fn axis_of_body(&mut self, body: BodyId) -> Option<Vector> {
+        let known = &self.reading.system.bodies[body];
+        let round = match &known.round {
+            Some(Round::Rim { axis, .. }) => Some(*axis),
+            _ => None,
+        };
+        let frame = known.frame?;
+        let told = self.told_axis_of_shape(body).or(round);
+        let axis = told.or_else(|| self.axis_of_turn(body).filter(|_| !self.is_rod(body)))?;
+        Some(self.system().axis(frame, axis))
+    }
+
+    /// An axis that stands on a rod, or on the plane of what is flat and round.
+    fn axis_across(&mut self, body: BodyId) -> Option<Vector> {
+        if !self.is_rod(body) {
+            return match self.reading.system.bodies[body].round {
+                Some(Round::Rim { axis, .. }) if self.is_flat(body) => {
+                    let frame = self.reading.system.bodies[body].frame?;
+                    Some(self.system().axis(frame, axis))
+                }
+                _ => None,
+            };
+        }
+        let frame = self.reading.system.bodies[body].frame?;
+        let line = self.reading.system.bodies[body].line.map(|(axis, _)| axis);
+        let line = line.or_else(|| self.told_axis_of_shape(body));
+        let line = line.or_else(|| self.own_line(body))?;
+        Some(self.system().axis(frame, (line + 1) % 3))
+    }
+
+    /// The moment about all axes across that of a symmetric body: half of what the trace leaves.
+    fn transverse_moment(
+        &mut self,
+        body: BodyId,
+        tensor: Quantity,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let axis = self.axis_of_body(body)?;
+        self.hold_symmetry(body, &axis, declaration)?;
+        let tensor = self.system().value_of(&tensor).ok()?.to_matrix().ok()?;
+        let along = axis.dot(&crate::mechanics::apply(&tensor, &axis));
+        let across = (tensor.trace() - along) * Fraction::from_ratio(1, 2);
+        Some(Quantity::Known(Value::scalar(across)))
+    }
+}

@@ -1,0 +1,175 @@
+//! Rods and links: their ends, their hinges, the axis that a body has of its own.
+
+use super::verdicts;
+
+#[test]
+fn a_rod_that_hangs_from_a_hinge_swings_as_a_physical_pendulum() {
+    let said = "\
+N is an inertial frame.
+The rod is a uniform rigid body of mass $m$ and length $l$.
+The rod is hinged at its end O, which is fixed in N.
+The rod swings in a vertical plane.
+$\\theta$ is the angle between the rod and the downward vertical.
+$g$ is the acceleration of gravity.
+The weight and the force at the hinge are the only loads on the rod.
+$I$ is the moment of inertia of the rod about O.
+$v$ is the speed of the free end E of the rod.
+$T$ is the kinetic energy of the rod.
+";
+    let text = r"
+$$ I = \frac{1}{3} m l^2 $$
+
+$$ T = \frac{1}{6} m l^2 \dot\theta^2 $$
+
+$$ v^2 = l^2 \dot\theta^2 $$
+
+$$ \ddot\theta = -\frac{3g}{2l}\sin\theta $$
+
+$$ \ddot\theta = -\frac{g}{l}\sin\theta $$
+";
+    assert_eq!(verdicts(said, text).0, "ppppr");
+}
+
+#[test]
+fn a_rod_between_a_support_and_another_body_has_its_ends_there() {
+    let said = "\
+N is an inertial frame.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+The rod is pinned at its upper end O to a fixed support.
+The rod swings in a vertical plane.
+$\\theta$ is the angle between the rod and the vertical.
+G is the mass centre of the rod.
+$h$ is the height of G above O.
+";
+    let text = "$$ h = -\\frac{l}{2}\\cos\\theta $$\n\n$$ h = \\frac{l}{2}\\cos\\theta $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}
+
+#[test]
+fn where_an_axis_of_the_plane_has_a_name_the_side_of_an_angle_is_not_known() {
+    let said = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+The rod is pinned at its end O to a fixed support.
+The rod swings in a vertical plane.
+$\\theta$ is the angle between the rod and the downward vertical.
+G is the mass centre of the rod.
+$a$ is the component along x of the position of G from O.
+";
+    let text = "$$ a = \\frac{l}{2}\\sin\\theta $$\n\n$$ a = -\\frac{l}{2}\\sin\\theta $$\n";
+    assert_eq!(verdicts(said, text).0, "uu");
+}
+
+#[test]
+fn a_link_points_as_it_does_where_its_angles_are_zero() {
+    let said = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+y is the upward vertical.
+The arm consists of link 1 and link 2.
+A is a frame fixed in link 1.
+B is a frame fixed in link 2.
+S is a point fixed in N and in A.
+E is a point fixed in A and in B.
+A turns relative to N about z by the angle $\\alpha$.
+B turns relative to A about z by the angle $\\beta$.
+At $\\alpha=0$ link 1 points along $-y$.
+At $\\alpha=0$ and $\\beta=0$ link 2 points along $-y$.
+E lies at the distance $l$ from S along link 1.
+The mass centre of link 2 lies at the distance $r$ from E along link 2.
+$p$ and $q$ are the components along x and y of the position of the mass centre of link 2 from S.
+$T$ is the kinetic energy of link 2 as a particle at its mass centre.
+$m$ is the mass of link 2.
+";
+    let text = r"
+$$ p = l\sin\alpha + r\sin(\alpha+\beta) $$
+
+$$ q = -l\cos\alpha - r\cos(\alpha+\beta) $$
+
+$$ q = -l\cos\alpha + r\cos(\alpha+\beta) $$
+
+$$ T = \frac12 m (\dot p^2 + \dot q^2) $$
+";
+    assert_eq!(verdicts(said, text).0, "pprp");
+}
+
+#[test]
+fn a_body_has_moments_about_its_own_axis_and_across_it() {
+    let said = "\
+N is an inertial frame.
+The wheel is a disc of mass $m$ and radius $r$.
+G is the mass centre of the wheel.
+$J$ is the moment of inertia of the wheel about its axis.
+$I$ is the moment of inertia of the wheel about the axis through G perpendicular to the wheel.
+$A$ is the transverse moment of inertia of the wheel.
+$C$ is the axial moment of inertia of the wheel.
+";
+    let text = "$$ J = \\frac12 m r^2 $$\n\n$$ I = J $$\n\n$$ C = 2 A $$\n\n$$ A = C $$\n";
+    assert_eq!(verdicts(said, text).0, "pppr");
+}
+
+#[test]
+fn a_point_fixed_in_what_the_model_has_not_is_not_free_of_it() {
+    let said = "\
+N is an inertial frame.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+O is a point fixed in the rod and in the strut.
+$T$ is the kinetic energy of the rod.
+$u$ is the velocity of O relative to N.
+";
+    assert_eq!(verdicts(said, "$$ u = 0 $$\n").0, "u");
+}
+
+#[test]
+fn the_mass_matrix_is_that_of_the_kinetic_energy() {
+    let said = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$r$, $s$ and $0$ are the components of the position of P from O on N.
+$M$ is the mass matrix of P in the coordinates $r$, $s$.
+";
+    let text = "$$ M = \\begin{bmatrix} m & 0 \\\\ 0 & m \\end{bmatrix} $$\n\n$$ M = \\begin{bmatrix} m & 0 \\\\ 0 & 2m \\end{bmatrix} $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}
+
+#[test]
+fn components_that_are_formulas_or_zero_are_premises() {
+    let said = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+S is a point fixed in B.
+The position of S from G has the components $-l$, $b$, $0$ on B.
+$\\omega$ is the angular velocity of B relative to N.
+$p$, $q$, $r$ are the components of $\\omega$ on B.
+$u$ is the velocity of S relative to N, and $v$ is that of G.
+$a$ is the third component on B of $u - v$.
+";
+    let text = "$$ u - v = \\omega \\times \\begin{bmatrix} -l \\\\ b \\\\ 0 \\end{bmatrix} $$\n\n$$ u - v = \\omega \\times \\begin{bmatrix} l \\\\ b \\\\ 0 \\end{bmatrix} $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}
+
+#[test]
+fn angles_and_what_they_make_are_disturbed_together() {
+    let said = "\
+N is an inertial frame.
+B is a frame fixed in the aircraft.
+x, y, z are the axes of B.
+$\\psi$, $\\theta$, $\\phi$ are the Euler angles of B relative to N in the order z, y, x.
+$P$, $Q$, $R$ are the components on B of the angular velocity of B relative to N.
+$P_0$, $Q_0$, $R_0$ are the reference values of $P$, $Q$, $R$, and $p$, $q$, $r$ their small disturbances.
+$\\theta_0$ is the reference value of $\\theta$, and $\\epsilon$ its small disturbance.
+$s$ is the small disturbance of $P$.
+";
+    let text = r"
+$$ P_0 = Q_0 = R_0 = 0 $$
+
+$$ P_0 + p = \dot\phi - \dot\psi \sin(\theta_0+\epsilon) $$
+
+$$ P_0 + p = \dot\phi + \dot\psi \sin(\theta_0+\epsilon) $$
+";
+    assert_eq!(verdicts(said, text).0, "apr");
+}
