@@ -27,10 +27,11 @@ impl<L> Scheme<L> for Rk4 {
         L: TorqueLaw<T>,
     {
         let half = step * T::of(0.5);
-        let first = system.rates(time, state);
-        let second = system.rates(time + half, &state.along(&first, half));
-        let third = system.rates(time + half, &state.along(&second, half));
-        let fourth = system.rates(time + step, &state.along(&third, step));
+        let [at_start, midway, at_end] = system.law().clock([time, time + half, time + step]);
+        let first = system.rates_by(at_start, state);
+        let second = system.rates_by(midway, &state.along(&first, half));
+        let third = system.rates_by(midway, &state.along(&second, half));
+        let fourth = system.rates_by(at_end, &state.along(&third, step));
         let inner = second.plus(&third, T::one());
         let sum = first.plus(&inner, T::of(2.0)).plus(&fourth, T::one());
         let end = state.along(&sum, step * T::of(1.0 / 6.0));

@@ -1,11 +1,11 @@
 //! Derivatives of a step under laws of one's own, against the whole step on dual numbers.
 
 use super::cases::cases;
-use nalgebra::{SVector, Vector3, Vector6};
+use nalgebra::{Matrix3, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 use polhode::motion::{
-    Frame, LinearTorque, Number, Quaternion, Rk4, Scheme, SmoothLaw, SpaceLoad, State,
-    StepJacobian, System, TorqueLaw, jacobian,
+    Frame, Later, LinearTorque, Number, Quaternion, Rk4, Scheme, SmoothLaw, SpaceLoad, State,
+    StepJacobian, System, Torque, TorqueLaw, jacobian,
 };
 use proptest::prelude::*;
 
@@ -194,4 +194,49 @@ proptest! {
         prop_assert!((ours.matrix - other.matrix).amax() < loss);
         prop_assert!(ours.state.difference(&other.state).amax() < loss);
     }
+}
+
+/// What a law gives for a step at once is what it gives at each time, with what is added in its axes.
+#[test]
+fn the_clock_of_a_law_changes_no_torque() {
+    let (value, phase) = (Vector3::new(0.1, -0.2, 0.3), 0.3);
+    let mut laws = vec![
+        Torque::None,
+        Torque::Gravity {
+            weight: 9.81,
+            arm: value,
+        },
+        Torque::Damping { coefficient: 0.2 },
+    ];
+    for frame in [Frame::Body, Frame::Space] {
+        laws.push(Torque::Constant { frame, value });
+        laws.push(Torque::Sinusoid {
+            frame,
+            amplitude: value,
+            angular_frequency: 2.0,
+            phase,
+        });
+    }
+    let state = State {
+        attitude: Quaternion::exp(&Vector3::new(0.4, -1.1, 0.7)),
+        angular_velocity: Vector3::new(1.0, 0.5, -0.9),
+    };
+    let added = Vector3::new(-0.3, 0.1, 0.2);
+    for law in laws {
+        let (times, later) = ([1.0, 1.05, 1.1], Later { law, from: 40.0 });
+        let after = times.map(|time| time + 40.0);
+        assert_eq!(later.clock(times), law.clock(after));
+        for (reading, time) in later.clock(times).into_iter().zip(after) {
+            let found = later.torque_by(reading, &state, &added);
+            let known = System::over(Matrix3::identity(), law, added).torque(time, &state);
+            assert!((found - known).amax() < 1e-15, "{law:?}");
+        }
+        let apart: Option<Vec<_>> = after.iter().map(|time| linear(&law, *time)).collect();
+        let together = TorqueLaw::<f64>::linear_at(&later, times).map(Vec::from);
+        assert_eq!(apart, together, "{law:?}");
+    }
+}
+
+fn linear(law: &Torque, time: f64) -> Option<LinearTorque> {
+    TorqueLaw::<f64>::linear(law, time)
 }
