@@ -1,6 +1,6 @@
 //! Derivatives of a trajectory in what its system is made of, against values alone.
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 use num_dual::Dual64;
 use polhode::jacobian::{Check, Slot, Verdict};
 use polhode::mechanics::InertiaParameters;
@@ -24,7 +24,7 @@ fn start() -> State<f64> {
 /// The derivatives of a system of parameters, given over doubles and over variables.
 fn assert_derivatives<const P: usize, L: SmoothLaw, K: Copy + TorqueLaw<Jet<f64, P>>>(
     constant: impl Fn([f64; P]) -> System<f64, L>,
-    variable: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, K>,
+    variable: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, K> + Copy,
     at: [f64; P],
     names: [&str; P],
 ) {
@@ -45,6 +45,49 @@ fn assert_derivatives<const P: usize, L: SmoothLaw, K: Copy + TorqueLaw<Jet<f64,
         found.column_iter().all(|column| column.amax() > 1e-6),
         "{found}"
     );
+    let costs: Vec<_> = (0..=torques.len())
+        .map(|k| Vector6::from_fn(|i, _| (0.7 * (6 * k + i) as f64).cos()))
+        .collect();
+    let gradient = base.gradient_by_parameters(&costs, variable, at);
+    let chained: SVector<f64, P> = base
+        .by_parameters(variable, at)
+        .zip(&costs[1..])
+        .map(|(state, cost)| state.tr_mul(cost))
+        .sum();
+    assert!((gradient.parameters - chained).amax() < 1e-13 * (1.0 + chained.amax()));
+    let plain = base.gradient(&costs);
+    assert_eq!(
+        (gradient.start, gradient.inertia),
+        (plain.start, plain.inertia)
+    );
+    let cost = |values: SVector<f64, P>| -> f64 {
+        let moved = rollout(&values);
+        let apart = base.states().iter().zip(moved.states());
+        apart
+            .zip(&costs)
+            .map(|((a, b), cost)| a.difference(b).dot(cost))
+            .sum()
+    };
+    assert_limit(&gradient.parameters, cost, &point);
+}
+
+/// Central differences come nearer to the gradient by the square of their step.
+fn assert_limit<const P: usize>(
+    gradient: &SVector<f64, P>,
+    cost: impl Fn(SVector<f64, P>) -> f64,
+    point: &SVector<f64, P>,
+) {
+    let off = |step: f64| {
+        let along = |i: usize, step: f64| {
+            let mut moved = *point;
+            moved[i] += step;
+            cost(moved)
+        };
+        let quotient = SVector::from_fn(|i, _| (along(i, step) - along(i, -step)) / (2.0 * step));
+        (quotient - gradient).amax()
+    };
+    let (coarse, fine) = (off(2e-2), off(1e-2));
+    assert!((3.8..4.2).contains(&(coarse / fine)), "{coarse} {fine}");
 }
 
 fn of_tensor<T: Number, L: TorqueLaw<T>>(law: L) -> System<T, L> {
