@@ -62,7 +62,7 @@ impl<T: Number> TorqueLaw<T> for Magnet {
     fn linear(&self, time: f64) -> Option<LinearTorque> {
         let value = Self::field(time);
         Some(LinearTorque {
-            by_angular_velocity: Some(nalgebra::Matrix3::from_diagonal_element(-0.2)),
+            by_angular_velocity: Some(Matrix3::from_diagonal_element(-0.2)),
             load: Some(SpaceLoad {
                 value,
                 by_time: Vector3::new(2.0 * value.y, -2.0 * value.x, 0.0),
@@ -123,7 +123,7 @@ proptest! {
     ) {
         let added_in = if in_space { Frame::Space } else { Frame::Body };
         let tensor = match principal {
-            true => nalgebra::Matrix3::from_diagonal(&case.inertia.symmetric_eigenvalues()),
+            true => Matrix3::from_diagonal(&case.inertia.symmetric_eigenvalues()),
             false => case.inertia,
         };
         let (direction, covector) = (direction.into(), covector.into());
@@ -150,7 +150,7 @@ where
     let variable = |value: f64, column| DualSVec64::<16>::from_re(value).derivative(column);
     let tensor = system.inertia();
     let column = [[9, 12, 13], [12, 10, 14], [13, 14, 11]];
-    let inertia = nalgebra::Matrix3::from_fn(|r, c| variable(tensor[(r, c)], column[r][c]));
+    let inertia = Matrix3::from_fn(|r, c| variable(tensor[(r, c)], column[r][c]));
     let half = Vector3::from_fn(|i, _| variable(0.0, i) * 0.5);
     let turn = Quaternion {
         w: Number::of(1.0),
