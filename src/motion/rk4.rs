@@ -3,10 +3,12 @@
 mod lanes;
 
 use crate::motion::block::{Block, Lane, Tensors};
+use crate::motion::jacobian::runge_kutta::Felt;
 use crate::motion::{
     Number, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
     jacobian::runge_kutta, stepper,
 };
+use crate::scalar::Jet;
 use nalgebra::{SMatrix, SVector, Vector6};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
@@ -135,5 +137,27 @@ impl<L> Scheme<L> for Rk4 {
             out = whole.pulled_back(covector);
         }
         out
+    }
+
+    /// Backwards through the stages to the tensor and the torques, of which alone the derivatives are taken.
+    #[inline(always)]
+    fn vjp_by_parameters<const P: usize, K>(
+        &self,
+        system: &System<f64, L>,
+        variable: &System<Jet<f64, P>, K>,
+        times: (f64, f64),
+        state: &State<f64>,
+        covector: &Vector6<f64>,
+    ) -> SVector<f64, P>
+    where
+        L: SmoothLaw,
+        K: Copy + TorqueLaw<Jet<f64, P>>,
+    {
+        let mut felt = Felt::in_state(state);
+        if !runge_kutta::felt(system, times, state, covector, &mut felt) {
+            let own = jacobian::by_parameters(self, |_| *variable, [0.0; P], times, state).1;
+            return own.tr_mul(covector);
+        }
+        felt.by_parameters(variable, times)
     }
 }

@@ -5,8 +5,8 @@ use num_dual::Dual64;
 use polhode::jacobian::{Check, Slot, Verdict};
 use polhode::mechanics::InertiaParameters;
 use polhode::motion::{
-    Frame, Law, Number, Quaternion, Rk4, Rollout, Scheme, SmoothLaw, State, System, Torque,
-    TorqueLaw,
+    Frame, ImplicitMidpoint, Law, Number, Quaternion, Rk4, Rollout, Scheme, SmoothLaw, State,
+    System, Torque, TorqueLaw,
 };
 use polhode::scalar::Jet;
 
@@ -155,6 +155,27 @@ fn a_constant_torque_and_the_tensor() {
     let names = ["x", "y", "z", "xx", "yy", "zz", "xy", "xz", "yz"];
     let at = [0.1, -0.2, 0.3, 0.6, 0.8, 1.0, 0.02, -0.03, 0.05];
     assert_derivatives(system::<f64>, system, at, names);
+}
+
+/// A method that knows no better takes the whole step on dual numbers, and the gradient is that of the chained Jacobians as well.
+#[test]
+fn by_any_method() {
+    fn system<T: Number>([coefficient]: [T; 1]) -> System<T, Law<T>>
+    where
+        Law<T>: TorqueLaw<T>,
+    {
+        of_tensor(Law::Damping { coefficient })
+    }
+    let torques = [Vector3::new(0.1, -0.2, 0.3); 8];
+    let rollout = Rollout::new(ImplicitMidpoint, system([0.3]), start(), 0.05, &torques);
+    let rollout = rollout.expect("finite");
+    let mut costs = [Vector6::zeros(); 9];
+    costs[8] = Vector6::new(0.3, -0.2, 0.5, 1.0, -0.7, 0.4);
+    let gradient = rollout.gradient_by_parameters(&costs, system, [0.3]);
+    let end = rollout.by_parameters(system, [0.3]).last();
+    let chained = end.expect("a step").tr_mul(&costs[8]);
+    assert!((gradient.parameters - chained).amax() < 1e-13);
+    assert!(chained.amax() > 1e-3);
 }
 
 /// What is a variable has the same value as what is a constant, and its derivatives besides.
