@@ -147,18 +147,16 @@ where
     ///
     /// let inertia = Matrix3::from_diagonal(&Vector3::new(0.6, 0.8, 1.0));
     /// let (start, torques) = (State::at_rest(), vec![Vector3::zeros(); 100]);
-    /// let wave = |most, angular_frequency, phase| Law::Sinusoid {
-    ///     frame: Frame::Body,
-    ///     amplitude: Vector3::z() * most,
-    ///     angular_frequency,
-    ///     phase,
-    /// };
-    /// let run = |[most, pace, phase]: [f64; 3]| {
-    ///     let system = System::new(inertia, wave(most, pace, phase))?;
+    /// fn wave<T: Number>([most, angular_frequency, phase]: [T; 3]) -> Law<T> {
+    ///     let amplitude = Vector3::z() * most;
+    ///     Law::Sinusoid { frame: Frame::Body, amplitude, angular_frequency, phase }
+    /// }
+    /// let run = |values: [f64; 3]| {
+    ///     let system = System::new(inertia, wave(values))?;
     ///     Rollout::new(Rk4, system, start, 0.02, &torques)
     /// };
-    /// let variable = |[most, pace, phase]: [_; 3]| {
-    ///     System::over(inertia.map(Number::of), wave(most, pace, phase), Vector3::zeros())
+    /// let variable = |values: [_; 3]| {
+    ///     System::over(inertia.map(Number::of), wave(values), Vector3::zeros())
     /// };
     /// // The cost ½ ω_z² at the end, and its gradient in the amplitude, the frequency and the phase.
     /// let at = [0.5, 2.0, 0.3];

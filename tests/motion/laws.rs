@@ -225,8 +225,9 @@ fn the_clock_of_a_law_changes_no_torque() {
     for law in laws {
         let (times, later) = ([1.0, 1.05, 1.1], Later { law, from: 40.0 });
         let after = times.map(|time| time + 40.0);
-        assert_eq!(later.clock(times), law.clock(after));
-        for (reading, time) in later.clock(times).into_iter().zip(after) {
+        let readings = later.clock(times);
+        assert!((Vector3::from(readings) - Vector3::from(law.clock(after))).amax() < 1e-15);
+        for (reading, time) in readings.into_iter().zip(after) {
             let found = later.torque_by(reading, &state, &added);
             let known = System::over(Matrix3::identity(), law, added).torque(time, &state);
             assert!((found - known).amax() < 1e-15, "{law:?}");
