@@ -1,16 +1,16 @@
-//! A step and its derivatives under every law: polhode against num-dual at its best, central differences and CasADi.
+//! A step and its derivatives under every law: polhode against num-dual at its best, central differences, CasADi and SymForce.
 //!
-//! Nanoseconds of this library, how many times those of a free body they are, and how many times longer the others take. Where
-//! another is faster, the row says why. SymForce is timed by `rivals/symforce_step.py` alone: to write its code takes it minutes.
+//! Nanoseconds of this library, how many times those of a free body they are, and how many times longer the others take. A row
+//! in which another is faster says why. CasADi and SymForce generate their code in scripts of `rivals`, if Python has them.
 
-#[path = "rivals/casadi.rs"]
-mod casadi;
 #[path = "rivals/differences.rs"]
 mod differences;
 #[path = "rivals/num_dual.rs"]
 mod num_dual_step;
 #[path = "reference/step.rs"]
 mod reference_step;
+#[path = "rivals/scripts.rs"]
+mod scripts;
 #[path = "reference/turns.rs"]
 mod turns;
 
@@ -20,6 +20,7 @@ use polhode::motion::{
     Frame, Number, Rk4, Rollout, Scheme, SmoothLaw, State, System, Torque, TorqueLaw,
 };
 use reference_step::{STEP, full, start};
+use scripts::Times;
 use std::hint::black_box;
 use turns::{TURNS, in_turns, repeated};
 
@@ -33,13 +34,6 @@ const ROWS: [&str; 7] = [
     "covector times Jacobian",
     "100 steps with gradient",
 ];
-
-/// Why another is faster in a row of a law.
-const BEHIND: [(&str, &str, &str); 1] = [(
-    "sinusoid in space",
-    "step",
-    "any law may stand here and is asked at each stage; the others know that two stages stand at one time, and take one sine less",
-)];
 
 /// A drag that grows with the square of the spin, in a wind from the side: a law that the library does not know.
 #[derive(Clone, Copy)]
@@ -145,17 +139,20 @@ fn main() {
     if std::env::args().any(|arg| arg == "--test") {
         return;
     }
-    let casadi = casadi::times();
-    let free = of_law("free", Free::TORQUE, Free, None, &casadi);
-    known("gravity", Gravity, &free, &casadi);
-    known("torque in space", InSpace, &free, &casadi);
-    known("damping", Damping, &free, &casadi);
-    known("sinusoid in space", Sinusoid, &free, &casadi);
-    of_law("one's own", Own, Own, Some(&free), &casadi);
+    let generated = [
+        scripts::times("CasADi", "casadi_step.py"),
+        scripts::times("SymForce", "symforce_step.py"),
+    ];
+    let free = of_law("free", Free::TORQUE, Free, None, &generated);
+    known("gravity", Gravity, &free, &generated);
+    known("torque in space", InSpace, &free, &generated);
+    known("damping", Damping, &free, &generated);
+    known("sinusoid in space", Sinusoid, &free, &generated);
+    of_law("one's own", Own, Own, Some(&free), &generated);
 }
 
-fn known<K: Known>(name: &str, law: K, free: &[f64; 7], casadi: &casadi::Times) {
-    of_law(name, K::TORQUE, law, Some(free), casadi);
+fn known<K: Known>(name: &str, law: K, free: &[f64; 7], generated: &[Times; 2]) {
+    of_law(name, K::TORQUE, law, Some(free), generated);
 }
 
 /// Times a law and prints its rows; the times of this library.
@@ -164,40 +161,46 @@ fn of_law<L: SmoothLaw>(
     law: L,
     rival: impl Law,
     free: Option<&[f64; 7]>,
-    casadi: &casadi::Times,
+    generated: &[Times; 2],
 ) -> [f64; 7] {
     let (system, state) = (System::new(full(), law).expect("a body"), start());
     let torques = vec![Vector3::new(0.1, 0.0, -0.2); 100];
     let costs = vec![Vector6::from_fn(|i, _| 0.3 * i as f64 - 0.7); 101];
-    let apart = Rk4
-        .step_with_jacobian::<15>(&system, 0.0, &state, STEP)
-        .matrix
-        - num_dual_step::columns::<15>(&rival, &full(), &state, STEP).1;
+    let step = Rk4.step_with_jacobian::<15>(&system, 0.0, &state, STEP);
+    let apart = step.matrix - num_dual_step::columns::<15>(&rival, &full(), &state, STEP).1;
     assert!(apart.amax() < 1e-12, "{name}: one and the same is timed");
+    for sum in generated
+        .iter()
+        .filter_map(|of| of.get(name, "sum of entries"))
+    {
+        let apart = (sum - step.matrix.sum()).abs();
+        assert!(apart < 1e-12, "{name}: one and the same is timed");
+    }
     let ours = polhode(&system, &state, &torques, &costs);
     let dual = num_dual(rival, &state, &costs);
     let differences = differences::times(&system, &state, &torques, &costs);
     println!(
-        "{name:<28}{:>12}{:>10}{:>12}{:>14}{:>10}",
-        "polhode, ns", "of free", "num-dual", "differences", "CasADi"
+        "{name:<28}{:>12}{:>10}{:>12}{:>14}{:>10}{:>10}",
+        "polhode, ns", "of free", "num-dual", "differences", "CasADi", "SymForce"
     );
     for (i, row) in ROWS.iter().enumerate() {
         let of_free = ours[i] / free.unwrap_or(&ours)[i];
-        let others = [Some(dual[i]), Some(differences[i]), casadi.get(name, row)];
+        let [casadi, symforce] = generated.each_ref().map(|of| of.get(name, row));
+        let others = [Some(dual[i]), Some(differences[i]), casadi, symforce];
         let others = others.map(|time| time.map(|time| time / ours[i]));
-        let [dual, differences, casadi] =
+        let [dual, differences, casadi, symforce] =
             others.map(|ratio| ratio.map(|ratio| format!("{ratio:.1}")).unwrap_or_default());
         println!(
-            "  {row:<26}{:>12.1}{of_free:>10.2}{dual:>12}{differences:>14}{casadi:>10}",
+            "  {row:<26}{:>12.1}{of_free:>10.2}{dual:>12}{differences:>14}{casadi:>10}{symforce:>10}",
             ours[i],
         );
         // What is closer is as fast.
         if others.into_iter().flatten().any(|ratio| ratio < 0.95) {
-            let known = BEHIND.iter().find(|(law, of, _)| *law == name && of == row);
-            println!(
-                "    behind: {}",
-                known.map_or("no reason is known", |(_, _, why)| why)
-            );
+            let why = match *row {
+                "step" => "without derivatives, differences time our own step once more",
+                _ => "no reason is known",
+            };
+            println!("    behind: {why}");
         }
     }
     ours

@@ -64,6 +64,7 @@ mod by_differences;
 mod by_dual_numbers;
 mod cause;
 mod check;
+mod dual_vector;
 mod explain;
 mod report;
 mod scale;
@@ -71,6 +72,7 @@ mod slot;
 
 pub use cause::{Cause, Kind};
 pub use check::{Check, check, check_black_box};
+pub use dual_vector::DualVector;
 pub use report::{Entry, Report, Verdict};
 pub use slot::{Other, Slot};
 

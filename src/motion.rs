@@ -35,6 +35,7 @@ mod quaternion;
 mod registers;
 mod rk4;
 mod rollout;
+mod sines;
 mod splitting;
 mod state;
 mod stepper;

@@ -18,6 +18,7 @@
 //! | what is sought | what to take | what it costs |
 //! | --- | --- | --- |
 //! | the gradient of one cost in all torques | [`Rollout::gradient`](crate::motion::Rollout::gradient), [`Objective`] | no matrix: one product a step, backwards |
+//! | and in damping, weight, arm, phase | [`Rollout::gradient_by_parameters`](crate::motion::Rollout::gradient_by_parameters) | the torque of each step on dual numbers besides |
 //! | residuals of a fit of the inertia | [`Rollout::by_inertia`](crate::motion::Rollout::by_inertia) | one small product a step |
 //! | of a fit of the start or a torque besides | [`from_start`] of [`Rollout::jacobians`](crate::motion::Rollout::jacobians) | a larger one |
 //! | of a fit of damping, weight, arm, phase | [`Rollout::by_parameters`](crate::motion::Rollout::by_parameters) | each step on dual numbers besides |

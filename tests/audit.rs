@@ -1,5 +1,8 @@
 //! Dynamics code under audit: each slip is planted and named, and sound code is not blamed.
 
+#[path = "audit/rapier.rs"]
+mod rapier;
+
 use nalgebra::{Matrix3, Vector3};
 use polhode::audit::{self, Audit, Finding, Gyroscopic, Turning, Unseen, Where};
 use polhode::motion::{

@@ -157,6 +157,7 @@ fn turn([w, a, b, c]: [f64; 4], [s, x, y, z]: [f64; 4]) -> Vector3<f64> {
 const PASS: usize = 6;
 
 /// The first `N` columns of the Jacobian.
+#[inline(never)]
 pub(crate) fn columns<const N: usize>(
     law: &impl Law,
     inertia: &Matrix3<f64>,
@@ -192,6 +193,7 @@ pub(crate) fn columns<const N: usize>(
 }
 
 /// The Jacobian times a direction.
+#[inline(never)]
 pub(crate) fn along(
     law: &impl Law,
     inertia: &Matrix3<f64>,
@@ -210,6 +212,7 @@ pub(crate) fn along(
 }
 
 /// The step alone.
+#[inline(never)]
 pub(crate) fn plain(
     law: &impl Law,
     inertia: &Matrix3<f64>,
@@ -220,6 +223,7 @@ pub(crate) fn plain(
 }
 
 /// The gradient of a cost of as many steps as there are costs but one.
+#[inline(never)]
 pub(crate) fn gradient(
     law: &impl Law,
     inertia: &Matrix3<f64>,

@@ -3,6 +3,7 @@
 use super::by_differences::{Grain, Ladder, Quotient};
 use super::by_dual_numbers::{Reference, reference};
 use super::cause::{Cause, Kind};
+use super::dual_vector::DualVector;
 use super::explain::{Problem, causes};
 use super::report::{Entry, Report, Verdict};
 use super::scale::equilibrate;
@@ -19,8 +20,8 @@ use std::collections::BTreeSet;
 /// `&SVector<Dual64, 3>`; vectors of a length that is known at run time only (`DVector`) are taken as well. A Jacobian that
 /// has been computed already is given as `|_| matrix`. To name rows and columns, use [`Check`]. Costs five times as many
 /// values of `f` as it has inputs.
-pub fn check<M: Dim, N: Dim>(
-    f: impl Fn(&OVector<Dual64, N>) -> OVector<Dual64, M>,
+pub fn check<M: Dim, N: Dim, X: DualVector<N>, Y: DualVector<M>>(
+    f: impl Fn(&X) -> Y,
     jacobian: impl FnOnce(&OVector<f64, N>) -> OMatrix<f64, M, N>,
     at: &OVector<f64, N>,
 ) -> Report
@@ -101,16 +102,19 @@ impl Check {
     }
 
     /// As [`check`].
-    pub fn of<M: Dim, N: Dim>(
+    pub fn of<M: Dim, N: Dim, X: DualVector<N>, Y: DualVector<M>>(
         &self,
-        f: impl Fn(&OVector<Dual64, N>) -> OVector<Dual64, M>,
+        f: impl Fn(&X) -> Y,
         jacobian: impl FnOnce(&OVector<f64, N>) -> OMatrix<f64, M, N>,
         at: &OVector<f64, N>,
     ) -> Report
     where
         DefaultAllocator: Allocator<M> + Allocator<N> + Allocator<M, N>,
     {
-        let dynamic = |x: &DVector<Dual64>| unsized_vector(&f(&sized_like(at, x)));
+        let dynamic = |x: &DVector<Dual64>| {
+            let x = X::of(sized_like(at, x));
+            unsized_vector(&f(&x).vector())
+        };
         let given = unsized_matrix(&jacobian(at));
         let at = unsized_vector(at);
         let right = reference(&dynamic, &at, self.tolerance);

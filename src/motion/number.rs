@@ -1,5 +1,6 @@
 //! The scalars that motion runs on.
 
+use crate::motion::sines::sines;
 use crate::scalar::{Jet, Real};
 use num_dual::{Dual, Dual2, DualNum, DualVec, HyperDual};
 
@@ -29,6 +30,14 @@ pub trait Number: Real + Copy {
 
     /// |value|.
     fn magnitude(&self) -> f64;
+
+    /// The sines of three angles, in radians. Of doubles they are had side by side.
+    #[inline(always)]
+    #[must_use]
+    fn sines(angles: [Self; 3]) -> [Self; 3] {
+        let [a, b, c] = angles;
+        [a.sin_cos().0, b.sin_cos().0, c.sin_cos().0]
+    }
 }
 
 /// A real number: no derivative to keep, and itself its value.
@@ -56,6 +65,13 @@ macro_rules! real {
             #[inline(always)]
             fn of(value: f64) -> Self {
                 value as Self
+            }
+
+            #[inline(always)]
+            fn sines(angles: [Self; 3]) -> [Self; 3] {
+                let [a, b, c] = angles;
+                let [a, b, c] = sines([a.into(), b.into(), c.into()]);
+                [a as Self, b as Self, c as Self]
             }
         }
     )*};

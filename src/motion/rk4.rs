@@ -3,10 +3,12 @@
 mod lanes;
 
 use crate::motion::block::{Block, Lane, Tensors};
+use crate::motion::jacobian::runge_kutta::Felt;
 use crate::motion::{
     Number, Scheme, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
     jacobian::runge_kutta, stepper,
 };
+use crate::scalar::Jet;
 use nalgebra::{SMatrix, SVector, Vector6};
 
 /// The classical method of four stages, order 4, on quaternion and angular velocity; the quaternion is
@@ -27,10 +29,11 @@ impl<L> Scheme<L> for Rk4 {
         L: TorqueLaw<T>,
     {
         let half = step * T::of(0.5);
-        let first = system.rates(time, state);
-        let second = system.rates(time + half, &state.along(&first, half));
-        let third = system.rates(time + half, &state.along(&second, half));
-        let fourth = system.rates(time + step, &state.along(&third, step));
+        let [at_start, midway, at_end] = system.law().clock([time, time + half, time + step]);
+        let first = system.rates_by(at_start, state);
+        let second = system.rates_by(midway, &state.along(&first, half));
+        let third = system.rates_by(midway, &state.along(&second, half));
+        let fourth = system.rates_by(at_end, &state.along(&third, step));
         let inner = second.plus(&third, T::one());
         let sum = first.plus(&inner, T::of(2.0)).plus(&fourth, T::one());
         let end = state.along(&sum, step * T::of(1.0 / 6.0));
@@ -134,5 +137,27 @@ impl<L> Scheme<L> for Rk4 {
             out = whole.pulled_back(covector);
         }
         out
+    }
+
+    /// Backwards through the stages to the tensor and the torques, of which alone the derivatives are taken.
+    #[inline(always)]
+    fn vjp_by_parameters<const P: usize, K>(
+        &self,
+        system: &System<f64, L>,
+        variable: &System<Jet<f64, P>, K>,
+        times: (f64, f64),
+        state: &State<f64>,
+        covector: &Vector6<f64>,
+    ) -> SVector<f64, P>
+    where
+        L: SmoothLaw,
+        K: Copy + TorqueLaw<Jet<f64, P>>,
+    {
+        let mut felt = Felt::in_state(state);
+        if !runge_kutta::felt(system, times, state, covector, &mut felt) {
+            let own = jacobian::by_parameters(self, |_| *variable, [0.0; P], times, state).1;
+            return own.tr_mul(covector);
+        }
+        felt.by_parameters(variable, times)
     }
 }

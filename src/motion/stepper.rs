@@ -4,6 +4,7 @@ use crate::motion::block::{Block, LANES, Lane, Tensors};
 use crate::motion::{
     MotionError, Number, SmoothLaw, State, StepJacobian, System, TorqueLaw, jacobian,
 };
+use crate::scalar::Jet;
 use nalgebra::{SVector, Vector6};
 
 /// A method that takes one step of a given length, over any number: on dual numbers the step is its own
@@ -104,6 +105,28 @@ pub trait Scheme<L> {
     {
         self.step_with_jacobian::<N>(system, time, state, step)
             .pulled_back(covector)
+    }
+
+    /// A `covector` of (θ', ω') times the derivative of the step in the parameters that its system is made of: `variable` is the
+    /// system of them as in [`by_parameters`](jacobian::by_parameters), `system` the same of numbers. By the whole step on dual
+    /// numbers, unless the method knows better.
+    fn vjp_by_parameters<const P: usize, K>(
+        &self,
+        system: &System<f64, L>,
+        variable: &System<Jet<f64, P>, K>,
+        times: (f64, f64),
+        state: &State<f64>,
+        covector: &Vector6<f64>,
+    ) -> SVector<f64, P>
+    where
+        L: SmoothLaw,
+        Self: Scheme<K>,
+        K: Copy + TorqueLaw<Jet<f64, P>>,
+    {
+        let _ = system;
+        jacobian::by_parameters(self, |_| *variable, [0.0; P], times, state)
+            .1
+            .tr_mul(covector)
     }
 }
 

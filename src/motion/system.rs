@@ -186,8 +186,18 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// [`angular_acceleration`](crate::mechanics::angular_acceleration), with the inverse formed once.
     #[inline(always)]
     pub fn rates(&self, time: T, state: &State<T>) -> Rates<T> {
+        self.rates_under(self.torque(time, state), state)
+    }
+
+    /// The same at a time of which the clock of the law has given the `reading`.
+    #[inline(always)]
+    pub(crate) fn rates_by(&self, reading: T, state: &State<T>) -> Rates<T> {
+        self.rates_under(self.law.torque_by(reading, state, &self.added), state)
+    }
+
+    #[inline(always)]
+    fn rates_under(&self, torque: Vector3<T>, state: &State<T>) -> Rates<T> {
         let omega = &state.angular_velocity;
-        let torque = self.torque(time, state);
         let angular_acceleration = if self.principal {
             let products = Vector3::new(omega.y * omega.z, omega.z * omega.x, omega.x * omega.y);
             self.acceleration_of(&products, || omega.component_mul(omega), &torque)

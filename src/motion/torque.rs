@@ -65,6 +65,20 @@ pub trait TorqueLaw<T: Number> {
     /// by the error of a stage of a step.
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T>;
 
+    /// What the law needs of the times at the start, in the middle and at the end of a step, to be worked out once for all stages:
+    /// the sines of a wave. The times themselves unless it is written out, and then [`torque_by`](Self::torque_by) is as well.
+    #[inline(always)]
+    fn clock(&self, times: [T; 3]) -> [T; 3] {
+        times
+    }
+
+    /// The torque on the body in `state` and one `added` to it in the axes of [`added_in`](Self::added_in), at a time of which
+    /// [`clock`](Self::clock) has given the `reading`. Must agree with [`torque`](Self::torque).
+    #[inline(always)]
+    fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
+        self.torque(reading, state) + in_body(self.added_in(), &state.attitude, *added)
+    }
+
     /// The axes in which a torque is added to this law when derivatives in the torque are taken.
     fn added_in(&self) -> Frame {
         Frame::Body
@@ -89,6 +103,12 @@ pub trait TorqueLaw<T: Number> {
     /// dual number is needed for its derivatives. Must agree with [`torque`](Self::torque).
     fn linear(&self, _time: f64) -> Option<LinearTorque> {
         None
+    }
+
+    /// The same at the start, in the middle and at the end of a step. Written out where that is had at less cost together.
+    #[inline(always)]
+    fn linear_at(&self, [a, b, c]: [f64; 3]) -> Option<[LinearTorque; 3]> {
+        Some([self.linear(a)?, self.linear(b)?, self.linear(c)?])
     }
 }
 
@@ -147,6 +167,17 @@ impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
         self.law.torque(time + T::of(self.from), state)
     }
 
+    #[inline(always)]
+    fn clock(&self, [a, b, c]: [T; 3]) -> [T; 3] {
+        let from = T::of(self.from);
+        self.law.clock([a + from, b + from, c + from])
+    }
+
+    #[inline(always)]
+    fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
+        self.law.torque_by(reading, state, added)
+    }
+
     fn added_in(&self) -> Frame {
         self.law.added_in()
     }
@@ -158,6 +189,12 @@ impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
     #[inline(always)]
     fn linear(&self, time: f64) -> Option<LinearTorque> {
         self.law.linear(time + self.from)
+    }
+
+    #[inline(always)]
+    fn linear_at(&self, [a, b, c]: [f64; 3]) -> Option<[LinearTorque; 3]> {
+        let from = self.from;
+        self.law.linear_at([a + from, b + from, c + from])
     }
 }
 

@@ -1,11 +1,11 @@
 //! Derivatives of a step under laws of one's own, against the whole step on dual numbers.
 
 use super::cases::cases;
-use nalgebra::{SVector, Vector3, Vector6};
+use nalgebra::{Matrix3, SVector, Vector3, Vector6};
 use num_dual::DualSVec64;
 use polhode::motion::{
-    Frame, LinearTorque, Number, Quaternion, Rk4, Scheme, SmoothLaw, SpaceLoad, State,
-    StepJacobian, System, TorqueLaw, jacobian,
+    Frame, Later, LinearTorque, Number, Quaternion, Rk4, Scheme, SmoothLaw, SpaceLoad, State,
+    StepJacobian, System, Torque, TorqueLaw, jacobian,
 };
 use proptest::prelude::*;
 
@@ -62,7 +62,7 @@ impl<T: Number> TorqueLaw<T> for Magnet {
     fn linear(&self, time: f64) -> Option<LinearTorque> {
         let value = Self::field(time);
         Some(LinearTorque {
-            by_angular_velocity: Some(nalgebra::Matrix3::from_diagonal_element(-0.2)),
+            by_angular_velocity: Some(Matrix3::from_diagonal_element(-0.2)),
             load: Some(SpaceLoad {
                 value,
                 by_time: Vector3::new(2.0 * value.y, -2.0 * value.x, 0.0),
@@ -123,7 +123,7 @@ proptest! {
     ) {
         let added_in = if in_space { Frame::Space } else { Frame::Body };
         let tensor = match principal {
-            true => nalgebra::Matrix3::from_diagonal(&case.inertia.symmetric_eigenvalues()),
+            true => Matrix3::from_diagonal(&case.inertia.symmetric_eigenvalues()),
             false => case.inertia,
         };
         let (direction, covector) = (direction.into(), covector.into());
@@ -150,7 +150,7 @@ where
     let variable = |value: f64, column| DualSVec64::<16>::from_re(value).derivative(column);
     let tensor = system.inertia();
     let column = [[9, 12, 13], [12, 10, 14], [13, 14, 11]];
-    let inertia = nalgebra::Matrix3::from_fn(|r, c| variable(tensor[(r, c)], column[r][c]));
+    let inertia = Matrix3::from_fn(|r, c| variable(tensor[(r, c)], column[r][c]));
     let half = Vector3::from_fn(|i, _| variable(0.0, i) * 0.5);
     let turn = Quaternion {
         w: Number::of(1.0),
@@ -194,4 +194,50 @@ proptest! {
         prop_assert!((ours.matrix - other.matrix).amax() < loss);
         prop_assert!(ours.state.difference(&other.state).amax() < loss);
     }
+}
+
+/// What a law gives for a step at once is what it gives at each time, with what is added in its axes.
+#[test]
+fn the_clock_of_a_law_changes_no_torque() {
+    let (value, phase) = (Vector3::new(0.1, -0.2, 0.3), 0.3);
+    let mut laws = vec![
+        Torque::None,
+        Torque::Gravity {
+            weight: 9.81,
+            arm: value,
+        },
+        Torque::Damping { coefficient: 0.2 },
+    ];
+    for frame in [Frame::Body, Frame::Space] {
+        laws.push(Torque::Constant { frame, value });
+        laws.push(Torque::Sinusoid {
+            frame,
+            amplitude: value,
+            angular_frequency: 2.0,
+            phase,
+        });
+    }
+    let state = State {
+        attitude: Quaternion::exp(&Vector3::new(0.4, -1.1, 0.7)),
+        angular_velocity: Vector3::new(1.0, 0.5, -0.9),
+    };
+    let added = Vector3::new(-0.3, 0.1, 0.2);
+    for law in laws {
+        let (times, later) = ([1.0, 1.05, 1.1], Later { law, from: 40.0 });
+        let after = times.map(|time| time + 40.0);
+        let readings = later.clock(times);
+        assert!((Vector3::from(readings) - Vector3::from(law.clock(after))).amax() < 1e-15);
+        for (reading, time) in readings.into_iter().zip(after) {
+            let found = later.torque_by(reading, &state, &added);
+            let known = System::over(Matrix3::identity(), law, added).torque(time, &state);
+            assert!((found - known).amax() < 1e-15, "{law:?}");
+        }
+        let apart: Option<Vec<_>> = after.iter().map(|time| linear(&law, *time)).collect();
+        let together = TorqueLaw::<f64>::linear_at(&later, times).map(Vec::from);
+        assert_eq!(apart, together, "{law:?}");
+    }
+}
+
+fn linear(law: &Torque, time: f64) -> Option<LinearTorque> {
+    TorqueLaw::<f64>::linear(law, time)
 }

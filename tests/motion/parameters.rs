@@ -1,12 +1,12 @@
 //! Derivatives of a trajectory in what its system is made of, against values alone.
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3, Vector6};
 use num_dual::Dual64;
 use polhode::jacobian::{Check, Slot, Verdict};
 use polhode::mechanics::InertiaParameters;
 use polhode::motion::{
-    Frame, Law, Number, Quaternion, Rk4, Rollout, Scheme, SmoothLaw, State, System, Torque,
-    TorqueLaw,
+    Frame, ImplicitMidpoint, Law, Number, Quaternion, Rk4, Rollout, Scheme, SmoothLaw, State,
+    System, Torque, TorqueLaw,
 };
 use polhode::scalar::Jet;
 
@@ -24,7 +24,7 @@ fn start() -> State<f64> {
 /// The derivatives of a system of parameters, given over doubles and over variables.
 fn assert_derivatives<const P: usize, L: SmoothLaw, K: Copy + TorqueLaw<Jet<f64, P>>>(
     constant: impl Fn([f64; P]) -> System<f64, L>,
-    variable: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, K>,
+    variable: impl Fn([Jet<f64, P>; P]) -> System<Jet<f64, P>, K> + Copy,
     at: [f64; P],
     names: [&str; P],
 ) {
@@ -45,6 +45,49 @@ fn assert_derivatives<const P: usize, L: SmoothLaw, K: Copy + TorqueLaw<Jet<f64,
         found.column_iter().all(|column| column.amax() > 1e-6),
         "{found}"
     );
+    let costs: Vec<_> = (0..=torques.len())
+        .map(|k| Vector6::from_fn(|i, _| (0.7 * (6 * k + i) as f64).cos()))
+        .collect();
+    let gradient = base.gradient_by_parameters(&costs, variable, at);
+    let chained: SVector<f64, P> = base
+        .by_parameters(variable, at)
+        .zip(&costs[1..])
+        .map(|(state, cost)| state.tr_mul(cost))
+        .sum();
+    assert!((gradient.parameters - chained).amax() < 1e-13 * (1.0 + chained.amax()));
+    let plain = base.gradient(&costs);
+    assert_eq!(
+        (gradient.start, gradient.inertia),
+        (plain.start, plain.inertia)
+    );
+    let cost = |values: SVector<f64, P>| -> f64 {
+        let moved = rollout(&values);
+        let apart = base.states().iter().zip(moved.states());
+        apart
+            .zip(&costs)
+            .map(|((a, b), cost)| a.difference(b).dot(cost))
+            .sum()
+    };
+    assert_limit(&gradient.parameters, cost, &point);
+}
+
+/// Central differences come nearer to the gradient by the square of their step.
+fn assert_limit<const P: usize>(
+    gradient: &SVector<f64, P>,
+    cost: impl Fn(SVector<f64, P>) -> f64,
+    point: &SVector<f64, P>,
+) {
+    let off = |step: f64| {
+        let along = |i: usize, step: f64| {
+            let mut moved = *point;
+            moved[i] += step;
+            cost(moved)
+        };
+        let quotient = SVector::from_fn(|i, _| (along(i, step) - along(i, -step)) / (2.0 * step));
+        (quotient - gradient).amax()
+    };
+    let (coarse, fine) = (off(2e-2), off(1e-2));
+    assert!((3.8..4.2).contains(&(coarse / fine)), "{coarse} {fine}");
 }
 
 fn of_tensor<T: Number, L: TorqueLaw<T>>(law: L) -> System<T, L> {
@@ -112,6 +155,27 @@ fn a_constant_torque_and_the_tensor() {
     let names = ["x", "y", "z", "xx", "yy", "zz", "xy", "xz", "yz"];
     let at = [0.1, -0.2, 0.3, 0.6, 0.8, 1.0, 0.02, -0.03, 0.05];
     assert_derivatives(system::<f64>, system, at, names);
+}
+
+/// A method that knows no better takes the whole step on dual numbers, and the gradient is that of the chained Jacobians as well.
+#[test]
+fn by_any_method() {
+    fn system<T: Number>([coefficient]: [T; 1]) -> System<T, Law<T>>
+    where
+        Law<T>: TorqueLaw<T>,
+    {
+        of_tensor(Law::Damping { coefficient })
+    }
+    let torques = [Vector3::new(0.1, -0.2, 0.3); 8];
+    let rollout = Rollout::new(ImplicitMidpoint, system([0.3]), start(), 0.05, &torques);
+    let rollout = rollout.expect("finite");
+    let mut costs = [Vector6::zeros(); 9];
+    costs[8] = Vector6::new(0.3, -0.2, 0.5, 1.0, -0.7, 0.4);
+    let gradient = rollout.gradient_by_parameters(&costs, system, [0.3]);
+    let end = rollout.by_parameters(system, [0.3]).last();
+    let chained = end.expect("a step").tr_mul(&costs[8]);
+    assert!((gradient.parameters - chained).amax() < 1e-13);
+    assert!(chained.amax() > 1e-3);
 }
 
 /// What is a variable has the same value as what is a constant, and its derivatives besides.

@@ -24,5 +24,5 @@ mod stages;
 pub(super) mod tensor;
 
 pub(crate) use block::block_with_jacobian;
-pub(crate) use products::{jvp, vjp};
+pub(crate) use products::{Felt, felt, jvp, vjp};
 pub(crate) use rows::step_with_jacobian;

@@ -38,10 +38,12 @@ impl<L: TorqueLaw<f64>> Work for Eight<'_, L> {
     #[inline(always)]
     fn run<R: Registers>(self, registers: R) -> bool {
         let (law, time, step) = (self.law, self.time, self.step);
-        let at = |time| law.linear(time).filter(LinearTorque::looks_away);
-        let (Some(a), Some(b), Some(c)) = (at(time), at(time + step * 0.5), at(time + step)) else {
+        let Some([a, b, c]) = law.linear_at([time, time + step * 0.5, time + step]) else {
             return false;
         };
+        if ![&a, &b, &c].into_iter().all(LinearTorque::looks_away) {
+            return false;
+        }
         let moments = [
             Moment::of(registers, &a),
             Moment::of(registers, &b),

@@ -1,6 +1,7 @@
 //! The laws that the library knows.
 
 use super::{Frame, LinearTorque, SpaceLoad, TorqueLaw, in_body};
+use crate::motion::sines::{cosines, sines};
 use crate::motion::{Number, State};
 use crate::scalar::Jet;
 use nalgebra::{Matrix3, Scalar, Vector3};
@@ -138,17 +139,46 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
                 let against = -*coefficient;
                 state.angular_velocity.map(|omega| against.times(omega))
             }
-            Self::Sinusoid {
-                frame,
-                amplitude,
-                angular_frequency,
-                phase,
-            } => {
-                let (sine, _) = (angular_frequency.times(time) + phase.number()).sin_cos();
-                let now = amplitude.map(|component| component.times(sine));
-                in_body(*frame, &state.attitude, now)
+            Self::Sinusoid { .. } => {
+                let [reading, ..] = self.clock([time; 3]);
+                self.torque_by(reading, state, &Vector3::zeros())
             }
         }
+    }
+
+    #[inline(always)]
+    fn clock(&self, times: [T; 3]) -> [T; 3] {
+        match self {
+            Self::Sinusoid {
+                angular_frequency,
+                phase,
+                ..
+            } => {
+                let mut angles = times;
+                for angle in &mut angles {
+                    *angle = angular_frequency.times(*angle) + phase.number();
+                }
+                T::sines(angles)
+            }
+            _ => times,
+        }
+    }
+
+    #[inline(always)]
+    fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
+        let (frame, own) = match self {
+            Self::Constant {
+                frame: Frame::Space,
+                value,
+            } => (Frame::Space, value.map(C::number)),
+            Self::Sinusoid {
+                frame, amplitude, ..
+            } => (*frame, amplitude.map(|most| most.times(reading))),
+            // In body axes, as what is added.
+            _ => (Frame::Body, self.torque(reading, state)),
+        };
+        // What stands in space is turned as one.
+        in_body(frame, &state.attitude, own + added)
     }
 
     fn added_in(&self) -> Frame {
@@ -181,10 +211,16 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
 
     #[inline(always)]
     fn linear(&self, time: f64) -> Option<LinearTorque> {
+        let [torque, ..] = self.linear_at([time; 3])?;
+        Some(torque)
+    }
+
+    #[inline(always)]
+    fn linear_at(&self, times: [f64; 3]) -> Option<[LinearTorque; 3]> {
         if !C::CONSTANT {
             return None;
         }
-        Some(match self {
+        let always = match self {
             Self::None => LinearTorque::default(),
             Self::Constant { frame, value } => {
                 in_frame(*frame, values::<T, C>(value), Vector3::zeros())
@@ -208,10 +244,19 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
                 phase,
             } => {
                 let (amplitude, pace) = (values::<T, C>(amplitude), angular_frequency.value());
-                let (sine, cosine) = (pace * time + phase.value()).sin_cos();
-                in_frame(*frame, amplitude * sine, amplitude * (cosine * pace))
+                let mut angles = times;
+                for angle in &mut angles {
+                    *angle = pace * *angle + phase.value();
+                }
+                let ([a, b, c], [p, q, r]) = (sines(angles), cosines(angles));
+                return Some([
+                    in_frame(*frame, amplitude * a, amplitude * (p * pace)),
+                    in_frame(*frame, amplitude * b, amplitude * (q * pace)),
+                    in_frame(*frame, amplitude * c, amplitude * (r * pace)),
+                ]);
             }
-        })
+        };
+        Some([always; 3])
     }
 }
 

@@ -17,6 +17,8 @@ pub(super) struct Pulled<T> {
     pub(super) torque: Vector<T>,
     pub(super) inertia: [T; 6],
     pub(super) span: T,
+    /// Of the torque at each stage, in its axes.
+    pub(super) torques: [Vector<T>; 4],
 }
 
 /// A covector of the rates of a stage, over the stage's weight: of the turn's over 2 and of the acceleration; and what the stage
@@ -80,10 +82,9 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
         let velocity = weighed([a.velocity, b.velocity, c.velocity, d.velocity]);
         let momentum = weighed([a.momentum, b.momentum, c.momentum, d.momentum]);
         let velocity = self.tensor.start(velocity, momentum);
-        let torque = times(
-            self.by_torque(&sources),
-            unit * number(self.start.step / 6.0),
-        );
+        let sixth = unit * number(self.start.step / 6.0);
+        let torque = times(self.by_torque(&sources), sixth);
+        let third = sixth * number(2.0);
         let mut span = zero;
         if N > 15 {
             let gained = self.by_length(velocity, &sources) * factor;
@@ -99,6 +100,12 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
                 _ => times(self.by_inertia(&sources, momentum), factor),
             },
             span,
+            torques: [
+                times(a.moment, sixth),
+                times(b.moment, third),
+                times(c.moment, third),
+                times(d.moment, sixth),
+            ],
         }
     }
 

@@ -7,8 +7,10 @@ use super::moments::Moments;
 use super::stages::{Stages, Start};
 use super::tensor::Tensor;
 use crate::motion::registers::{Registers, Work, one_at_a_time};
-use crate::motion::{SmoothLaw, State, System};
-use nalgebra::{SVector, Vector6};
+use crate::motion::system::entries;
+use crate::motion::{Number, Quaternion, SmoothLaw, State, System, TorqueLaw};
+use crate::scalar::Jet;
+use nalgebra::{SVector, Vector3, Vector6};
 
 /// A state and zeros overwritten by the state after a step and the Jacobian times a direction of its first `N` inputs;
 /// `false` if the law is said to be linear and is not. In place, for copies would take as long as the work.
@@ -53,6 +55,77 @@ pub(crate) fn vjp<const N: usize, L: SmoothLaw>(
             covector: &covector.data.0[0],
             state,
             product: &mut product.data.0[0],
+        },
+    })
+}
+
+/// What a covector of the result of a step is of the tensor and of the torque at each stage.
+#[derive(Clone, Copy)]
+pub(crate) struct Felt {
+    /// Of the tensor's entries xx, yy, zz, xy, xz, yz.
+    pub(crate) inertia: [f64; 6],
+    /// The state at each stage, and the covector of the torque there, body axes.
+    pub(crate) torques: [(State<f64>, Vector3<f64>); 4],
+}
+
+impl Felt {
+    /// That of no covector.
+    pub(crate) fn in_state(state: &State<f64>) -> Self {
+        Self {
+            inertia: [0.0; 6],
+            torques: [(*state, Vector3::zeros()); 4],
+        }
+    }
+
+    /// The covector of the parameters of a step's system.
+    #[inline(always)]
+    pub(crate) fn by_parameters<const P: usize, K: TorqueLaw<Jet<f64, P>>>(
+        &self,
+        variable: &System<Jet<f64, P>, K>,
+        (time, step): (f64, f64),
+    ) -> SVector<f64, P> {
+        let mut gradient = SVector::zeros();
+        let mut add = |number: Jet<f64, P>, of: f64| {
+            gradient += SVector::from(number.partials) * of;
+        };
+        for (entry, of) in entries(variable.inertia()).into_iter().zip(self.inertia) {
+            add(entry, of);
+        }
+        let (law, added) = (variable.law(), variable.added());
+        let times = [time, time + 0.5 * step, time + step];
+        let [start, middle, end] = law.clock(times.map(Number::of));
+        let readings = [start, middle, middle, end];
+        for ((state, of), reading) in self.torques.iter().zip(readings) {
+            let there = State {
+                attitude: Quaternion::new(state.attitude.components().map(Number::of)),
+                angular_velocity: state.angular_velocity.map(Number::of),
+            };
+            let torque = law.torque_by(reading, &there, added);
+            for i in 0..3 {
+                add(torque[i], of[i]);
+            }
+        }
+        gradient
+    }
+}
+
+/// Overwrites what a covector of the result of a step is of what makes it; `false` if the law is said to be linear and is not.
+#[inline(always)]
+pub(crate) fn felt<L: SmoothLaw>(
+    system: &System<f64, L>,
+    (time, step): (f64, f64),
+    state: &State<f64>,
+    covector: &Vector6<f64>,
+    felt: &mut Felt,
+) -> bool {
+    one_at_a_time(One {
+        system,
+        time,
+        step,
+        state,
+        task: Inward {
+            covector: &covector.data.0[0],
+            felt,
         },
     })
 }
@@ -142,6 +215,36 @@ impl<const N: usize> Task for Backward<'_, N> {
         *self.state = end(registers, &stages);
         let pulled = stages.pulled_back::<N>(Some([a, b, c]), Some([x, y, z]));
         *self.product = firsts(registers, first(pulled.flat()));
+    }
+}
+
+/// A covector of the result back to the tensor and the torques.
+struct Inward<'a> {
+    covector: &'a [f64; 6],
+    felt: &'a mut Felt,
+}
+
+impl Task for Inward<'_> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn run<R: Registers>(
+        self,
+        registers: R,
+        start: Start<R::Wide>,
+        tensor: impl Tensor<R::Wide>,
+        moments: &impl Moments<R::Wide>,
+    ) {
+        let [a, b, c, x, y, z] = splat(registers, *self.covector);
+        let stages = Stages::new(tensor, moments, start);
+        let pulled = stages.pulled_back::<15>(Some([a, b, c]), Some([x, y, z]));
+        self.felt.inertia = firsts(registers, pulled.inertia);
+        for (i, (state, torque)) in self.felt.torques.iter_mut().enumerate() {
+            let (attitude, omega) = stages.place(i);
+            *state = State {
+                attitude: Quaternion::new(firsts(registers, attitude)),
+                angular_velocity: firsts(registers, omega).into(),
+            };
+            *torque = firsts(registers, pulled.torques[i]).into();
+        }
     }
 }
 

@@ -175,6 +175,16 @@ impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
         }
     }
 
+    /// Attitude and angular velocity at stage `i`.
+    #[inline(always)]
+    pub(super) fn place(&self, i: usize) -> (Turn<T>, Vector<T>) {
+        let (stage, start) = (&self.stages[i], self.start.attitude);
+        let [s, x, y, z] = stage.turn;
+        let attitude = plus_times(turned(start, [x, y, z]), start, s);
+        let fast = stage.velocity[0].constant(2.0 / self.start.step);
+        (attitude, times(stage.velocity, fast))
+    }
+
     /// The state after the step.
     #[inline(always)]
     pub(super) fn state(&self) -> (Turn<T>, Vector<T>) {

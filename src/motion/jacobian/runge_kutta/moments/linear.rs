@@ -48,9 +48,9 @@ pub(in super::super) fn parts<L: TorqueLaw<f64>>(
     time: f64,
     step: f64,
 ) -> Option<Parts> {
-    let a = part(system, time)?;
-    let b = part(system, time + Place::Middle.since(step))?;
-    let c = part(system, time + Place::End.since(step))?;
+    let (middle, end) = (Place::Middle.since(step), Place::End.since(step));
+    let [a, b, c] = system.law().linear_at([time, time + middle, time + end])?;
+    let (a, b, c) = (part(system, a)?, part(system, b)?, part(system, c)?);
     let own = Linear([
         Own::new(&a, Place::Start, step),
         Own::new(&b, Place::Middle, step),
@@ -73,10 +73,13 @@ pub(in super::super) fn parts<L: TorqueLaw<f64>>(
     }
 }
 
-/// A law and the torque added to it at a time; `None` if a torque and a force stand in space.
+/// The torque of a law and the one added to it; `None` if a torque and a force stand in space.
 #[inline(always)]
-fn part<L: TorqueLaw<f64>>(system: &System<f64, L>, time: f64) -> Option<LinearTorque> {
-    let (mut part, added) = (system.law().linear(time)?, system.added());
+fn part<L: TorqueLaw<f64>>(
+    system: &System<f64, L>,
+    mut part: LinearTorque,
+) -> Option<LinearTorque> {
+    let added = system.added();
     match (system.law().added_in(), &mut part.load) {
         (Frame::Body, _) => part.at_rest += added,
         (Frame::Space, Some(load)) if load.arm.is_none() => load.value += added,
@@ -93,11 +96,23 @@ fn part<L: TorqueLaw<f64>>(system: &System<f64, L>, time: f64) -> Option<LinearT
     Some(part)
 }
 
+impl Place {
+    /// The derivative of h² times a value in the logarithm of the length h, over h².
+    #[inline(always)]
+    fn by_length(self, value: Vector3<f64>, by_time: Vector3<f64>, step: f64) -> Vector3<f64> {
+        match self {
+            // What stands at the start stays there, and nobody need know its derivative.
+            Self::Start => value * 2.0,
+            Self::Middle | Self::End => value * 2.0 + by_time * self.since(step),
+        }
+    }
+}
+
 impl Own<f64> {
     #[inline(always)]
     fn new(part: &LinearTorque, place: Place, step: f64) -> Self {
         let scale = 0.25 * step * step;
-        let by_time = part.by_time * place.since(step);
+        let by_length = place.by_length(part.at_rest, part.by_time, step);
         let mut by_velocity = None;
         if let Some(matrix) = part.by_angular_velocity {
             by_velocity = Some((matrix.transpose() * (0.5 * step)).data.0);
@@ -105,7 +120,7 @@ impl Own<f64> {
         Self {
             at_rest: (part.at_rest * scale).into(),
             by_velocity,
-            by_length: ((part.at_rest * 2.0 + by_time) * scale).into(),
+            by_length: (by_length * scale).into(),
         }
     }
 
@@ -127,10 +142,10 @@ impl Load<f64> {
     #[inline(always)]
     fn new(load: &SpaceLoad, place: Place, step: f64) -> Self {
         let scale = -0.25 * step * step;
-        let by_time = load.by_time * place.since(step);
+        let by_length = place.by_length(load.value, load.by_time, step);
         Self {
             value: (load.value * scale).into(),
-            by_length: ((load.value * 2.0 + by_time) * scale).into(),
+            by_length: (by_length * scale).into(),
         }
     }
 

@@ -1,4 +1,4 @@
-//! The times of CasADi's generated code, from a script.
+//! The times of code that another library generates, from a script.
 
 use std::process::Command;
 
@@ -12,9 +12,9 @@ impl Times {
     }
 }
 
-/// The script's times, or none and why.
-pub(crate) fn times() -> Times {
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/rivals/casadi_step.py");
+/// The times of a script of this folder, or none and why.
+pub(crate) fn times(library: &str, script: &str) -> Times {
+    let script = format!("{}/benches/rivals/{script}", env!("CARGO_MANIFEST_DIR"));
     let native = cfg!(target_feature = "avx2");
     let run = Command::new("python3")
         .arg(script)
@@ -27,13 +27,13 @@ pub(crate) fn times() -> Times {
         Ok(output) => {
             let why = String::from_utf8_lossy(&output.stderr).into_owned();
             println!(
-                "CasADi is left out: {}",
+                "{library} is left out: {}",
                 why.lines().last().unwrap_or("it failed")
             );
             String::new()
         }
         Err(error) => {
-            println!("CasADi is left out: python3: {error}");
+            println!("{library} is left out: python3: {error}");
             String::new()
         }
     };
