@@ -35,6 +35,7 @@ pub(crate) mod order;
 pub(crate) mod parents_read;
 pub(crate) mod points_read;
 pub(crate) mod points_spoken;
+pub(crate) mod potentials_read;
 pub(crate) mod premises_read;
 pub(crate) mod products_read;
 pub(crate) mod quantities_read;

@@ -42,7 +42,11 @@ const BEFORE: [&str; 25] = [
 ];
 
 /// Words that count, point, compare or say how, and never name a body.
-const NO_NAMES: [&str; 44] = [
+const NO_NAMES: [&str; 48] = [
+    "left-handed",
+    "non-orthogonal",
+    "oblique",
+    "skew",
     "they",
     "them",
     "both",

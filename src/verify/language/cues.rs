@@ -49,6 +49,32 @@ static PHRASES: LazyLock<HashMap<&str, Vec<Phrase>>> = LazyLock::new(|| {
     phrases
 });
 
+/// What takes an assumption back.
+const DENIALS: [&str; 16] = [
+    "not assume",
+    "n't assume",
+    "not suppose",
+    "never assume",
+    "cannot assume",
+    "no longer assume",
+    "wrong to assume",
+    "wrong to suppose",
+    "instead of assuming",
+    "instead of supposing",
+    "without assuming",
+    "without this assumption",
+    "unless we assume",
+    "unless",
+    "not be the case",
+    "others assume",
+];
+
+/// Whether a sentence says that something is not assumed: "we do not assume that".
+pub(crate) fn denies_assumption(sentence: &str) -> bool {
+    let sentence = sentence.to_lowercase();
+    DENIALS.iter().any(|denial| sentence.contains(denial))
+}
+
 /// The cues of a sentence in their order.
 pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
     let words: Vec<String> = sentence

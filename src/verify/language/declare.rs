@@ -9,8 +9,8 @@ use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::part_respectively;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{
-    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, shape_by_name,
-    show_frames, tell_axes, tell_mass_centres,
+    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, place_particles,
+    shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
 use super::plain_letters::write_letters;
@@ -99,6 +99,7 @@ fn in_plain_terms(
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);
     name_positions(&mut declarations);
+    place_particles(&mut declarations);
     name_numbered(&mut declarations);
     tell_axes(&mut declarations);
     tell_hinges(&mut declarations);

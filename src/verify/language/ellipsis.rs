@@ -8,6 +8,11 @@ use super::rewrite::put_in;
 use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
+/// What things do and letters do not.
+const MOVES: [&str; 8] = [
+    "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests",
+];
+
 /// Words that go on from a thing named just before.
 const RELATIVES: [&str; 3] = ["which", "that", "who"];
 
@@ -96,7 +101,13 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     };
     // A force acts, and not the body that it is told of.
     let acts = rest.first().is_some_and(|t| t.lower.starts_with("act"));
-    let owners = match acts {
+    // A thing lies and moves, and not the size that was told of it.
+    let moves = rest
+        .first()
+        .is_some_and(|t| MOVES.contains(&t.lower.as_str()));
+    let letter = |tokens: &[Token]| tokens.iter().all(|t| t.kind == Kind::Formula);
+    let moves = moves && letter(last) && !letter(subject);
+    let owners = match acts || moves {
         true => [subject, last],
         false => [last, subject],
     };

@@ -98,7 +98,7 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontally",
 ];
 /// Words of sentences about where a potential energy is zero.
-pub(crate) const OF_POTENTIALS: [&str; 2] = ["potential", "energy"];
+pub(crate) const OF_POTENTIALS: [&str; 3] = ["potential", "energy", "gravity"];
 pub(crate) const VERTICAL: &str = "vertical";
 /// What is said of densities.
 pub(crate) const PER_UNIT: [&str; 4] = [
@@ -117,6 +117,8 @@ pub(crate) const MASS_MATRIX: &str = "mass matrix";
 pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
 /// What the square of a letter means that is a vector.
 pub(crate) const SQUARE_OF_VECTOR: &str = "square of a vector";
+/// Columns of a motion in a plane.
+pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
 pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";
 
@@ -170,6 +172,7 @@ mod tests {
             MASS_MATRIX,
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
+            COLUMNS_OF_TWO,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

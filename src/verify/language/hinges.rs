@@ -1,5 +1,6 @@
 //! Hinges: the point of a hinge is fixed in each of the bodies that it joins, and an end by which a body is hinged is there.
 
+use super::heads::{ACCELERATION, VELOCITY};
 use super::kinds::{name, rename};
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
@@ -8,6 +9,9 @@ const JOINS: [&str; 3] = ["hinge", "pin", "pivot"];
 
 /// The noun of a point of what is long.
 const END: &str = "end";
+
+/// What only points have that move.
+const MOTIONS: [&str; 3] = [VELOCITY, ACCELERATION, "speed"];
 
 /// What is called so is the only hinge of the document.
 const CALLED: [&str; 2] = ["joint", "pivot"];
@@ -45,9 +49,11 @@ fn name_end(term: &mut Term, ends: &mut Vec<Statement>) {
         phrase.slot(Slot::Which).cloned(),
         phrase.slot(Slot::Of).cloned(),
     ) {
+        let mut what = NounPhrase::new(END, vec![(Slot::Of, body)]);
+        what.adjectives.clone_from(&phrase.adjectives);
         ends.push(Statement::Is {
             subjects: vec![point.clone()],
-            what: NounPhrase::new(END, vec![(Slot::Of, body)]),
+            what,
         });
         *term = point;
         return;
@@ -63,7 +69,8 @@ struct Hinge {
     point: Term,
     /// What the body is joined to; nothing is said of what stands still.
     to: Option<Term>,
-    at_end: bool,
+    /// What is said of the end by which it is joined, if it is by one.
+    end: Option<Vec<&'static str>>,
     about: Option<Term>,
 }
 
@@ -117,8 +124,10 @@ fn hinge(statement: &Statement, declarations: &[Declaration]) -> Option<Hinge> {
         return None;
     }
     let (body, by_end) = match subject {
-        Term::Phrase(end) if end.head == END => (end.slot(Slot::Of)?.clone(), true),
-        _ => (subject.clone(), false),
+        Term::Phrase(end) if end.head == END => {
+            (end.slot(Slot::Of)?.clone(), Some(end.adjectives.clone()))
+        }
+        _ => (subject.clone(), None),
     };
     let to = said(Slot::To).or_else(|| said(Slot::On));
     let (place, to) = match said(Slot::At) {
@@ -126,17 +135,29 @@ fn hinge(statement: &Statement, declarations: &[Declaration]) -> Option<Hinge> {
         None => (to.filter(|to| !is_said_to_be(to, declarations))?, None),
     };
     let (point, at_end) = match place {
-        Term::Phrase(end) if end.head == END => (end.slot(Slot::Which)?.clone(), true),
-        Term::Phrase(point) if point.head == "point" => (point.slot(Slot::Which)?.clone(), false),
-        _ => (place.clone(), false),
+        Term::Phrase(end) if end.head == END && end.all(Slot::Which).count() == 1 => {
+            (end.slot(Slot::Which)?.clone(), Some(end.adjectives.clone()))
+        }
+        Term::Phrase(point) if point.head == "point" => (point.slot(Slot::Which)?.clone(), None),
+        _ => (place.clone(), None),
     };
+    let spoken_of = name(&point).is_some_and(|name| is_spoken_of(&name, declarations));
     let named = |t: &Term| name(t).is_some_and(|name| !name.starts_with(char::is_lowercase));
-    named(&point).then(|| Hinge {
+    (named(&point) && !spoken_of).then(|| Hinge {
         body,
         point,
         to: to.cloned(),
-        at_end: by_end || at_end,
+        end: by_end.or(at_end),
         about: said(Slot::About).cloned(),
+    })
+}
+
+/// Whether a sentence that is not understood speaks of a point: it may say that it moves.
+fn is_spoken_of(point: &str, declarations: &[Declaration]) -> bool {
+    let mut unread = declarations.iter().filter(|d| d.is_unread());
+    unread.any(|d| {
+        let mut words = d.text.split(|c: char| !c.is_alphanumeric());
+        words.any(|word| word == point)
     })
 }
 
@@ -156,7 +177,9 @@ fn statements(hinge: Hinge, declarations: &[Declaration]) -> Vec<Statement> {
     let still = |to: &Term| {
         let moves = |d: &Declaration| d.statement.subjects().contains(to);
         let called = match to {
-            Term::Phrase(thing) => Some(thing.head.to_owned()),
+            Term::Phrase(thing) if thing.adjectives.iter().all(|said| *said == "fixed") => {
+                Some(thing.head.to_owned())
+            }
             _ => name(to),
         };
         let support = called.is_some_and(|name| SUPPORTS.contains(&name.as_str()));
@@ -177,24 +200,34 @@ fn statements(hinge: Hinge, declarations: &[Declaration]) -> Vec<Statement> {
     {
         what.adjectives.push("fixed");
     }
-    let end = is(END, vec![(Slot::Of, hinge.body.clone())]);
+    let end = |adjectives: Vec<&'static str>| {
+        let mut end = is(END, vec![(Slot::Of, hinge.body.clone())]);
+        if let Statement::Is { what, .. } = &mut end {
+            what.adjectives = adjectives;
+        }
+        end
+    };
     let turn = |about| Statement::Does {
         subjects: vec![hinge.body.clone()],
         verb: "turn",
         slots: vec![(Slot::About, about)],
     };
-    let end = hinge.at_end.then_some(end);
+    let end = hinge.end.clone().map(end);
     let turn = hinge.about.clone().map(turn);
     [point].into_iter().chain(end).chain(turn).collect()
 }
 
-/// Whether another sentence says what the point of a hinge is fixed in.
+/// Whether another sentence says what the point of a hinge is fixed in, or that it moves.
 fn is_fixed_elsewhere(hinge: &Hinge, declarations: &[Declaration]) -> bool {
     declarations.iter().any(|d| match &d.statement {
+        Statement::Is { what, .. } if MOTIONS.contains(&what.head) => {
+            what.all(Slot::Of).any(|of| *of == hinge.point)
+        }
         Statement::Is { subjects, what } => {
             let mut fixed = what.all(Slot::FixedIn);
             subjects.contains(&hinge.point) && fixed.any(|other| *other != hinge.body)
         }
+        Statement::Does { subjects, .. } if subjects.contains(&hinge.point) => true,
         Statement::Does { verb, slots, .. } if JOINS.contains(verb) => {
             let to = slots.iter().find(|(slot, _)| *slot == Slot::To);
             slots.contains(&(Slot::At, hinge.point.clone())) && to.is_some()

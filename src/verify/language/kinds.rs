@@ -221,6 +221,37 @@ pub(crate) fn tell_axes(declarations: &mut Vec<Declaration>) {
     declarations.extend(told);
 }
 
+/// "P is a particle of mass `$m$` at E": it lies there.
+pub(crate) fn place_particles(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let at: Vec<(Slot, Term)> = what
+            .slots
+            .iter()
+            .filter(|(slot, at)| {
+                *slot == Slot::At
+                    && !matches!(at, Term::Formula(f) if matches!(f.row, Row::Line(_)))
+            })
+            .cloned()
+            .collect();
+        if what.head == "particle" && at.len() == 1 {
+            what.slots.retain(|said| !at.contains(said));
+            told.push(Declaration {
+                statement: Statement::Does {
+                    subjects: subjects.clone(),
+                    verb: "lie",
+                    slots: at,
+                },
+                ..declaration.clone()
+            });
+        }
+    }
+    declarations.extend(told);
+}
+
 /// "link 1" is a body of this name where no letter numbers the links.
 pub(crate) fn name_numbered(declarations: &mut [Declaration]) {
     let numbered: BTreeSet<String> = declarations

@@ -1,10 +1,10 @@
 //! The points and axes that momenta, moments and energies are about.
 
-use crate::verify::language::heads::{ANGULAR_MOMENTUM, AXES, MOMENT};
+use crate::verify::language::heads::{ANGULAR_MOMENTUM, AXES, MOMENT, MOMENT_OF_INERTIA, NORMAL};
 use crate::verify::language::statement::{NounPhrase, Slot, Term};
 use crate::verify::model::system::{BodyId, PointId};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, name_of, told};
+use crate::verify::reading::names::{MASS_CENTRE, UNIT_VECTOR, name_of};
 use crate::verify::term::quantity::Whole;
 
 impl Builder<'_> {
@@ -19,11 +19,14 @@ impl Builder<'_> {
         };
         self.point(term).or_else(|| match term {
             Term::Phrase(point) if point.head == MASS_CENTRE => None,
-            Term::Phrase(axis) => {
-                let turned_about = self.point_on_axis(phrase, of, centre);
-                told(axis.slot(Slot::Through), turned_about, |t| self.point(t))
+            Term::Phrase(axis) if axis.slot(Slot::Through).is_some() => {
+                self.point(axis.slot(Slot::Through)?)
             }
+            // An end, a rim, a corner is no axis.
+            Term::Phrase(axis) if !is_line(axis) => None,
             Term::Name(name) if self.axes.get(name).is_none() => None,
+            // Through which point the axis passes is not said, where the mass centre and a pivot may be meant.
+            _ if phrase.head == MOMENT_OF_INERTIA && self.has_other_pivot(of) => None,
             _ => Some(self.point_on_axis(phrase, of, centre)),
         })
     }
@@ -39,6 +42,10 @@ impl Builder<'_> {
             MOMENT | ANGULAR_MOMENTUM => fixed.unwrap_or(centre),
             _ => centre,
         }
+    }
+
+    fn has_other_pivot(&self, of: &Whole) -> bool {
+        matches!(of, Whole::Body(body) if self.has_pivot(*body))
     }
 
     /// Whether a point is fixed in a body and in space.
@@ -61,4 +68,9 @@ impl Builder<'_> {
         };
         (axis && matches!(phrase.head, MOMENT | ANGULAR_MOMENTUM)).then_some(about)
     }
+}
+
+/// Whether a noun is that of an axis or a direction.
+fn is_line(phrase: &NounPhrase) -> bool {
+    AXES.contains(&phrase.head) || matches!(phrase.head, "line" | UNIT_VECTOR | NORMAL)
 }

@@ -104,7 +104,11 @@ impl<'a> Builder<'a> {
         let frame = self.reading.system.bodies[body].frame?;
         let ground = self.reading.system.ground;
         let free = self.is_free_against(frame, ground) && !self.has_named_axes(body);
-        if !free || !self.moves_in_vertical_plane(body) || self.names_horizontal_axes() {
+        if !free
+            || self.moves_in_another_plane()
+            || !self.moves_in_vertical_plane(body)
+            || self.names_horizontal_axes()
+        {
             return None;
         }
         let down = self.points_down(vertical, body)?;
@@ -156,15 +160,33 @@ impl<'a> Builder<'a> {
         let hangs = self.declarations.iter().any(|d| match &d.statement {
             Statement::Does {
                 subjects,
-                verb: "swing" | "hang",
+                verb: "hang",
                 ..
             } => subjects.iter().any(|s| self.body(s) == Some(body)),
             _ => false,
         });
+        let hangs = self.hangs_by_ends(body).or(hangs.then_some(true));
         match (vertical.is("downward"), vertical.is("upward")) {
-            (false, false) => hangs.then_some(true),
+            (false, false) => hangs,
             (down, _) => Some(down),
         }
+    }
+
+    /// Whether a body hangs from its fixed end: that is the upper one, or the other one is the lower.
+    fn hangs_by_ends(&self, body: BodyId) -> Option<bool> {
+        let first = self.ends_of(body).into_iter().next()?;
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == END => {
+                let own = what.slot(Slot::Of).and_then(|of| self.body(of)) == Some(body);
+                let name = subjects.first().and_then(name_of).filter(|_| own)?;
+                let upper = match (what.is("upper"), what.is("lower")) {
+                    (false, false) => None,
+                    (upper, _) => Some(upper),
+                };
+                upper.map(|upper| upper == (name == first))
+            }
+            _ => None,
+        })
     }
 
     /// Whether the inertial frame has axes with names beside the vertical.
@@ -181,25 +203,45 @@ impl<'a> Builder<'a> {
     pub(super) fn moves_in_vertical_plane(&self, body: BodyId) -> bool {
         let plain = |term: &Term, head: &str, adjective: &str| match term {
             Term::Phrase(phrase) => {
-                let fixed = |slot: Slot| matches!(slot, Slot::FixedIn | Slot::Through);
-                let still = phrase.slots.iter().all(|(slot, _)| fixed(*slot));
+                let ground = self.reading.system.ground;
+                let still = phrase.slots.iter().all(|(slot, term)| match slot {
+                    Slot::FixedIn => self.frame(term) == Some(ground),
+                    slot => *slot == Slot::Through,
+                });
                 phrase.head == head && phrase.is(adjective) && still
             }
             _ => false,
         };
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Does {
-                subjects,
-                verb: "swing" | "turn" | "move" | "fall",
-                slots,
-            } => {
-                let own = subjects.iter().any(|s| self.body(s) == Some(body));
-                own && slots.iter().any(|(_, term)| {
-                    plain(term, "plane", "vertical") || plain(term, "axis", "horizontal")
-                })
-            }
+        let plane_moves = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does { subjects, .. } => subjects.iter().any(is_plane_or_axis),
             _ => false,
-        })
+        });
+        !plane_moves
+            && self.declarations.iter().any(|d| match &d.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "swing" | "turn" | "move" | "fall",
+                    slots,
+                } => {
+                    let own = subjects.iter().any(|s| self.body(s) == Some(body));
+                    own && slots.iter().any(|(_, term)| {
+                        plain(term, "plane", "vertical") || plain(term, "axis", "horizontal")
+                    })
+                }
+                _ => false,
+            })
+    }
+
+    /// Whether more than one sentence speaks of a plane in which bodies move: it need not be the same.
+    fn moves_in_another_plane(&self) -> bool {
+        let in_plane = |d: &&Declaration| match &d.statement {
+            Statement::Does { slots, .. } => slots.iter().any(|(_, term)| match term {
+                Term::Phrase(plane) => plane.head == "plane" && !plane.is("same"),
+                _ => false,
+            }),
+            _ => false,
+        };
+        self.declarations.iter().filter(in_plane).count() > 1
     }
 
     /// Whether a frame turns in a plane about an axis that it shares with the inertial one.
@@ -251,13 +293,16 @@ impl<'a> Builder<'a> {
         ends.map(|(body, place)| (body, place == 0)).collect()
     }
 
-    /// Whether the model knows where the ends of a body are.
+    /// Whether the model knows where the ends of a body are: at which one its line begins is a choice only where no sentence
+    /// says along which axis it lies.
     pub(super) fn has_ends(&self, body: BodyId) -> bool {
         let (ends, system) = (self.ends_of(body).len(), &self.reading.system.bodies[body]);
-        let line = system.line.is_some()
-            || self.told_axis_of_shape(body).is_some()
-            || self.own_line(body).is_some();
-        line && (1..=2).contains(&ends) && self.rod_said(body).is_some()
+        let chosen = match system.line {
+            Some(line) => line == (ALONG, false),
+            None => self.own_line(body).is_some(),
+        };
+        let told = self.told_axis_of_shape(body).is_some();
+        chosen && !told && (1..=2).contains(&ends) && self.rod_said(body).is_some()
     }
 
     /// Whether a noun is that of ends that the model knows.
@@ -322,5 +367,15 @@ impl<'a> Builder<'a> {
         letters
             .filter_map(|letter| self.scalar(&letter, declaration))
             .collect()
+    }
+}
+
+/// "the plane", "the vertical plane", "the axis": what something else moves in or about.
+fn is_plane_or_axis(term: &Term) -> bool {
+    const MOVED_IN: [&str; 2] = ["plane", "axis"];
+    match term {
+        Term::Phrase(phrase) => MOVED_IN.contains(&phrase.head),
+        Term::Name(name) => MOVED_IN.contains(&name.as_str()),
+        _ => false,
     }
 }

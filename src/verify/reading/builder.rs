@@ -11,6 +11,7 @@ use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::misheard::heard_or_unread;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
@@ -55,7 +56,7 @@ pub(crate) fn build(
     let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
         .map(heard_or_unread)
-        .partition(|d| has_condition(d) || denies(d));
+        .partition(|d| has_condition(d) && !tells_zero_of_potential(d, declarations) || denies(d));
     let mut builder = Builder {
         declarations: &always,
         reading: Reading::default(),

@@ -15,6 +15,11 @@ use std::collections::BTreeMap;
 /// The names of the axes of a frame that has none of its own.
 pub(super) const CUSTOMARY: [[&str; 3]; 3] = [["x", "y", "z"], ["X", "Y", "Z"], ["1", "2", "3"]];
 
+/// The name of the inertial frame, where no sentence says which one it is.
+const GROUND: &str = "N";
+/// Its name where that is the one of a frame that turns.
+const INERTIAL: &str = "inertial";
+
 /// How a frame is said to turn.
 pub(super) struct Said<'d> {
     pub(super) relative: Option<String>,
@@ -42,7 +47,13 @@ impl Builder<'_> {
                 }
             }
         }
-        let ground = inertial.first().cloned().unwrap_or_else(|| "N".into());
+        // A frame that turns is not the inertial one, however it is called.
+        let customary = match names.iter().any(|name| name == GROUND) {
+            true if self.is_said_to_turn(GROUND) => INERTIAL,
+            _ => GROUND,
+        };
+        let ground = inertial.first().cloned();
+        let ground = ground.unwrap_or_else(|| customary.to_owned());
         let root = self.system().add_frame(&ground, None, Turn::Fixed);
         self.frames.insert(ground, root);
         for other in inertial.into_iter().skip(1) {
@@ -72,6 +83,18 @@ impl Builder<'_> {
             self.reading.letters.frame_names.extend(names);
         }
         self.same_frames();
+    }
+
+    /// Whether a sentence says that a frame is a rotating or moving one.
+    fn is_said_to_turn(&self, name: &str) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let turns = what.is("rotating") || what.is("moving");
+                let own = |subject: &Term| name_of(subject).as_deref() == Some(name);
+                what.head == "frame" && turns && subjects.iter().any(own)
+            }
+            _ => false,
+        })
     }
 
     fn add_named_frame(

@@ -57,6 +57,10 @@ impl Builder<'_> {
     fn axis_by_itself(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Quantity> {
         let axis = match phrase.slot(Slot::About) {
             Some(Term::Phrase(axis)) if AXES.contains(&axis.head) => {
+                let own = axis.all(Slot::Of).all(|of| self.body(of) == Some(body));
+                if !own || !axis.adjectives.is_empty() {
+                    return None;
+                }
                 let across = axis.slot(Slot::With).map(|of| self.body(of));
                 match across {
                     Some(of) => self.axis_across(of?)?,
@@ -78,7 +82,7 @@ impl Builder<'_> {
     }
 
     /// Whether a point of a body that is not its mass centre is fixed in space.
-    fn has_pivot(&self, body: BodyId) -> bool {
+    pub(super) fn has_pivot(&self, body: BodyId) -> bool {
         let centre = self.centre_of(body);
         let mut points = 0..self.reading.system.points.len();
         points.any(|point| point != centre && self.is_fixed_point(point, body))

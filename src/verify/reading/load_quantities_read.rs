@@ -1,6 +1,5 @@
 //! Forces and moments by their nouns: of bodies and members, of weights, and of turning frames.
 
-use crate::verify::language::heads::OF_POTENTIALS;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::Lasting;
@@ -8,7 +7,6 @@ use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::FORCES;
 use crate::verify::reading::named_loads_read::names_load;
-use crate::verify::reading::names::POTENTIAL;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -169,32 +167,6 @@ impl Builder<'_> {
         let mass = self.reading.system.mass(body);
         let gravity = self.gravity.clone()?;
         Some(Quantity::Scaled(gravity.boxed(), mass))
-    }
-
-    /// −m g · r, from the origin or from where it is said to be zero.
-    pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
-        let gravity = self.gravity.clone()?;
-        if self
-            .declarations
-            .iter()
-            .any(|d| d.may_speak_of(&OF_POTENTIALS))
-        {
-            return None;
-        }
-        let zero = self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Premise(p) if p.head == POTENTIAL => {
-                p.slot(Slot::At).and_then(|term| self.point(term))
-            }
-            _ => None,
-        });
-        let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
-        let mass = self.reading.system.mass(body);
-        let way = self
-            .reading
-            .system
-            .position(self.centre_of(body), zero.unwrap_or(0));
-        let energy = -(value.dot(&way) * mass);
-        Some(Quantity::Known(Value::scalar(energy)))
     }
 }
 

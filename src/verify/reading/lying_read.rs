@@ -1,7 +1,8 @@
 //! Points that lie on an axis.
 
 use crate::mechanics::cross;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::heads::{AXES, VERTICAL};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::PointId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
@@ -11,7 +12,8 @@ use crate::verify::reading::names::MASS_CENTRE;
 pub(super) fn axis_of(slots: &[(Slot, Term)]) -> Option<&NounPhrase> {
     match slot(slots, Slot::On)? {
         Term::Phrase(axis)
-            if matches!(axis.head, "axis" | "line") && slot(slots, Slot::At).is_none() =>
+            if (axis.head == "line" || AXES.contains(&axis.head) && axis.head != VERTICAL)
+                && slot(slots, Slot::At).is_none() =>
         {
             Some(axis)
         }
@@ -30,18 +32,39 @@ impl Builder<'_> {
     ) {
         let through = axis.slot(Slot::Through).and_then(|point| self.point(point));
         let along = axis.slot(Slot::Along).cloned();
+        let along = along.or_else(|| self.axis_of_symmetry(axis));
         let along = along.and_then(|along| self.direction(&along, declaration, None));
         let points: Option<Vec<_>> = subjects
             .iter()
             .map(|term| self.points_named_by(term))
             .collect();
+        let points: Option<Vec<PointId>> = points.map(|all| all.into_iter().flatten().collect());
+        // Where no point of the axis is told it passes through the first of several.
+        let first = points.as_ref().filter(|points| points.len() > 1);
+        let first = first.and_then(|points| points.first().copied());
+        let said = axis.slot(Slot::Through).is_some();
+        let through = through.or(first.filter(|_| !said));
         let (Some(through), Some(along), Some(points)) = (through, along, points) else {
             return self.say_unused(declaration);
         };
-        for point in points.into_iter().flatten() {
+        for point in points {
             let way = self.system().position(point, through);
             self.hold_zero(&cross(&along, &way), declaration);
         }
+    }
+
+    /// The axis about which all bodies are symmetric that a sentence says to be so, where "the symmetry axis" is of none.
+    fn axis_of_symmetry(&self, axis: &NounPhrase) -> Option<Term> {
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == "symmetric" => what.slot(Slot::About),
+            _ => None,
+        });
+        // "their mass centres lie on the axis of symmetry" is said of the axis of these.
+        let centre = |of: &Term| matches!(of, Term::Phrase(p) if p.head == MASS_CENTRE);
+        let alone = axis.head != "axis" && axis.all(Slot::Of).all(centre);
+        let mut said = said.filter(|_| alone);
+        let first = said.next()?;
+        said.all(|other| other == first).then(|| first.clone())
     }
 
     /// "P is at Q": there is no way between them. Of a point of a body that is where the body touches a plane this holds for

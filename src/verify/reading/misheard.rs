@@ -3,7 +3,9 @@
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::verify::language::adjectives::has_plain_adjectives;
-use crate::verify::language::heads::{DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL};
+use crate::verify::language::heads::{
+    DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
+};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::{is_body, only_names};
 use crate::verify::reading::names::node_of;
@@ -44,7 +46,8 @@ fn is_misheard(statement: &Statement) -> bool {
             if is_body(what.head) && with {
                 return true;
             }
-            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(is_negative);
+            let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
+            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
             opposite || is_per_unit(what) || has_reversed(&what.slots)
         }
         Statement::Premise(what) => is_per_unit(what) || has_reversed(&what.slots),
@@ -104,6 +107,11 @@ fn is_negative(subject: &Term) -> bool {
         }
         _ => false,
     }
+}
+
+/// "Gravity points up": where up is it does not say.
+fn is_weight(subject: &Term) -> bool {
+    matches!(subject, Term::Phrase(weight) if weight.head == WEIGHT)
 }
 
 fn has_reversed(slots: &[(Slot, Term)]) -> bool {

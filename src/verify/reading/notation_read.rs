@@ -2,8 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
-    TWO_DOTS,
+    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE,
+    SQUARE_OF_VECTOR, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -160,6 +160,12 @@ impl Builder<'_> {
                     *meaning == NotationMeaning::Fixed("that frame");
             }
             Sign::Custom(FRAME_ABOVE) => self.label_components(&reach),
+            Sign::Custom(COLUMNS_OF_TWO) => match effect {
+                Effect::ComponentsOn(frame) if are_the_first(meaning) => {
+                    self.system().plane = Some(frame);
+                }
+                _ => self.say_unused(declaration),
+            },
             Sign::Custom(brackets) if brackets.starts_with("square") => {
                 let customs = &mut self.reading.letters.customs;
                 customs.crossing_brackets = effect == Effect::CrossProductMatrix;
@@ -274,6 +280,16 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         }
         _ => false,
     }
+}
+
+/// "the first two components on N": not the last ones.
+fn are_the_first(meaning: &NotationMeaning) -> bool {
+    let NotationMeaning::Noun(phrase) = meaning else {
+        return false;
+    };
+    phrase
+        .slot(Slot::Which)
+        .is_none_or(|which| *which == Term::Numbers(vec![1]))
 }
 
 /// A mark by its name: "dot on a vector".

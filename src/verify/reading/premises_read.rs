@@ -16,6 +16,7 @@ use crate::verify::reading::lying_read::axis_of;
 use crate::verify::reading::names::{
     MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
 };
+use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -36,8 +37,13 @@ impl Builder<'_> {
                 }
                 Statement::Premise(premise) => self.read_premise(premise, declaration),
                 Statement::Is { subjects, what } if what.head == "zero" && !what.is("not") => {
-                    let read = self.read_zeros(subjects, declaration);
-                    read.unwrap_or_else(|| self.say_unused(declaration));
+                    // Where a potential energy is zero the energy itself tells.
+                    let of_potential = what.slot(Slot::At).is_some()
+                        && tells_zero_of_potential(declaration, self.declarations);
+                    if !of_potential {
+                        let read = self.read_zeros(subjects, declaration);
+                        read.unwrap_or_else(|| self.say_unused(declaration));
+                    }
                 }
                 Statement::Holds(formula) => self.read_formula(formula, declaration),
                 Statement::Is { subjects, what }

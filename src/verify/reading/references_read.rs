@@ -85,7 +85,9 @@ impl Builder<'_> {
         let mut change = whole.clone();
         for entry in &mut change.entries {
             let atoms = &mut self.reading.system.atoms;
+            // What the laws say of the rates that came with the value is put in as well.
             let value = Facts::default().normal(atoms, entry).ok()?;
+            let value = Facts::default().normal(atoms, &value).ok()?;
             let calm = undisturbed(atoms, &value, &small)?;
             // What no disturbance changes has none: its own reference value would have to be told.
             if calm == value {
@@ -257,7 +259,10 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if what.head != DISTURBANCE {
+            let of = self.of_letter(what).filter(|_| what.head == DISTURBANCE);
+            // What has no reference value of its own is small by the others.
+            let own = of.is_none_or(|of| self.letter_said(REFERENCE, &of).is_some());
+            if what.head != DISTURBANCE || !own {
                 continue;
             }
             for formula in formulas(subjects) {

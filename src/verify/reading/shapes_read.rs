@@ -135,7 +135,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let shape = mechanics::Shape::by_name(what.head)?;
-        if !is_plain_shape(what, shape.sizes()) {
+        let lies_along = what.slot(Slot::Along).is_some();
+        let untold = lies_along && self.told_axis_of_shape(body).is_none();
+        if untold || !is_plain_shape(what, shape.sizes()) {
             return None;
         }
         let mut sizes: Vec<Fraction> = vec![];
@@ -233,6 +235,11 @@ impl Builder<'_> {
             Statement::Is { subjects, what } if what.head == "axis" => {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term));
                 subjects.first().and_then(name).filter(|_| of == Some(body))
+            }
+            // "a thin rod along the second axis of B"
+            Statement::Is { subjects, what } if self.is_shape(what.head) => {
+                let own = subjects.iter().any(|term| self.body(term) == Some(body));
+                what.slot(Slot::Along).and_then(name).filter(|_| own)
             }
             Statement::Is { subjects, what } if what.head == "orthogonal" => {
                 let of = what

@@ -9,7 +9,7 @@ use crate::verify::language::statement::{
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
-use crate::verify::reading::names::{MASS_CENTRE, node_of, reach_of};
+use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
 use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
@@ -97,17 +97,30 @@ impl Builder<'_> {
         let sized = what.head == "vector" && what.slot(Slot::Of).is_some();
         let resting = what.head == "point" && what.slot(Slot::At).is_some();
         // What is fixed in something that the model has not is not said to be free of it.
-        let places = ["point", "fixed", MASS_CENTRE].contains(&what.head);
         let thing = |t: &Term| match t {
             Term::Name(name) => name.starts_with(char::is_lowercase),
             term => matches!(term, Term::Phrase(_)),
         };
         let mut fixed_in = what.all(Slot::FixedIn);
-        let lost = places && fixed_in.any(|t| thing(t) && self.frame(t).is_none());
-        let nothing =
-            what.head == "free" || what.head == "equal" && things || sized || resting || lost;
+        let lost = fixed_in.any(|t| thing(t) && self.frame(t).is_none());
+        // What is smooth tells of loads, which another sentence lists or none does.
+        let of_loads = ["smooth", "rough"].contains(&what.head) && !self.lists_loads();
+        let nothing = what.head == "free"
+            || what.head == "equal" && things
+            || sized
+            || resting
+            || lost
+            || of_loads;
         let unplaced = UNPLACED.contains(&what.head) && !self.is_end_placed(what);
         !(of_body && unplaced || rim || one || nothing)
+    }
+
+    /// Whether a sentence says which loads are the only ones.
+    fn lists_loads(&self) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Premise(premise) => premise.is("only") || premise.is("no"),
+            _ => false,
+        })
     }
 
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {

@@ -77,8 +77,16 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Option<Quantity>> {
+        let between = what.slot(Slot::From).is_some() && what.slot(Slot::To).is_some();
+        let ends_said = what.slot(Slot::From).is_some() || what.slot(Slot::To).is_some();
         Some(match what.slot(Slot::Along).cloned() {
-            None if what.slot(Slot::To).is_some() => self.way_between(what),
+            // "along the rod from A to B": what it is along has no sense of its own.
+            Some(_) if !between && ends_said => return None,
+            Some(line) if between => {
+                self.body(&line)?;
+                Some(self.way_between(what)?)
+            }
+            None if what.slot(Slot::To).is_some() => Some(self.way_between(what)?),
             None if what.slot(Slot::With).is_some() => Some(self.normal_of_shape(what)?),
             // Of a vector that no sentence tells it is only said that it has a direction.
             Some(term @ Term::Formula(_)) => self.operand(&term, declaration),

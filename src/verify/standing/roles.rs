@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::Role;
-use crate::verify::language::cues::{Cue, cues};
+use crate::verify::language::cues::{Cue, cues, denies_assumption};
 use crate::verify::standing::chains::Link;
 
 /// What stands in a sentence for a relation.
@@ -104,6 +104,13 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
             Cue::Define => Purpose::of(Role::Define),
             Cue::Assume => Purpose::of(Role::Assume),
             Cue::Give => Purpose::of(Role::Given),
+        };
+    }
+    let assumes = matches!(purpose.role, Role::Assume | Role::Given);
+    if assumes && denies_assumption(if anew { behind } else { sentence }) {
+        return Purpose {
+            doubtful: true,
+            ..Purpose::default()
         };
     }
     // What is assumed stands in the paragraph behind the words, or words go on from it.

@@ -225,6 +225,15 @@ impl System {
         if same {
             return self.brought_together(a, b, custom);
         }
+        if let Some(frame) = self.plane {
+            let column = |value: &Value| (value.rows, value.columns) == (2, 1);
+            if a.is_vector() && column(b) {
+                return Ok((self.first_two(a, frame)?, b.clone()));
+            }
+            if column(a) && b.is_vector() {
+                return Ok((a.clone(), self.first_two(b, frame)?));
+            }
+        }
         // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
         if a.is_scalar() && a.is_zero() {
             let zero = Value {
@@ -247,6 +256,15 @@ impl System {
             return self.brought_together(a, &b.transposed(), custom);
         }
         ill_typed(format!("{} is set equal to {}", a.shape(), b.shape()))
+    }
+}
+
+impl System {
+    /// The first two components of a vector on a frame.
+    fn first_two(&mut self, vector: &Value, frame: FrameId) -> Valued {
+        let vector = vector.to_vector()?;
+        let entries = [0, 1].map(|axis| self.axis(frame, axis).dot(&vector));
+        Ok(Value::written(2, 1, entries.to_vec()))
     }
 }
 

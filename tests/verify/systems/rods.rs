@@ -173,3 +173,115 @@ $$ P_0 + p = \dot\phi + \dot\psi \sin(\theta_0+\epsilon) $$
 ";
     assert_eq!(verdicts(said, text).0, "apr");
 }
+
+#[test]
+fn mass_centres_lie_on_the_axis_of_symmetry_that_is_told() {
+    let said = "\
+N is an inertial frame.
+The spacecraft consists of the platform and the rotor.
+P is a frame fixed in the platform.
+R is a frame fixed in the rotor.
+$b_1$, $b_2$, $b_3$ are the axes of P.
+R turns relative to P about $b_3$ at the rate $\\Omega$.
+The platform and the rotor are symmetric about $b_3$.
+The mass centres of the platform and of the rotor lie on the axis of symmetry and are fixed in P.
+G is the mass centre of the spacecraft.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components on P of the angular velocity of P relative to N.
+$A$, $A$, $C$ are the principal moments of the spacecraft about G on P.
+$J$ is the moment of inertia of the rotor about the axis through G along $b_3$.
+$H_1$, $H_2$, $H_3$ are the components on P of the angular momentum of the spacecraft about G relative to N.
+";
+    let text =
+        "$$ H_1 = A\\omega_1 $$\n\n$$ H_3 = C\\omega_3 + J\\Omega $$\n\n$$ H_3 = C\\omega_3 $$\n";
+    assert_eq!(verdicts(said, text).0, "ppr");
+}
+
+#[test]
+fn a_potential_energy_is_zero_for_values_of_angles() {
+    let said = "\
+N is an inertial frame.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+The rod is hinged at its upper end O, which is fixed in N.
+The rod swings in a vertical plane.
+$\\theta$ is the angle between the rod and the vertical.
+$g$ is the acceleration of gravity.
+$V$ is the potential energy of the rod.
+$V$ is zero at $\\theta = 0$.
+";
+    let text =
+        "$$ V = \\frac12 m g l (1 - \\cos\\theta) $$\n\n$$ V = -\\frac12 m g l \\cos\\theta $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}
+
+#[test]
+fn which_way_a_rod_hangs_is_told_by_its_ends_alone() {
+    let said = |end: &str| {
+        format!(
+            "N is an inertial frame.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+The rod is hinged at its {end}O, which is fixed in N.
+The rod swings in a vertical plane.
+$\\theta$ is the angle between the rod and the vertical.
+E is the free end of the rod.
+$h$ is the height of E above O.
+"
+        )
+    };
+    let text = "$$ h = l\\cos\\theta $$\n\n$$ h = -l\\cos\\theta $$\n";
+    assert_eq!(verdicts(&said("lower end "), text).0, "pr");
+    assert_eq!(verdicts(&said("upper end "), text).0, "rp");
+    assert_eq!(verdicts(&said("end "), text).0, "uu");
+}
+
+#[test]
+fn a_plane_or_a_hinge_that_moves_is_not_at_rest() {
+    let said = |sentence: &str| {
+        format!(
+            "N is an inertial frame.
+A is a frame that turns relative to N.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+The rod is hinged at its end O.
+{sentence}
+$\\theta$ is the angle between the rod and the downward vertical.
+$T$ is the kinetic energy of the rod.
+"
+        )
+    };
+    let text = "$$ T = \\frac16 m l^2 \\dot\\theta^2 $$\n";
+    let swings = "The rod swings in a vertical plane.";
+    assert_eq!(verdicts(&said(swings), text).0, "p");
+    for sentence in [
+        "The rod swings in a vertical plane fixed in A.",
+        "The rod swings in a vertical plane.\nThe vertical plane turns about the vertical through O at the rate $w$.",
+        "The rod swings in a vertical plane.\nO moves relative to N.",
+    ] {
+        assert_ne!(verdicts(&said(sentence), text).0, "p", "{sentence}");
+    }
+}
+
+#[test]
+fn a_unit_vector_along_a_rod_goes_from_the_one_point_to_the_other() {
+    let said = "\
+N is an inertial frame.
+The rod is a uniform thin rod of mass $m$ and length $l$.
+A and B are the ends of the rod.
+$u$ is the unit vector along the rod from B to A.
+$r$ is the position of B from A.
+";
+    let text = "$$ r = -l u $$\n\n$$ r = l u $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}
+
+#[test]
+fn columns_of_two_hold_the_first_components() {
+    let said = "\
+N is an inertial frame.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$r$, $s$ and $0$ are the components of the position of P from O on N.
+$\\vec v$ is the velocity of P relative to N.
+Columns of two hold the first two components on N.
+";
+    let text = "$$ \\vec v = \\begin{bmatrix} \\dot r \\\\ \\dot s \\end{bmatrix} $$\n\n$$ \\vec v = \\begin{bmatrix} \\dot s \\\\ \\dot r \\end{bmatrix} $$\n";
+    assert_eq!(verdicts(said, text).0, "pr");
+}

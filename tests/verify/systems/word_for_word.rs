@@ -272,3 +272,63 @@ fn a_unit_vector_that_points_from_a_point_is_no_position() {
         "r",
     )]);
 }
+
+#[test]
+fn an_end_or_a_rim_is_not_the_mass_centre() {
+    hold(&[
+        (
+            "The rod is a uniform thin rod of mass $m$ and length $l$. / $J$ is the moment of inertia of the rod about its end.",
+            &["J = \\frac13 m l^2", "J = \\frac1{12} m l^2"],
+            "uu",
+        ),
+        (
+            "B is a frame fixed in the body. / G is the mass centre of the body. / $L$ is the angular momentum of the body about G relative to N. / $M$ is the moment on the body about its corner.",
+            &["\\dot L = M"],
+            "u",
+        ),
+        (
+            "The disc is a uniform disc of mass $m$ and radius $r$. / The rod is a uniform thin rod of mass $M$ and length $l$. / $J$ is the moment of inertia of the disc about the axis of the rod.",
+            &["J = \\frac12 m r^2"],
+            "u",
+        ),
+    ]);
+}
+
+#[test]
+fn a_particle_is_where_it_is_said_to_be() {
+    for particle in ["at E", "that lies at E"] {
+        let sentences = format!(
+            "E is a point fixed in N. / P is a particle of mass $m$ {particle}. / $v$ is the velocity of P relative to N."
+        );
+        hold(&[(&sentences, &["v = 0"], "p")]);
+    }
+}
+
+#[test]
+fn a_frame_that_turns_is_not_the_inertial_one() {
+    for frame in ["N is a rotating frame", "N is not an inertial frame"] {
+        let said = format!(
+            "{frame}.\nP is a particle of mass $m$.\n$F$ is the total force on P.\n$a$ is the acceleration of P relative to N.\n"
+        );
+        assert_eq!(verdicts(&said, "$$ F = m a $$\n").0, "r", "{frame}");
+    }
+}
+
+#[test]
+fn an_assumption_that_is_taken_back_is_none() {
+    let said = "\
+N is an inertial frame.
+G is the mass centre of the body.
+$L$ is the angular momentum of the body about G relative to N.
+$M$ is the moment on the body about G.
+";
+    let text =
+        |words: &str| format!("{words}\n\n$$ M = 0 $$\n\nIn general,\n\n$$ \\dot L = 0 $$\n");
+    assert_eq!(verdicts(said, &text("We assume that")).0, "ap");
+    for words in ["We do not assume that", "It would be wrong to assume that"] {
+        assert!(
+            !verdicts(said, &text(words)).0.contains(['a', 'p']),
+            "{words}"
+        );
+    }
+}

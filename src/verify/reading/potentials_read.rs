@@ -1,0 +1,143 @@
+//! Potential energies of weights, and where they are zero: at a point, or for values of angles.
+
+use crate::algebra::{Fraction, Variable, compose};
+use crate::notation::ast::Node;
+use crate::notation::document::Row;
+use crate::notation::print::latex;
+use crate::verify::language::heads::OF_POTENTIALS;
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::model::atoms::Nature;
+use crate::verify::reading::builder::{Builder, MOST_TERMS};
+use crate::verify::reading::names::POTENTIAL;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
+use std::collections::HashMap;
+
+/// Whether a sentence says for which values of letters a potential energy is zero: "`$V$` is zero at `$\\theta = 0$`".
+pub(super) fn tells_zero_of_potential(declaration: &Declaration, all: &[Declaration]) -> bool {
+    match &declaration.statement {
+        Statement::Premise(premise) => premise.head == POTENTIAL,
+        Statement::Is { subjects, what } if what.head == "zero" && what.adjectives.is_empty() => {
+            !subjects.is_empty() && subjects.iter().all(|subject| is_potential(subject, all))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a sentence says that a letter is a potential energy.
+fn is_potential(letter: &Term, all: &[Declaration]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == POTENTIAL && subjects.contains(letter),
+        _ => false,
+    })
+}
+
+fn is_condition(term: &Term) -> bool {
+    matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)))
+}
+
+impl<'a> Builder<'a> {
+    /// −m g · r, from the origin or from where it is said to be zero.
+    pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
+        let gravity = self.gravity.clone()?;
+        let mut declarations = self.declarations.iter();
+        if declarations.any(|d| d.may_speak_of(&OF_POTENTIALS)) {
+            return None;
+        }
+        let zeros = self.zeros_of_potential(body);
+        let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
+        let mass = self.reading.system.mass(body);
+        let from = match zeros.as_slice() {
+            [(place, _)] if !is_condition(place) => self.point(place)?,
+            _ => 0,
+        };
+        let centre = self.centre_of(body);
+        let way = self.reading.system.position(centre, from);
+        let mut energy = -(value.dot(&way) * mass);
+        if zeros.iter().any(|(place, _)| is_condition(place)) {
+            energy = energy.clone() - self.under(&energy, &zeros)?;
+        }
+        Some(Quantity::Known(Value::scalar(energy)))
+    }
+
+    /// Where a sentence says that the potential energy of a body is zero.
+    fn zeros_of_potential(&self, body: usize) -> Vec<(&'a Term, &'a Declaration)> {
+        let of_body = |of: Option<&Term>| of.is_none_or(|of| self.body(of) == Some(body));
+        let said = self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Premise(premise) if premise.head == POTENTIAL => {
+                of_body(premise.slot(Slot::Of)).then_some((premise, d))
+            }
+            Statement::Is { subjects, what } if what.head == "zero" => {
+                let own = |letter: &Term| self.is_potential_of(letter, body);
+                let told = tells_zero_of_potential(d, self.declarations);
+                (told && subjects.iter().any(own)).then_some((what, d))
+            }
+            _ => None,
+        });
+        let at = said.map(|(what, d)| what.all(Slot::At).map(move |term| (term, d)));
+        at.into_iter().flatten().collect()
+    }
+
+    fn is_potential_of(&self, letter: &Term, body: usize) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == POTENTIAL => {
+                let of = what
+                    .slot(Slot::Of)
+                    .map_or(self.only_body(), |of| self.body(of));
+                subjects.contains(letter) && of == Some(body)
+            }
+            _ => false,
+        })
+    }
+
+    /// A value where letters have other values: `\\theta = 0`, `\\alpha = \\beta = \\pi/2`.
+    fn under(
+        &mut self,
+        value: &Fraction,
+        conditions: &[(&Term, &Declaration)],
+    ) -> Option<Fraction> {
+        let mut images: HashMap<Variable, Fraction> = HashMap::new();
+        for (condition, declaration) in conditions {
+            let Term::Formula(Formula {
+                row: Row::Line(line),
+                ..
+            }) = condition
+            else {
+                return None;
+            };
+            let (told, letters) = line.sides.split_last()?;
+            let told = self.formula_value(&as_formula(told), declaration)?;
+            let told = told.to_scalar().ok()?;
+            for letter in letters {
+                let letter = self.scalar(&as_formula(letter), declaration)?;
+                images.insert(letter.as_variable()?, told.clone());
+            }
+        }
+        let value = self.system().expanded(value, &[]);
+        for kernel in value.variables() {
+            let atoms = &self.reading.system.atoms;
+            let sine = matches!(atoms.atom(kernel).nature, Nature::Sine(_));
+            let Some(angle) = atoms.angle_of(kernel).cloned() else {
+                continue;
+            };
+            if angle.variables().iter().any(|v| images.contains_key(v)) {
+                let there = composed(&angle, &images)?;
+                let (c, s) = self.system().atoms.cosine_sine(&there)?;
+                images.insert(kernel, if sine { s } else { c });
+            }
+        }
+        composed(&value, &images)
+    }
+}
+
+fn as_formula(node: &Node) -> Formula {
+    Formula {
+        source: latex(node),
+        row: Row::Expression(node.clone()),
+    }
+}
+
+fn composed(of: &Fraction, images: &HashMap<Variable, Fraction>) -> Option<Fraction> {
+    let put = |polynomial| compose(polynomial, images, MOST_TERMS).ok();
+    Some(put(of.numerator())? / put(of.denominator())?)
+}
