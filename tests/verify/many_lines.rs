@@ -68,3 +68,18 @@ fn a_declared_line_takes_as_much_behind_a_thousand_as_behind_ten() {
         );
     }
 }
+
+#[test]
+fn many_bodies_with_ends_are_placed_one_after_the_other() {
+    let bodies = (0..1_000).map(|i| {
+        format!(
+            "- The rod R{i} is a uniform thin rod of length $l_{{{i}}}$.\n- E{i} is an end of R{i}.\n- P{i} is a point fixed in R{i}.\n"
+        )
+    });
+    let said: String = bodies.collect();
+    let text = format!("---\npolhode:\n- N is an inertial frame.\n{said}---\n\n$$ 1 = 2 $$\n");
+    let (document, _) = read("bodies.md", &text, Format::Markdown);
+    let report = check_declared(&document, &declarations(&document, &[]));
+    assert_eq!(report.findings.len(), 1);
+    assert_eq!(report.findings[0].verdict, Verdict::Refuted);
+}

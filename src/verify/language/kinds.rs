@@ -231,10 +231,7 @@ pub(crate) fn place_particles(declarations: &mut Vec<Declaration>) {
         let at: Vec<(Slot, Term)> = what
             .slots
             .iter()
-            .filter(|(slot, at)| {
-                *slot == Slot::At
-                    && !matches!(at, Term::Formula(f) if matches!(f.row, Row::Line(_)))
-            })
+            .filter(|(slot, at)| *slot == Slot::At && !at.is_condition())
             .cloned()
             .collect();
         if what.head == "particle" && at.len() == 1 {

@@ -6,7 +6,6 @@ use super::lexicon::{Class, Entry, Inflection};
 use super::reader::{ARTICLES, Read, Reader};
 use super::statement::{NounPhrase, Slot, Term};
 use super::words::Kind;
-use crate::notation::document::Row;
 
 /// What may be the head of a phrase.
 pub(crate) const NOUNS: [Class; 3] = [Class::Noun, Class::Place, Class::Thing];
@@ -104,9 +103,7 @@ impl<'a> Reader<'a> {
 
     /// Whether two members of a list may stand in one slot: no quantity beside a thing, and no relation, which is a clause.
     fn alike(&self, a: &Term, b: &Term) -> bool {
-        let relation =
-            |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
-        if relation(b) && !relation(a) {
+        if b.is_condition() && !a.is_condition() {
             return false;
         }
         let quantity = |term: &Term| match term {

@@ -2,6 +2,9 @@
 
 use super::clause::as_formula;
 use super::statement::{Declaration, Extent, Formula, Slot, Statement, Term, Touched};
+use crate::notation::ast::Node;
+use crate::notation::document::Row;
+use crate::notation::print::latex;
 
 impl Statement {
     /// What a clause is about.
@@ -128,5 +131,22 @@ impl Declaration {
     /// Whether the sentence was not understood.
     pub fn is_unread(&self) -> bool {
         matches!(self.statement, Statement::Unread { .. })
+    }
+}
+
+impl Term {
+    /// Whether it is a relation: behind "at" and "when" a condition.
+    pub(crate) fn is_condition(&self) -> bool {
+        matches!(self, Self::Formula(formula) if matches!(formula.row, Row::Line(_)))
+    }
+}
+
+impl Formula {
+    /// A formula that stands inside another one.
+    pub(crate) fn of(node: &Node) -> Self {
+        Self {
+            source: latex(node),
+            row: Row::Expression(node.clone()),
+        }
     }
 }

@@ -43,6 +43,7 @@ impl System {
             parts: vec![],
             rotors: None,
             line: None,
+            ends: vec![],
             round: None,
             members: None,
         });

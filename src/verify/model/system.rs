@@ -104,6 +104,8 @@ pub(crate) struct Body {
     pub(crate) rotors: Option<Rotors>,
     /// The axis of its frame along which it is long, and whether it goes against that.
     pub(crate) line: Option<(usize, bool)>,
+    /// The names of its ends: those that are fixed in space first.
+    pub(crate) ends: Vec<String>,
     /// By what it touches planes, if it is round.
     pub(crate) round: Option<Round>,
     /// The index of the family for each of whose members it stands: what is said of it is said of all.

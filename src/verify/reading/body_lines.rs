@@ -1,9 +1,9 @@
 //! The line of a body: the axis of its frame along which a rod lies or a link points, and the ends on it.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::Kind;
 use crate::notation::document::Row;
-use crate::notation::print::latex;
+use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, BodyId, PointId, Turn, Vector};
@@ -11,6 +11,7 @@ use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{name_of, opposite};
+use crate::verify::reading::shapes_read::ROD;
 use num_traits::Zero;
 
 /// The noun of the points at which a rod ends.
@@ -25,24 +26,30 @@ impl<'a> Builder<'a> {
     /// The unit vector along a body: from its first end to the other.
     pub(super) fn line_of(&mut self, body: BodyId) -> Option<Vector> {
         let frame = self.reading.system.bodies[body].frame?;
-        if let Some((axis, reversed)) = self.reading.system.bodies[body].line {
-            let line = self.system().axis(frame, axis);
-            return Some(if reversed { -line } else { line });
-        }
-        let axis = self
-            .told_axis_of_shape(body)
-            .or_else(|| self.own_line(body))?;
-        Some(self.system().axis(frame, axis))
+        let (axis, reversed) = self.axis_of_line(body)?;
+        let line = self.system().axis(frame, axis);
+        Some(if reversed { -line } else { line })
+    }
+
+    /// The axis of its frame along which a body lies, and whether it goes against that.
+    pub(super) fn axis_of_line(&self, body: BodyId) -> Option<(usize, bool)> {
+        let told = || {
+            self.told_axis_of_shape(body)
+                .or_else(|| self.own_line(body))
+        };
+        let line = self.reading.system.bodies[body].line;
+        line.or_else(|| Some((told()?, false)))
     }
 
     /// A rod whose frame has no axes with names lies along the third one, about which it does not turn.
-    pub(super) fn own_line(&self, body: BodyId) -> Option<usize> {
+    fn own_line(&self, body: BodyId) -> Option<usize> {
         let turns_about = self.axis_of_turn(body) == Some(ALONG);
         (self.is_rod(body) && !self.has_named_axes(body) && !turns_about).then_some(ALONG)
     }
 
     /// How bodies point, and how they turn in a plane by the angle of their line.
     pub(super) fn read_lines(&mut self) {
+        self.name_ends();
         for declaration in self.declarations {
             self.read_line_at_zero(declaration);
             self.read_planar_angle(declaration);
@@ -94,12 +101,7 @@ impl<'a> Builder<'a> {
         let &[one, other] = ends.as_slice() else {
             return None;
         };
-        let vertical = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "vertical");
-        let (line, vertical) = match (vertical(one), vertical(other)) {
-            (false, true) => (one, other),
-            (true, false) => (other, one),
-            _ => return None,
-        };
+        let (line, vertical) = line_and_vertical(one, other)?;
         let body = self.body(line).filter(|&body| self.is_rod(body))?;
         let frame = self.reading.system.bodies[body].frame?;
         let ground = self.reading.system.ground;
@@ -128,28 +130,22 @@ impl<'a> Builder<'a> {
     }
 
     /// Whether an angle between the line of a body and the vertical is the one by which that turns.
-    pub(super) fn turns_by_line(&self, ends: &[Term], angle: &Fraction) -> bool {
-        let vertical = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "vertical");
-        let turns = |body: BodyId| {
-            let system = &self.reading.system;
-            let frame = system.bodies[body]
-                .frame
-                .map(|frame| &system.frames[frame].turn);
-            let by = |turn: &Turn| match (turn, angle.as_variable()) {
-                (Turn::Angle(_, own), Some(angle)) => own.variables().contains(&angle),
-                _ => false,
-            };
-            system.bodies[body].line.is_some() && frame.is_some_and(by)
+    pub(super) fn turns_by_line(&self, one: &Term, other: &Term, angle: &Fraction) -> bool {
+        let line = line_and_vertical(one, other).map(|(line, _)| line);
+        let Some(body) = line.and_then(|line| self.body(line)) else {
+            return false;
         };
-        let body = ends.iter().find_map(|end| self.body(end));
-        ends.iter().any(vertical)
-            && body.is_some_and(turns)
-            && self.moves_in_vertical_plane_of(ends)
-    }
-
-    fn moves_in_vertical_plane_of(&self, ends: &[Term]) -> bool {
-        let mut bodies = ends.iter().filter_map(|end| self.body(end));
-        bodies.any(|body| self.moves_in_vertical_plane(body)) && !self.names_horizontal_axes()
+        let system = &self.reading.system;
+        let known = &system.bodies[body];
+        let turn = known.frame.map(|frame| &system.frames[frame].turn);
+        let by = |turn: &Turn| match (turn, angle.as_variable()) {
+            (Turn::Angle(ACROSS, own), Some(angle)) => own.variables().contains(&angle),
+            _ => false,
+        };
+        known.line == Some((ALONG, false))
+            && turn.is_some_and(by)
+            && self.moves_in_vertical_plane(body)
+            && !self.names_horizontal_axes()
     }
 
     /// Which way a vertical points: as it is said, or down from where a body hangs and swings.
@@ -174,7 +170,7 @@ impl<'a> Builder<'a> {
 
     /// Whether a body hangs from its fixed end: that is the upper one, or the other one is the lower.
     fn hangs_by_ends(&self, body: BodyId) -> Option<bool> {
-        let first = self.ends_of(body).into_iter().next()?;
+        let first = self.reading.system.bodies[body].ends.first()?;
         self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == END => {
                 let own = what.slot(Slot::Of).and_then(|of| self.body(of)) == Some(body);
@@ -183,7 +179,7 @@ impl<'a> Builder<'a> {
                     (false, false) => None,
                     (upper, _) => Some(upper),
                 };
-                upper.map(|upper| upper == (name == first))
+                upper.map(|upper| upper == (name == *first))
             }
             _ => None,
         })
@@ -254,23 +250,25 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// The names of the ends of a body: those that are fixed in space first.
-    pub(super) fn ends_of(&self, body: BodyId) -> Vec<String> {
-        let said = self.declarations.iter().filter_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == END => {
-                let own = what.slot(Slot::Of).and_then(|of| self.body(of));
-                (own == Some(body)).then_some(subjects)
+    /// Gives each body the names of its ends: those that are fixed in space first.
+    fn name_ends(&mut self) {
+        let mut said: Vec<(BodyId, String)> = vec![];
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && what.head == END
+                && let Some(body) = what.slot(Slot::Of).and_then(|of| self.body(of))
+            {
+                let names = subjects.iter().filter_map(name_of);
+                said.extend(names.map(|name| (body, name)));
             }
-            _ => None,
-        });
-        let mut ends: Vec<String> = vec![];
-        for name in said.flatten().filter_map(name_of) {
+        }
+        said.sort_by_cached_key(|(_, name)| !self.is_said_fixed(name));
+        for (body, name) in said {
+            let ends = &mut self.reading.system.bodies[body].ends;
             if !ends.contains(&name) {
                 ends.push(name);
             }
         }
-        ends.sort_by_key(|name| !self.is_said_fixed(name));
-        ends
     }
 
     /// Whether a sentence says that a point is fixed in space.
@@ -286,23 +284,21 @@ impl<'a> Builder<'a> {
     }
 
     /// The bodies that have an end of this name, and whether it is the one at which the line of each begins.
-    pub(super) fn bodies_that_end_at(&self, name: &str) -> Vec<(BodyId, bool)> {
-        let bodies = 0..self.reading.system.bodies.len();
-        let place = |body| self.ends_of(body).iter().position(|end| end == name);
-        let ends = bodies.filter_map(|body| Some((body, place(body)?)));
-        ends.map(|(body, place)| (body, place == 0)).collect()
+    pub(super) fn bodies_that_end_at(&self, name: &str) -> impl Iterator<Item = (BodyId, bool)> {
+        let bodies = self.reading.system.bodies.iter().enumerate();
+        bodies.filter_map(move |(body, known)| {
+            let place = known.ends.iter().position(|end| end == name)?;
+            Some((body, place == 0))
+        })
     }
 
     /// Whether the model knows where the ends of a body are: at which one its line begins is a choice only where no sentence
     /// says along which axis it lies.
     pub(super) fn has_ends(&self, body: BodyId) -> bool {
-        let (ends, system) = (self.ends_of(body).len(), &self.reading.system.bodies[body]);
-        let chosen = match system.line {
-            Some(line) => line == (ALONG, false),
-            None => self.own_line(body).is_some(),
-        };
-        let told = self.told_axis_of_shape(body).is_some();
-        chosen && !told && (1..=2).contains(&ends) && self.rod_said(body).is_some()
+        (1..=2).contains(&self.reading.system.bodies[body].ends.len())
+            && self.is_rod(body)
+            && self.told_axis_of_shape(body).is_none()
+            && self.axis_of_line(body) == Some((ALONG, false))
     }
 
     /// Whether a noun is that of ends that the model knows.
@@ -313,7 +309,10 @@ impl<'a> Builder<'a> {
 
     /// The way from the middle of a uniform rod to one of its ends.
     fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
-        let (what, declaration) = self.rod_said(body).filter(|_| self.has_ends(body))?;
+        let (what, declaration) = self.said_to_be(body, &[ROD])?;
+        if !self.has_ends(body) {
+            return None;
+        }
         let length = self.size_of_shape(body, what, "length", declaration)?;
         let half = length * Fraction::from_ratio(if first { -1 } else { 1 }, 2);
         Some(self.line_of(body)? * half)
@@ -321,29 +320,18 @@ impl<'a> Builder<'a> {
 
     /// Where the mass centre of a rod is from an end of it that stands already.
     pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
-        let ends = self.ends_of(body).into_iter().enumerate();
-        let mut known = ends.filter_map(|(at, name)| Some((at, *self.points.get(&name)?)));
-        let (at, end) = known.next()?;
+        let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
+        let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
+        let (at, end) = known?;
         Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
     }
 
     /// Where an end of a rod is from its mass centre, if that stands already.
     pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
-        let bodies = self.bodies_that_end_at(name).into_iter();
-        let mut placed = bodies.filter(|(body, _)| self.reading.system.bodies[*body].centre != 0);
-        let (body, first) = placed.next()?;
+        let stands = |(body, _): &(BodyId, bool)| self.reading.system.bodies[*body].centre != 0;
+        let placed = self.bodies_that_end_at(name).find(stands);
+        let (body, first) = placed?;
         Some((self.centre_of(body), self.way_to_end(body, first)?))
-    }
-
-    /// The sentence that says that a body is a rod.
-    fn rod_said(&self, body: BodyId) -> Option<(&'a NounPhrase, &'a Declaration)> {
-        self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "rod" => {
-                let own = subjects.iter().any(|s| self.body(s) == Some(body));
-                own.then_some((what, d))
-            }
-            _ => None,
-        })
     }
 
     /// The angles of "`$\theta = 0$`", "`$\alpha = \beta = 0$`".
@@ -359,11 +347,7 @@ impl<'a> Builder<'a> {
             return vec![];
         };
         let is_zero = matches!(&zero.kind, Kind::Number(number) if number.value.is_zero());
-        let letter = |angle: &Node| Formula {
-            source: latex(angle),
-            row: Row::Expression(angle.clone()),
-        };
-        let letters = angles.iter().filter(|_| is_zero).map(letter);
+        let letters = angles.iter().filter(|_| is_zero).map(Formula::of);
         letters
             .filter_map(|letter| self.scalar(&letter, declaration))
             .collect()
@@ -377,5 +361,15 @@ fn is_plane_or_axis(term: &Term) -> bool {
         Term::Phrase(phrase) => MOVED_IN.contains(&phrase.head),
         Term::Name(name) => MOVED_IN.contains(&name.as_str()),
         _ => false,
+    }
+}
+
+/// Which of two terms is the vertical: the other one comes first.
+fn line_and_vertical<'t>(one: &'t Term, other: &'t Term) -> Option<(&'t Term, &'t Term)> {
+    let vertical = |term: &Term| matches!(term, Term::Phrase(p) if p.head == VERTICAL);
+    match (vertical(one), vertical(other)) {
+        (false, true) => Some((one, other)),
+        (true, false) => Some((other, one)),
+        _ => None,
     }
 }

@@ -353,7 +353,7 @@ fn has_condition(declaration: &Declaration) -> bool {
 
 fn is_condition(slot: Slot, term: &Term, depth: usize) -> bool {
     match term {
-        Term::Formula(formula) => slot == Slot::At && matches!(formula.row, Row::Line(_)),
+        Term::Formula(_) => slot == Slot::At && term.is_condition(),
         Term::Phrase(phrase) if WHILES.contains(&phrase.head) => true,
         Term::Phrase(phrase) if depth < 8 => {
             let mut inner = phrase.slots.iter();

@@ -1,8 +1,6 @@
 //! Components of vectors: by their letters, by an index, along an axis, or as an array.
 
 use crate::notation::ast::Kind;
-use crate::notation::document::Row;
-use crate::notation::print::latex;
 use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -216,11 +214,11 @@ impl Builder<'_> {
                     axis,
                     on: frame,
                 };
-                let numbered = Formula {
-                    source: latex(&node),
-                    row: Row::Expression(node),
-                };
-                self.denote(&numbered, Meaning::Quantity(component), declaration);
+                self.denote(
+                    &Formula::of(&node),
+                    Meaning::Quantity(component),
+                    declaration,
+                );
             }
         }
     }

@@ -1,8 +1,6 @@
 //! Formulas of several letters that sentences say to be quantities: "`$2m$` is the mass of the hub".
 
 use crate::notation::ast::{Factor, Kind, Node};
-use crate::notation::document::Row;
-use crate::notation::print::latex;
 use crate::verify::language::statement::{Declaration, Formula, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, name_of_formula, node_of};
@@ -108,10 +106,7 @@ impl Builder<'_> {
 /// The letters of a formula, each as a formula.
 fn symbols_in(node: &Node) -> Vec<Formula> {
     match &node.kind {
-        Kind::Symbol(_) => vec![Formula {
-            source: latex(node),
-            row: Row::Expression(node.clone()),
-        }],
+        Kind::Symbol(_) => vec![Formula::of(node)],
         _ => node.children().flat_map(symbols_in).collect(),
     }
 }

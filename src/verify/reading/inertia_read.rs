@@ -113,9 +113,7 @@ impl Builder<'_> {
             };
         }
         let frame = self.reading.system.bodies[body].frame?;
-        let line = self.reading.system.bodies[body].line.map(|(axis, _)| axis);
-        let line = line.or_else(|| self.told_axis_of_shape(body));
-        let line = line.or_else(|| self.own_line(body))?;
+        let (line, _) = self.axis_of_line(body)?;
         Some(self.system().axis(frame, (line + 1) % 3))
     }
 

@@ -132,10 +132,7 @@ impl Builder<'_> {
             return;
         };
         if let Kind::Transpose(inner) = &node.kind {
-            let inner = Formula {
-                source: crate::notation::print::latex(inner),
-                row: crate::notation::document::Row::Expression((**inner).clone()),
-            };
+            let inner = Formula::of(inner);
             let other = Quantity::Rotation {
                 from: *to,
                 to: *from,

@@ -1,7 +1,6 @@
 //! Sentences with a word that the model has nothing for, and that turns what they say into something else: they tell nothing.
 
 use crate::notation::ast::Kind;
-use crate::notation::document::Row;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
     DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
@@ -75,9 +74,8 @@ fn is_quantity(term: &Term) -> bool {
 /// Whether it is, and not once of each of several subjects.
 fn is_said_twice(slots: &[(Slot, Term)], several: usize) -> bool {
     // Of several conditions each holds.
-    let condition = |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
     let said = |wanted: &Slot| {
-        let own = |(slot, term): &&(Slot, Term)| slot == wanted && !condition(term);
+        let own = |(slot, term): &&(Slot, Term)| slot == wanted && !term.is_condition();
         slots.iter().filter(own).count()
     };
     let mut said = ONCE.iter().map(said);

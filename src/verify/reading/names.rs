@@ -2,7 +2,6 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
-use crate::notation::print::latex;
 use crate::verify::language::heads::{GRAVITY, OTHER_PRODUCTS};
 use crate::verify::language::statement::{Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::term::labels::without_commands;
@@ -122,10 +121,7 @@ pub(crate) fn opposite(term: &Term) -> Option<Term> {
     let Kind::Negate(inner) = &node_of(formula)?.kind else {
         return None;
     };
-    Some(Term::Formula(Formula {
-        source: latex(inner),
-        row: Row::Expression((**inner).clone()),
-    }))
+    Some(Term::Formula(Formula::of(inner)))
 }
 
 /// The expression that a formula is, if it is one.

@@ -139,16 +139,14 @@ impl Builder<'_> {
 
     /// Whether what a point is placed from stands already: an end of the rod whose mass centre it is, or the other way round.
     fn may_be_placed(&self, spoken: &Spoken) -> bool {
-        let placed = |body: usize| self.reading.system.bodies[body].centre != 0;
-        let ends = self.bodies_that_end_at(&spoken.name);
+        let bodies = &self.reading.system.bodies;
+        let stands = |end: &String| self.points.contains_key(end);
         match spoken.centre_of.filter(|_| spoken.lies.is_none()) {
-            Some(body) => {
-                self.ends_of(body)
-                    .iter()
-                    .any(|end| self.points.contains_key(end))
-                    || !self.has_ends(body)
+            Some(body) => bodies[body].ends.iter().any(stands) || !self.has_ends(body),
+            None => {
+                let mut ends = self.bodies_that_end_at(&spoken.name).peekable();
+                ends.peek().is_none() || ends.any(|(body, _)| bodies[body].centre != 0)
             }
-            None => ends.is_empty() || ends.iter().any(|(body, _)| placed(*body)),
         }
     }
 

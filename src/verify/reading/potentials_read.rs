@@ -1,9 +1,7 @@
 //! Potential energies of weights, and where they are zero: at a point, or for values of angles.
 
 use crate::algebra::{Fraction, Variable, compose};
-use crate::notation::ast::Node;
 use crate::notation::document::Row;
-use crate::notation::print::latex;
 use crate::verify::language::heads::OF_POTENTIALS;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::atoms::Nature;
@@ -32,10 +30,6 @@ fn is_potential(letter: &Term, all: &[Declaration]) -> bool {
     })
 }
 
-fn is_condition(term: &Term) -> bool {
-    matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)))
-}
-
 impl<'a> Builder<'a> {
     /// −m g · r, from the origin or from where it is said to be zero.
     pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
@@ -48,13 +42,13 @@ impl<'a> Builder<'a> {
         let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
         let mass = self.reading.system.mass(body);
         let from = match zeros.as_slice() {
-            [(place, _)] if !is_condition(place) => self.point(place)?,
+            [(place, _)] if !place.is_condition() => self.point(place)?,
             _ => 0,
         };
         let centre = self.centre_of(body);
         let way = self.reading.system.position(centre, from);
         let mut energy = -(value.dot(&way) * mass);
-        if zeros.iter().any(|(place, _)| is_condition(place)) {
+        if zeros.iter().any(|(place, _)| place.is_condition()) {
             energy = energy.clone() - self.under(&energy, &zeros)?;
         }
         Some(Quantity::Known(Value::scalar(energy)))
@@ -106,10 +100,10 @@ impl<'a> Builder<'a> {
                 return None;
             };
             let (told, letters) = line.sides.split_last()?;
-            let told = self.formula_value(&as_formula(told), declaration)?;
+            let told = self.formula_value(&Formula::of(told), declaration)?;
             let told = told.to_scalar().ok()?;
             for letter in letters {
-                let letter = self.scalar(&as_formula(letter), declaration)?;
+                let letter = self.scalar(&Formula::of(letter), declaration)?;
                 images.insert(letter.as_variable()?, told.clone());
             }
         }
@@ -127,13 +121,6 @@ impl<'a> Builder<'a> {
             }
         }
         composed(&value, &images)
-    }
-}
-
-fn as_formula(node: &Node) -> Formula {
-    Formula {
-        source: latex(node),
-        row: Row::Expression(node.clone()),
     }
 }
 

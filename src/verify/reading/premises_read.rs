@@ -173,7 +173,7 @@ impl Builder<'_> {
     /// The products of inertia vanish on the axes of the frame.
     fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
         // At an instant alone they are told of no other.
-        let when = |term: &Term| matches!(term, Term::Formula(f) if matches!(f.row, Row::Line(_)));
+        let when = Term::is_condition;
         if premise.slots.iter().any(|(_, term)| when(term)) {
             return None;
         }
@@ -264,10 +264,7 @@ impl Builder<'_> {
             .all(|(r, _)| matches!(r, Relation::Equal | Relation::Defined));
         self.reading.letters.keep_apart(sides);
         let value = |builder: &mut Self, node: &crate::notation::ast::Node| {
-            let formula = Formula {
-                source: latex(node),
-                row: Row::Expression(node.clone()),
-            };
+            let formula = Formula::of(node);
             builder.mentioned_value(&formula, declaration)
         };
         let values: Vec<Option<Value>> = sides.iter().map(|side| value(self, side)).collect();

@@ -85,9 +85,7 @@ impl Builder<'_> {
         let mut change = whole.clone();
         for entry in &mut change.entries {
             let atoms = &mut self.reading.system.atoms;
-            // What the laws say of the rates that came with the value is put in as well.
             let value = Facts::default().normal(atoms, entry).ok()?;
-            let value = Facts::default().normal(atoms, &value).ok()?;
             let calm = undisturbed(atoms, &value, &small)?;
             // What no disturbance changes has none: its own reference value would have to be told.
             if calm == value {

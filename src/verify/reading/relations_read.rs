@@ -41,7 +41,7 @@ impl Builder<'_> {
             return None;
         };
         let angle = self.scalar(letter, declaration)?;
-        if self.turns_by_line(&ends, &angle) {
+        if self.turns_by_line(one, other, &angle) {
             return Some(());
         }
         let (one, other) = (
@@ -163,11 +163,7 @@ impl Builder<'_> {
             .flat_map(|names| (0..9).map(move |n| (names, (n / 3, n % 3))))
         {
             let symbol = with_number(symbol, &format!("{}{}", names[row], names[column]));
-            let node = symbol_node(&symbol);
-            let letter = Formula {
-                source: crate::notation::print::latex(&node),
-                row: crate::notation::document::Row::Expression(node),
-            };
+            let letter = Formula::of(&symbol_node(&symbol));
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),
                 row,

@@ -18,13 +18,15 @@ use std::collections::BTreeSet;
 const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
 ];
+/// A shape that has ends.
+pub(super) const ROD: &str = "rod";
 /// A body without extent.
 const PARTICLE: &str = "particle";
 
 /// The size of what is round.
 const RADIUS: &str = "radius";
 
-impl Builder<'_> {
+impl<'a> Builder<'a> {
     /// Whether a noun is that of a shape with sizes.
     pub(super) fn is_shape(&self, head: &str) -> bool {
         const SHAPES: [&str; 13] = [
@@ -287,22 +289,26 @@ impl Builder<'_> {
     }
 
     pub(super) fn is_rod(&self, body: BodyId) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                what.head == "rod" && subjects.iter().any(|term| self.body(term) == Some(body))
-            }
-            _ => false,
-        })
+        self.said_to_be(body, &[ROD]).is_some()
     }
 
     /// Whether a sentence says that a body is a disc or a ring, which lies in a plane.
     pub(super) fn is_flat(&self, body: BodyId) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                let flat = matches!(what.head, "disc" | "ring");
-                flat && subjects.iter().any(|term| self.body(term) == Some(body))
+        self.said_to_be(body, &["disc", "ring"]).is_some()
+    }
+
+    /// The sentence that says that a body has one of these shapes.
+    pub(super) fn said_to_be(
+        &self,
+        body: BodyId,
+        shapes: &[&str],
+    ) -> Option<(&'a NounPhrase, &'a Declaration)> {
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if shapes.contains(&what.head) => {
+                let own = subjects.iter().any(|s| self.body(s) == Some(body));
+                own.then_some((what, d))
             }
-            _ => false,
+            _ => None,
         })
     }
 

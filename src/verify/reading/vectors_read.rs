@@ -251,10 +251,7 @@ impl Builder<'_> {
                 (_, Some(axis)) => Operator::AxisRotation(axis),
                 (_, None) => Operator::RotationVector,
             };
-            let head = Formula {
-                source: crate::notation::print::latex(&head),
-                row: Row::Expression(head),
-            };
+            let head = Formula::of(&head);
             self.denote(&head, Meaning::Operator(operator), declaration);
         }
     }
