@@ -5,8 +5,10 @@ use super::bodies::introduced;
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
+use super::entries::tell_entries;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::part_respectively;
+use super::introduce::introduce;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{
     centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, place_particles,
@@ -107,7 +109,9 @@ fn in_plain_terms(
     fix_frames(&mut declarations);
     shape_by_name(&mut declarations, lexicon);
     centre_shapes(&mut declarations);
+    tell_entries(&mut declarations);
     show_frames(&mut declarations);
+    introduce(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
     declarations

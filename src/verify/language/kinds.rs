@@ -2,7 +2,7 @@
 //! says what G is.
 
 use super::bodies::singular;
-use super::heads::POSITION;
+use super::heads::{EULER_ANGLES, POSITION};
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::{is_body, is_thing};
@@ -12,6 +12,20 @@ use std::collections::BTreeSet;
 
 /// "B is fixed in the body" says of a frame what "B is a frame fixed in the body" says.
 pub(crate) fn show_frames(declarations: &mut [Declaration]) {
+    let frames = frames_shown(declarations);
+    for declaration in declarations {
+        if let Statement::Is { subjects, .. } = &declaration.statement
+            && subjects
+                .iter()
+                .all(|s| name(s).is_some_and(|name| frames.contains(&name)))
+        {
+            declaration.statement.is_of(Some("frame"));
+        }
+    }
+}
+
+/// The names that sentences use as those of frames.
+pub(super) fn frames_shown(declarations: &[Declaration]) -> BTreeSet<String> {
     let mut frames = BTreeSet::new();
     for declaration in declarations.iter() {
         if let Statement::Is { subjects, what } = &declaration.statement {
@@ -26,15 +40,7 @@ pub(crate) fn show_frames(declarations: &mut [Declaration]) {
             }
         }
     }
-    for declaration in declarations {
-        if let Statement::Is { subjects, .. } = &declaration.statement
-            && subjects
-                .iter()
-                .all(|s| name(s).is_some_and(|name| frames.contains(&name)))
-        {
-            declaration.statement.is_of(Some("frame"));
-        }
-    }
+    frames
 }
 
 /// "The top is a rigid body" and then "the body", "D is a disc" and then "the disc", "B is a frame" and then "the frame": of
@@ -323,7 +329,8 @@ fn seen_in(phrase: &NounPhrase, frames: &mut BTreeSet<String>) {
     for (slot, term) in &phrase.slots {
         let frame = match slot {
             Slot::SeenFrom => true,
-            Slot::Of => phrase.head == "axes",
+            Slot::Of => matches!(phrase.head, "axes" | EULER_ANGLES),
+            Slot::RelativeTo => phrase.head == EULER_ANGLES,
             Slot::On => on_frame,
             _ => false,
         };

@@ -99,6 +99,7 @@ impl Declaration {
         let named = letters.filter(|letters| !letters.is_empty());
         // How things move and what acts on them changes no letter but those that tell of it.
         let moving = match &self.statement {
+            Statement::Premise(premise) if premise.is("not") => None,
             Statement::Does { .. } | Statement::Premise(_) => {
                 let terms = self.statement.terms().into_iter();
                 Some(terms.filter_map(as_formula).collect())

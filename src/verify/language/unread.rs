@@ -52,8 +52,7 @@ impl Reader<'_> {
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
-        let rule_behind =
-            (letters || things) && joined && (signs.other_rule || !signs.found.is_empty());
+        let rule_behind = letters && joined && (signs.other_rule || !signs.found.is_empty());
         let operator = subjects
             .iter()
             .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
@@ -62,14 +61,12 @@ impl Reader<'_> {
         };
         let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
-        if rule_behind {
+        // What it says of a thing may take back what is assumed of all things: "it is a left-handed frame", "it has a hole".
+        if things || rule_behind {
             Touched::Everything
-        } else if letters || things || whole && signs.found.is_empty() && !operator {
-            // Of a formula of several letters, or of a thing, it may say something that leaves the letters as they are.
-            let retells = match subjects.is_empty() {
-                true => !things,
-                false => subjects.iter().any(is_letter),
-            };
+        } else if letters || whole && !formulas.is_empty() && signs.found.is_empty() && !operator {
+            // Of a formula of several letters it may say something that leaves the letters as they are.
+            let retells = subjects.is_empty() || subjects.iter().any(is_letter);
             let anew = (any || of_a_part) && retells;
             Touched::Letters { formulas, anew }
         } else if operator {
