@@ -1,0 +1,90 @@
+//! Names that no sentence introduces, by what is said of them: what turns or has Euler angles is a frame, and what has a
+//! velocity is a point.
+
+use super::heads::{ACCELERATION, POSITION, VELOCITY};
+use super::kinds::{frames_shown, name};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use std::collections::BTreeSet;
+
+/// Adds "B is a frame" and "P is a point" for the names that sentences use so, where none says what they are.
+pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
+    let mut told: BTreeSet<String> = declarations.iter().flat_map(told_in).collect();
+    let shown = frames_shown(declarations);
+    let mut added = vec![];
+    for declaration in declarations.iter() {
+        let mentioned = declaration.statement.terms().into_iter().filter_map(name);
+        let frames = mentioned.filter(|name| shown.contains(name));
+        let kinds = turning(&declaration.statement)
+            .into_iter()
+            .chain(frames)
+            .map(|name| (name, "frame"));
+        let points = moving_points(&declaration.statement).into_iter();
+        let kinds = kinds.chain(points.map(|name| (name, "point")));
+        for (name, kind) in kinds {
+            if may_be_introduced(&name) && told.insert(name.clone()) {
+                added.push(Declaration {
+                    statement: Statement::Is {
+                        subjects: vec![Term::Name(name)],
+                        what: NounPhrase::new(kind, vec![]),
+                    },
+                    ..declaration.clone()
+                });
+            }
+        }
+    }
+    declarations.extend(added);
+}
+
+/// The names of which a sentence says what they are, or that stand for others.
+fn told_in(declaration: &Declaration) -> Vec<String> {
+    let statement = &declaration.statement;
+    let own = match statement {
+        Statement::Does { verb: "turn", .. } => &[],
+        Statement::Same { others, .. } => others.as_slice(),
+        _ => &[],
+    };
+    let subjects = match statement {
+        Statement::Does { verb: "turn", .. } => &[],
+        statement => statement.subjects(),
+    };
+    let which = statement.slots().flatten();
+    let which = which.filter(|(slot, _)| matches!(slot, Slot::Which | Slot::ForAny));
+    let which = which.map(|(_, term)| term);
+    own.iter()
+        .chain(subjects)
+        .chain(which)
+        .filter_map(name)
+        .collect()
+}
+
+/// Letters of one sign, and those with a label, as frames and points have them.
+fn may_be_introduced(name: &str) -> bool {
+    let mut signs = name.chars();
+    let capital = signs.next().is_some_and(char::is_uppercase);
+    capital && signs.all(|sign| sign.is_ascii_digit() || sign == '\'' || sign == '_')
+}
+
+/// What a sentence says to turn, and what it turns against.
+fn turning(statement: &Statement) -> Vec<String> {
+    let Statement::Does {
+        subjects,
+        verb: "turn",
+        slots,
+    } = statement
+    else {
+        return vec![];
+    };
+    let against = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
+    let against = against.map(|(_, term)| term);
+    subjects.iter().chain(against).filter_map(name).collect()
+}
+
+/// The points of whose motion a sentence speaks.
+fn moving_points(statement: &Statement) -> Vec<String> {
+    match statement {
+        Statement::Is { what, .. } if [POSITION, VELOCITY, ACCELERATION].contains(&what.head) => {
+            what.all(Slot::Of).filter_map(name).collect()
+        }
+        _ => vec![],
+    }
+}
