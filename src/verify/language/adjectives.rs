@@ -156,7 +156,8 @@ fn is_plain(phrase: &NounPhrase) -> bool {
     own.all(|adjective| goes_with(adjective, phrase.head))
 }
 
-fn goes_with(adjective: &str, noun: &str) -> bool {
+/// Whether an adjective before or behind a noun is understood.
+pub(super) fn goes_with(adjective: &str, noun: &str) -> bool {
     let mut quantities = OF_QUANTITIES.iter();
     OF_ALL.contains(&adjective)
         || is_thing(noun) && OF_THINGS.contains(&adjective)

@@ -55,7 +55,21 @@ fn said_before(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
         .find(|&to| words(&before[..=to]).ends_with(&noun))?;
     let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
     let from = before[..last].iter().rposition(article)?;
-    Some([before, &before[from..=last], &tokens[end..]].concat())
+    let end_of_owner = last + owner_behind(&before[last + 1..]);
+    Some([before, &before[from..=end_of_owner], &tokens[end..]].concat())
+}
+
+/// How many words say whose a noun is that stands before them: "of B", "of the wheel".
+fn owner_behind(tokens: &[Token]) -> usize {
+    let (Some(of), Some(owner)) = (tokens.first(), tokens.get(1)) else {
+        return 0;
+    };
+    let named = owner.kind == Kind::Formula || owner.text.chars().all(char::is_uppercase);
+    match of.lower == "of" {
+        true if named => 2,
+        true if ARTICLES.contains(&owner.lower.as_str()) && tokens.len() > 2 => 3,
+        _ => 0,
+    }
 }
 
 /// "Its mass is `$m$`", "B is its frame": the mass, and the frame, of what the sentence before is about.

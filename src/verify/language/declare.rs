@@ -16,6 +16,7 @@ use super::kinds::{
 };
 use super::lexicon::Lexicon;
 use super::plain_letters::write_letters;
+use super::plain_things::name_plainly;
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
@@ -23,7 +24,9 @@ use super::reorder::{
 };
 use super::rewrite::plainly;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
-use super::turns::{turn_by_aircraft_angles, turn_in_order};
+use super::together::join_together;
+use super::told_apart::told_apart;
+use super::turns::{tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -98,6 +101,9 @@ fn in_plain_terms(
 ) -> Vec<Declaration> {
     let mut declarations = turn_in_order(part_respectively(declarations));
     write_letters(&mut declarations, lexicon, macros);
+    tell_turning(&mut declarations);
+    name_plainly(&mut declarations);
+    join_together(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);
     name_positions(&mut declarations);
@@ -245,6 +251,7 @@ fn understood(
         Err(error) => error,
     };
     let others = [
+        told_apart(&now, lexicon),
         Some(without_brackets(&now)),
         without_ranges(&now),
         indexed_by_any(&now),

@@ -5,6 +5,7 @@ pub(crate) const POSITION: &str = "position";
 pub(crate) const VELOCITY: &str = "velocity";
 pub(crate) const ACCELERATION: &str = "acceleration";
 pub(crate) const MASS: &str = "mass";
+pub(crate) const HEIGHT: &str = "height";
 pub(crate) const MOMENTUM: &str = "momentum";
 pub(crate) const ANGULAR_MOMENTUM: &str = "angular momentum";
 pub(crate) const FORCE: &str = "force";

@@ -80,10 +80,12 @@ const PARTED: [Slot; 8] = [
     Slot::From,
 ];
 
-/// A vector is fixed in one frame, where a point may be fixed in several.
+/// A vector is fixed in one frame, where a point may be fixed in several; an entry has a row and a column.
 fn parted_of(what: &NounPhrase) -> impl Iterator<Item = Slot> {
     let vector = matches!(what.head, "vector" | "unit vector");
-    PARTED.into_iter().chain(vector.then_some(Slot::FixedIn))
+    let entry = what.head == "entry" && what.all(Slot::Of).count() > 1;
+    let parted = PARTED.into_iter().chain(vector.then_some(Slot::FixedIn));
+    parted.filter(move |slot| !(entry && *slot == Slot::Which))
 }
 
 /// "of mass `$M$` and `$m$`": as many letters as there are things.

@@ -1,5 +1,6 @@
 //! Things and quantities: names, formulas, and nouns with what hangs on them.
 
+use super::adjectives::goes_with;
 use super::gaps::{counted, is_one_of_several};
 use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
@@ -235,7 +236,7 @@ impl<'a> Reader<'a> {
         self.slots(entry, &mut phrase.slots)?;
         while let Some(found) = self
             .find(&[Class::Adjective])
-            .filter(|f| !f.entry.slots.is_empty())
+            .filter(|f| !f.entry.slots.is_empty() && goes_with(f.entry.name, entry.name))
             && self.find(&[Class::Preposition]).is_none()
         {
             self.at += found.length;

@@ -2,6 +2,7 @@
 
 use super::clause::as_formula;
 use super::heads::EULER_ANGLES;
+use super::is_body;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Puts the turns of a sentence together: by angles they are Euler angles; several rates of one thing are not understood.
@@ -66,6 +67,42 @@ pub(crate) fn turn_by_aircraft_angles(declarations: &mut Vec<Declaration>) {
             ..yaw
         });
     }
+}
+
+/// Slots that say how something turns.
+const OF_TURNS: [Slot; 5] = [
+    Slot::About,
+    Slot::RelativeTo,
+    Slot::By,
+    Slot::At,
+    Slot::FixedIn,
+];
+
+/// "The disc is a body that turns about z": the disc turns.
+pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        if !is_body(what.head) || !what.is("turning") {
+            continue;
+        }
+        what.adjectives.retain(|a| *a != "turning");
+        let (turn, own) = std::mem::take(&mut what.slots)
+            .into_iter()
+            .partition(|(slot, _)| OF_TURNS.contains(slot));
+        what.slots = own;
+        told.push(Declaration {
+            statement: Statement::Does {
+                subjects: subjects.clone(),
+                verb: "turn",
+                slots: turn,
+            },
+            ..declaration.clone()
+        });
+    }
+    declarations.extend(told);
 }
 
 /// Whether a sentence goes on with another turn of the same thing against the same frame.

@@ -2,9 +2,9 @@
 
 use crate::algebra::{Fraction, Variable, compose};
 use crate::notation::document::Row;
-use crate::verify::language::heads::OF_POTENTIALS;
+use crate::verify::language::heads::{HEIGHT, OF_POTENTIALS};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
-use crate::verify::model::atoms::Nature;
+use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
 use crate::verify::term::quantity::Quantity;
@@ -31,6 +31,22 @@ fn is_potential(letter: &Term, all: &[Declaration]) -> bool {
 }
 
 impl<'a> Builder<'a> {
+    /// T + V or T − V; where weights act, not without their potential energy.
+    pub(super) fn with_potential(
+        &mut self,
+        body: usize,
+        kinetic: Quantity,
+        sign: i64,
+    ) -> Option<Quantity> {
+        let potential = self.potential_energy(body);
+        if potential.is_none() && self.gravity.is_some() {
+            return None;
+        }
+        let signed = |v: Quantity| Quantity::Scaled(v.boxed(), whole(sign));
+        let terms = std::iter::once(kinetic).chain(potential.map(signed));
+        Some(Quantity::Sum(terms.collect()))
+    }
+
     /// −m g · r, from the origin or from where it is said to be zero.
     pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
@@ -42,7 +58,7 @@ impl<'a> Builder<'a> {
         let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
         let mass = self.reading.system.mass(body);
         let from = match zeros.as_slice() {
-            [(place, _)] if !place.is_condition() => self.point(place)?,
+            [(place, _)] if !place.is_condition() => self.point(level_of(place))?,
             _ => 0,
         };
         let centre = self.centre_of(body);
@@ -121,6 +137,16 @@ impl<'a> Builder<'a> {
             }
         }
         composed(&value, &images)
+    }
+}
+
+/// "at the height of O": at O.
+fn level_of(place: &Term) -> &Term {
+    match place {
+        Term::Phrase(height) if height.head == HEIGHT && height.slots.len() == 1 => {
+            height.slot(Slot::Of).unwrap_or(place)
+        }
+        place => place,
     }
 }
 

@@ -245,13 +245,8 @@ impl Builder<'_> {
                 }
             },
             POTENTIAL => self.potential_energy(body?),
-            "total energy" => Some(self.total_energy(body?, kinetic)),
-            "Lagrangian" => {
-                let potential = body.and_then(|body| self.potential_energy(body));
-                let minus = |v: Quantity| Quantity::Scaled(v.boxed(), whole(-1));
-                let terms = std::iter::once(kinetic).chain(potential.map(minus));
-                Some(Quantity::Sum(terms.collect()))
-            }
+            "total energy" => self.with_potential(body?, kinetic, 1),
+            "Lagrangian" => self.with_potential(body?, kinetic, -1),
             _ => None,
         }
     }

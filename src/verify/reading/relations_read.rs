@@ -255,13 +255,6 @@ impl Builder<'_> {
         })
     }
 
-    /// T + V.
-    pub(super) fn total_energy(&mut self, body: usize, kinetic: Quantity) -> Quantity {
-        let mut terms = vec![kinetic];
-        terms.extend(self.potential_energy(body));
-        Quantity::Sum(terms)
-    }
-
     /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.
     pub(super) fn read_order_of_lines(
         &mut self,

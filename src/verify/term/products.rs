@@ -267,7 +267,9 @@ impl Lowering<'_> {
         let Kind::Symbol(symbol) = &node.kind else {
             return false;
         };
+        let marked = symbol.style.tilde || symbol.style.hat || symbol.style.bar;
         let plain = symbol.name == "d" && symbol.subscripts.is_empty() && symbol.primes == 0;
+        let plain = plain && !marked;
         plain
             && self
                 .letters

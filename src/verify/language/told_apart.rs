@@ -1,0 +1,207 @@
+//! Sentences that say several things of one thing at once, as one clause for each: "A uniform rod of mass `$m$` that turns
+//! about z is hinged at O" says that the rod is uniform, has a mass, turns, and is hinged.
+
+use super::lexicon::{Class, Lexicon};
+use super::reader::{ARTICLES, COPULAS};
+use super::rewrite::put_in;
+use super::sentence_parts::{clause, head};
+use super::words::{Kind, Token};
+
+/// A sentence is told apart no more often.
+const MOST_TIMES: usize = 6;
+
+/// The clauses of a sentence, each saying one thing; `None` where it says no more than one.
+pub(super) fn told_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let mut now: Option<Vec<Token>> = None;
+    for _ in 0..MOST_TIMES {
+        let tokens = now.as_deref().unwrap_or(tokens);
+        let (done, last) = split_last(tokens);
+        let Some(next) = relative_clause(last, lexicon).or_else(|| described(last, lexicon)) else {
+            break;
+        };
+        now = Some([done, &next].concat());
+    }
+    now
+}
+
+/// The clauses before the last semicolon, with it, and the last clause.
+fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
+    let at = tokens.iter().rposition(|t| t.kind == Kind::Semicolon);
+    tokens.split_at(at.map_or(0, |at| at + 1))
+}
+
+/// "A rod of mass `$m$` swings" as "The rod is a rod of mass `$m$`; the rod swings".
+fn described(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let (subject, verb, rest) = clause(tokens, lexicon)?;
+    let (article, noun) = subject.split_first()?;
+    if !ARTICLES.contains(&article.lower.as_str()) {
+        return None;
+    }
+    let (start, end) = thing_in(noun, lexicon)?;
+    let named = noun.get(end).filter(|t| is_name(t));
+    let described = end + usize::from(named.is_some());
+    let behind = &noun[described..];
+    let sized = behind
+        .first()
+        .is_some_and(|t| matches!(t.lower.as_str(), "of" | "with"))
+        && names_size(&behind[1..], lexicon);
+    let new = article.lower != "the" && start > 0 && behind.is_empty();
+    if !(sized || new) || behind.is_empty() && !new {
+        return None;
+    }
+    let [the, is, a] = ["the", "is", "a"].map(|word| put_in(Kind::Word, word, article));
+    let own: Vec<Token> = match named {
+        Some(name) => vec![name.clone()],
+        None => [std::slice::from_ref(&the), &noun[start..end]].concat(),
+    };
+    let semicolon = put_in(Kind::Semicolon, "", article);
+    let what = [&[is, a], &noun[..end], behind].concat();
+    Some([&own, &what[..], &[semicolon], &own, verb, rest].concat())
+}
+
+/// Where a noun for a thing stands, behind adjectives alone.
+fn thing_in(noun: &[Token], lexicon: &Lexicon) -> Option<(usize, usize)> {
+    let words: Vec<&str> = noun.iter().map(|t| t.lower.as_str()).collect();
+    let mut at = 0;
+    loop {
+        let rest = words.get(at..).filter(|rest| !rest.is_empty())?;
+        if let Some(thing) = lexicon.find(rest, &[Class::Thing]) {
+            return Some((at, at + thing.length));
+        }
+        at += lexicon.find(rest, &[Class::Adjective])?.length;
+    }
+}
+
+fn is_name(token: &Token) -> bool {
+    let capital = token.text.chars().next().is_some_and(char::is_uppercase);
+    token.kind == Kind::Word && capital && token.text.chars().count() <= 2
+}
+
+/// Whether a size or a mass comes next: "mass `$m$`", "equal lengths".
+fn names_size(tokens: &[Token], lexicon: &Lexicon) -> bool {
+    const SIZES: [&str; 10] = [
+        "mass",
+        "length",
+        "radius",
+        "height",
+        "width",
+        "side",
+        "diameter",
+        "thickness",
+        "edge",
+        "density",
+    ];
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let article = usize::from(words.first().is_some_and(|word| ARTICLES.contains(word)));
+    let words = words.get(article..).unwrap_or_default();
+    let adjective = lexicon
+        .find(words, &[Class::Adjective])
+        .map_or(0, |a| a.length);
+    [0, adjective].iter().any(|&skip| {
+        let noun = lexicon.find(words.get(skip..).unwrap_or_default(), &[Class::Noun]);
+        noun.is_some_and(|noun| SIZES.contains(&noun.entry.name))
+    })
+}
+
+/// "X is a disc that rolls" as "X is a disc; X rolls", "on a floor whose normal is n" as "on a floor; the normal of the floor
+/// is n".
+fn relative_clause(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let (subject, verb, rest) = clause(tokens, lexicon)?;
+    let behind = subject.len() + verb.len();
+    let at = (0..rest.len()).find(|&at| at > 0 && opens_clause(rest, at, lexicon))?;
+    let comma = usize::from(rest[at - 1].kind == Kind::Comma);
+    let before = &tokens[..behind + at - comma];
+    let (relative, inside) = rest[at..].split_first()?;
+    let end = end_of_clause(inside, comma > 0);
+    let (inside, more) = inside.split_at(end);
+    let is = verb
+        .first()
+        .is_some_and(|t| COPULAS.contains(&t.lower.as_str()));
+    let whose = match is {
+        true if is_one_noun(&before[behind..]) => subject.to_vec(),
+        // Of two nouns it may be either.
+        true if begins_with_article(&before[behind..]) => return None,
+        _ => named_last(&before[behind..], lexicon)?,
+    };
+    let semicolon = put_in(Kind::Semicolon, "", relative);
+    let told = match relative.lower.as_str() {
+        "whose" => {
+            let (noun, _, _) = clause(inside, lexicon)?;
+            let predicate = &inside[noun.len()..];
+            let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, relative));
+            [&[the], noun, &[of], &whose, predicate].concat()
+        }
+        _ => [&whose, inside].concat(),
+    };
+    let more: Vec<Token> = match more.split_first() {
+        Some((comma, rest)) if comma.kind == Kind::Comma && joins_verb(rest, lexicon) => {
+            [subject, &rest[1..]].concat()
+        }
+        Some((comma, rest)) if comma.kind == Kind::Comma => rest.to_vec(),
+        _ => more.to_vec(),
+    };
+    match more.is_empty() {
+        true => Some([before, &[semicolon], &told].concat()),
+        false => Some([before, &[semicolon.clone()], &told, &[semicolon], &more].concat()),
+    }
+}
+
+/// Whether a clause about the noun before begins here.
+fn opens_clause(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
+    let words: Vec<&str> = tokens[at..].iter().map(|t| t.lower.as_str()).collect();
+    let verb = |from: usize| {
+        let rest = words.get(from..).unwrap_or_default();
+        rest.first().is_some_and(|word| COPULAS.contains(word))
+            || lexicon.find(rest, &[Class::Verb]).is_some()
+    };
+    let hangs = lexicon
+        .find(&[tokens[at - 1].lower.as_str()], &[Class::Preposition])
+        .is_some();
+    match words[0] {
+        "that" | "which" => !hangs && verb(1),
+        "whose" => (2..words.len().min(6)).any(verb),
+        _ => false,
+    }
+}
+
+/// Where a relative clause ends: behind a comma at the next one, else where another clause is joined.
+fn end_of_clause(inside: &[Token], behind_comma: bool) -> usize {
+    let ends = |at: usize| {
+        let comma = inside[at].kind == Kind::Comma;
+        let joined = inside.get(at + 1).is_some_and(|t| t.lower == "and");
+        comma && (behind_comma || joined)
+    };
+    (0..inside.len())
+        .find(|&at| ends(at))
+        .unwrap_or(inside.len())
+}
+
+/// "and turns about z": what goes on with the subject.
+fn joins_verb(tokens: &[Token], lexicon: &Lexicon) -> bool {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let rest = words.get(1..).unwrap_or_default();
+    let verb = rest.first().is_some_and(|word| COPULAS.contains(word))
+        || lexicon.find(rest, &[Class::Verb]).is_some();
+    words.first() == Some(&"and") && verb
+}
+
+/// Whether a predicate is a noun with an article, and no other noun with an article stands in it.
+fn is_one_noun(predicate: &[Token]) -> bool {
+    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    let last = predicate.iter().rposition(article);
+    last == Some(0)
+}
+
+fn begins_with_article(tokens: &[Token]) -> bool {
+    tokens
+        .first()
+        .is_some_and(|t| ARTICLES.contains(&t.lower.as_str()))
+}
+
+/// The noun with the last article, without what describes it.
+fn named_last(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    let at = tokens.iter().rposition(article)?;
+    let noun = head(&tokens[at..], lexicon);
+    (!noun.is_empty()).then(|| [&[put_in(Kind::Word, "the", &tokens[at])], noun].concat())
+}
