@@ -16,7 +16,7 @@ use super::kinds::{
 };
 use super::lexicon::Lexicon;
 use super::plain_letters::write_letters;
-use super::plain_things::name_plainly;
+use super::plain_things::{name_plainly, tell_named_frames, tell_places};
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
@@ -103,6 +103,8 @@ fn in_plain_terms(
     write_letters(&mut declarations, lexicon, macros);
     tell_turning(&mut declarations);
     name_plainly(&mut declarations);
+    tell_named_frames(&mut declarations);
+    tell_places(&mut declarations);
     join_together(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);

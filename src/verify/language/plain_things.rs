@@ -2,7 +2,7 @@
 
 use super::is_body;
 use super::kinds::name;
-use super::statement::{Declaration, NounPhrase, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
 const IDLE: [&str; 3] = ["rigid", "whole", "heavy"];
@@ -64,9 +64,108 @@ fn plain(term: &mut Term, ground: &str) -> bool {
         *term = Term::Name(phrase.head.to_owned());
         return false;
     }
+    if let [(Slot::Which, Term::Numbers(number))] = phrase.slots.as_slice()
+        && let ([number], true) = (number.as_slice(), is_body(phrase.head))
+    {
+        *term = Term::Name(format!("{} {number}", phrase.head));
+        return false;
+    }
     let mut used = false;
     for (_, inner) in &mut phrase.slots {
         used |= plain(inner, ground);
     }
     used
+}
+
+/// "the axes of the frame B of the disc": what is said of a frame beside its name is a sentence of its own.
+pub(crate) fn tell_named_frames(declarations: &mut Vec<Declaration>) {
+    let mut told: Vec<Declaration> = vec![];
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        for term in declaration.statement.terms_mut() {
+            for statement in named_frames(term) {
+                told.push(Declaration {
+                    statement,
+                    ..before.clone()
+                });
+            }
+        }
+    }
+    declarations.extend(told);
+}
+
+/// Puts the name of a frame in the place of its phrase, and gives what the phrases say.
+fn named_frames(term: &mut Term) -> Vec<Statement> {
+    let Term::Phrase(phrase) = term else {
+        return vec![];
+    };
+    let mut told = vec![];
+    for (_, inner) in &mut phrase.slots {
+        told.extend(named_frames(inner));
+    }
+    let called: Vec<&Term> = phrase.all(Slot::Which).collect();
+    if let ("frame", [called @ Term::Name(_)]) = (phrase.head, called.as_slice()) {
+        let called = (*called).clone();
+        phrase.slots.retain(|(slot, _)| *slot != Slot::Which);
+        if !phrase.slots.is_empty() || !phrase.adjectives.is_empty() {
+            told.push(Statement::Is {
+                subjects: vec![called.clone()],
+                what: (**phrase).clone(),
+            });
+        }
+        *term = called;
+    }
+    told
+}
+
+/// Places that a thing has.
+const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
+
+/// "The rod is a uniform rod with its middle at G and the ends A and B": what G, A and B are.
+pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
+    let mut told: Vec<Declaration> = vec![];
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let [thing] = subjects.as_slice() else {
+            continue;
+        };
+        let mut kept = vec![];
+        for (slot, term) in std::mem::take(&mut what.slots) {
+            match place_of(slot, &term, thing) {
+                Some(places) => told.extend(places.into_iter().map(|statement| Declaration {
+                    statement,
+                    ..before.clone()
+                })),
+                None => kept.push((slot, term)),
+            }
+        }
+        what.slots = kept;
+    }
+    declarations.extend(told);
+}
+
+/// "with its middle at G", "with the ends A and B"
+fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
+    let Term::Phrase(place) = term else {
+        return None;
+    };
+    let others = place.slots.iter().all(|(slot, own)| match slot {
+        Slot::At | Slot::Which => name(own).is_some(),
+        Slot::Of => own == thing,
+        _ => false,
+    });
+    if slot != Slot::With || !PLACES.contains(&place.head) || !others {
+        return None;
+    }
+    let points = place.all(Slot::At).chain(place.all(Slot::Which));
+    let points: Vec<Statement> = points
+        .map(|point| Statement::Is {
+            subjects: vec![point.clone()],
+            what: NounPhrase::new(place.head, vec![(Slot::Of, thing.clone())]),
+        })
+        .collect();
+    (!points.is_empty()).then_some(points)
 }

@@ -1,24 +1,20 @@
-//! The line of a body: the axis of its frame along which a rod lies or a link points, and the ends on it.
+//! The line of a body: the axis of its frame along which a rod lies or a link points.
 
 use crate::algebra::Fraction;
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::verify::language::heads::VERTICAL;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::atoms::whole;
-use crate::verify::model::system::{Axis, BodyId, PointId, Turn, Vector};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::model::system::{Axis, BodyId, Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
+use crate::verify::reading::body_ends::END;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{name_of, opposite};
-use crate::verify::reading::shapes_read::ROD;
 use num_traits::Zero;
 
-/// The noun of the points at which a rod ends.
-pub(super) const END: &str = "end";
-
 /// The axis of a frame along which the line of a body is, where no sentence tells it.
-const ALONG: usize = 2;
+pub(super) const ALONG: usize = 2;
 /// The axis about which it turns in a plane, where no sentence tells it.
 const ACROSS: usize = 0;
 
@@ -41,10 +37,11 @@ impl<'a> Builder<'a> {
         line.or_else(|| Some((told()?, false)))
     }
 
-    /// A rod whose frame has no axes with names lies along the third one, about which it does not turn.
+    /// A rod whose frame has no axes with names lies along the third one, about which it does not turn as a cone may.
     fn own_line(&self, body: BodyId) -> Option<usize> {
         let turns_about = self.axis_of_turn(body) == Some(ALONG);
-        (self.is_rod(body) && !self.has_named_axes(body) && !turns_about).then_some(ALONG)
+        let long = self.is_rod(body) && !turns_about || self.is_cone(body);
+        (long && !self.has_named_axes(body)).then_some(ALONG)
     }
 
     /// How bodies point, and how they turn in a plane by the angle of their line.
@@ -248,90 +245,6 @@ impl<'a> Builder<'a> {
             let planar = matches!(frame.turn, Turn::Angle(..) | Turn::Rate(Axis::Number(_), _));
             planar && frame.parent == Some(system.ground)
         })
-    }
-
-    /// Gives each body the names of its ends: those that are fixed in space first.
-    fn name_ends(&mut self) {
-        let mut said: Vec<(BodyId, String)> = vec![];
-        for declaration in self.declarations {
-            if let Statement::Is { subjects, what } = &declaration.statement
-                && what.head == END
-                && let Some(body) = what.slot(Slot::Of).and_then(|of| self.body(of))
-            {
-                let names = subjects.iter().filter_map(name_of);
-                said.extend(names.map(|name| (body, name)));
-            }
-        }
-        said.sort_by_cached_key(|(_, name)| !self.is_said_fixed(name));
-        for (body, name) in said {
-            let ends = &mut self.reading.system.bodies[body].ends;
-            if !ends.contains(&name) {
-                ends.push(name);
-            }
-        }
-    }
-
-    /// Whether a sentence says that a point is fixed in space.
-    fn is_said_fixed(&self, name: &str) -> bool {
-        let ground = self.reading.system.ground;
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                let own = subjects.iter().any(|s| name_of(s).as_deref() == Some(name));
-                own && self.frames_fixed(what).contains(&ground)
-            }
-            _ => false,
-        })
-    }
-
-    /// The bodies that have an end of this name, and whether it is the one at which the line of each begins.
-    pub(super) fn bodies_that_end_at(&self, name: &str) -> impl Iterator<Item = (BodyId, bool)> {
-        let bodies = self.reading.system.bodies.iter().enumerate();
-        bodies.filter_map(move |(body, known)| {
-            let place = known.ends.iter().position(|end| end == name)?;
-            Some((body, place == 0))
-        })
-    }
-
-    /// Whether the model knows where the ends of a body are: at which one its line begins is a choice only where no sentence
-    /// says along which axis it lies.
-    pub(super) fn has_ends(&self, body: BodyId) -> bool {
-        (1..=2).contains(&self.reading.system.bodies[body].ends.len())
-            && self.is_rod(body)
-            && self.told_axis_of_shape(body).is_none()
-            && self.axis_of_line(body) == Some((ALONG, false))
-    }
-
-    /// Whether a noun is that of ends that the model knows.
-    pub(super) fn is_end_placed(&self, what: &NounPhrase) -> bool {
-        let body = what.slot(Slot::Of).and_then(|of| self.body(of));
-        what.head == END && body.is_some_and(|body| self.has_ends(body))
-    }
-
-    /// The way from the middle of a uniform rod to one of its ends.
-    fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
-        let (what, declaration) = self.said_to_be(body, &[ROD])?;
-        if !self.has_ends(body) {
-            return None;
-        }
-        let length = self.size_of_shape(body, what, "length", declaration)?;
-        let half = length * Fraction::from_ratio(if first { -1 } else { 1 }, 2);
-        Some(self.line_of(body)? * half)
-    }
-
-    /// Where the mass centre of a rod is from an end of it that stands already.
-    pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
-        let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
-        let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
-        let (at, end) = known?;
-        Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
-    }
-
-    /// Where an end of a rod is from its mass centre, if that stands already.
-    pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
-        let stands = |(body, _): &(BodyId, bool)| self.reading.system.bodies[*body].centre != 0;
-        let placed = self.bodies_that_end_at(name).find(stands);
-        let (body, first) = placed?;
-        Some((self.centre_of(body), self.way_to_end(body, first)?))
     }
 
     /// The angles of "`$\theta = 0$`", "`$\alpha = \beta = 0$`".

@@ -30,7 +30,12 @@ impl Builder<'_> {
             Whole::Member(..) => None,
         };
         if phrase.is("transverse") {
-            return self.transverse_moment(own?, tensor, declaration);
+            let axis = self.axis_of_body(own?)?;
+            return self.transverse_moment(own?, &axis, tensor, declaration);
+        }
+        if let Some(across) = any_axis_across(phrase) {
+            let axis = self.axis_to_stand_on(across, own?, declaration)?;
+            return self.transverse_moment(own?, &axis, tensor, declaration);
         }
         let axis = match (self.told_axis(phrase, declaration), own) {
             (Some(axis), _) if !phrase.is("axial") => axis,
@@ -117,18 +122,47 @@ impl Builder<'_> {
         Some(self.system().axis(frame, (line + 1) % 3))
     }
 
+    /// The axis across which another one is: a direction by its letter, or that of the body itself.
+    fn axis_to_stand_on(
+        &mut self,
+        across: &Term,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
+        let own = match across {
+            Term::Phrase(axis) if AXES.contains(&axis.head) => axis
+                .slots
+                .iter()
+                .all(|(slot, of)| *slot == Slot::Of && self.body(of) == Some(body)),
+            term => self.body(term) == Some(body),
+        };
+        if own {
+            return self.axis_of_body(body);
+        }
+        let axis = self.axis_quantity(across, declaration)?;
+        self.system().value_of(&axis).ok()?.to_vector().ok()
+    }
+
     /// The moment about all axes across that of a symmetric body: half of what the trace leaves.
     fn transverse_moment(
         &mut self,
         body: BodyId,
+        axis: &Vector,
         tensor: Quantity,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let axis = self.axis_of_body(body)?;
-        self.hold_symmetry(body, &axis, declaration)?;
+        self.hold_symmetry(body, axis, declaration)?;
         let tensor = self.system().value_of(&tensor).ok()?.to_matrix().ok()?;
-        let along = axis.dot(&crate::mechanics::apply(&tensor, &axis));
+        let along = axis.dot(&crate::mechanics::apply(&tensor, axis));
         let across = (tensor.trace() - along) * Fraction::from_ratio(1, 2);
         Some(Quantity::Known(Value::scalar(across)))
+    }
+}
+
+/// What any of the axes stand on about which a moment is told: "any axis through G normal to n".
+fn any_axis_across(phrase: &NounPhrase) -> Option<&Term> {
+    match phrase.slot(Slot::About) {
+        Some(Term::Phrase(axis)) if axis.head == "axis" && axis.is("any") => axis.slot(Slot::With),
+        _ => None,
     }
 }

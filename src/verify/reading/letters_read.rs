@@ -176,6 +176,7 @@ impl Builder<'_> {
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             DISTURBANCE if what.slots.is_empty() => {}
+            "small" if subjects.iter().all(|s| self.is_of_told_order(s)) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {
                 for formula in formulas(subjects) {

@@ -54,8 +54,16 @@ impl Builder<'_> {
                 "component" => 1,
                 _ => continue,
             };
-            let Some(frame) = what.slot(Slot::On).and_then(|term| self.frame(term)) else {
-                continue;
+            let inner = what.slot(Slot::Of).and_then(|of| match of {
+                Term::Phrase(phrase) => phrase.slot(Slot::On),
+                _ => None,
+            });
+            let on = what.slot(Slot::On).or(inner);
+            let frame = match on.and_then(|term| self.frame(term)) {
+                Some(frame) => frame,
+                // The entries of a matrix are numbered by its rows and columns.
+                None if count == 2 => self.reading.system.ground,
+                None => continue,
             };
             let which = what.slot(Slot::Which).and_then(name_of);
             for formula in formulas(subjects) {

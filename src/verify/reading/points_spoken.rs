@@ -2,7 +2,7 @@
 
 use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
-use crate::verify::reading::body_lines::END;
+use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{MASS_CENTRE, name_of, reach_of};
 use crate::verify::reading::points_read::name_of_particle;
@@ -33,7 +33,10 @@ impl Builder<'_> {
             let whole = reach_of(&declaration.extent) == Reach::All;
             match &declaration.statement {
                 Statement::Is { subjects, what }
-                    if matches!(what.head, "point" | MASS_CENTRE | "fixed" | "origin" | END) =>
+                    if matches!(
+                        what.head,
+                        "point" | MASS_CENTRE | "fixed" | "origin" | END | APEX
+                    ) =>
                 {
                     for name in subjects.iter().filter_map(name_of) {
                         match self
@@ -162,7 +165,7 @@ impl Builder<'_> {
             return own.chain([self.reading.system.ground]).collect();
         }
         // The origin of a frame is fixed in it, and the end of a rod in the rod.
-        let own = matches!(what.head, "origin" | END);
+        let own = matches!(what.head, "origin" | END | APEX);
         let origin = what.all(Slot::Of).filter(|_| own);
         fixed
             .chain(origin)

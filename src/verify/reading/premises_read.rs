@@ -12,6 +12,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::lying_read::axis_of;
 use crate::verify::reading::names::{
     MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
@@ -50,6 +51,22 @@ impl Builder<'_> {
                     if matches!(what.head, "orthogonal" | "horizontal") =>
                 {
                     let read = self.read_perpendicular(subjects, what, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
+                }
+                Statement::Does {
+                    subjects,
+                    verb: "point",
+                    slots,
+                } if formulas(subjects).count() == subjects.len() => {
+                    self.read_pointing(subjects, slots, declaration);
+                }
+                Statement::Is { subjects, what } if what.head == "parallel" => {
+                    let read = match what.slots.as_slice() {
+                        [(Slot::With | Slot::Along, axis)] => {
+                            self.read_parallel(subjects, axis, false, declaration)
+                        }
+                        _ => None,
+                    };
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
                 Statement::Does {

@@ -56,7 +56,7 @@ impl Builder<'_> {
     }
 
     /// The vector that a term names: a letter, an axis, a position.
-    fn vector(&mut self, term: &Term, declaration: &Declaration) -> Option<Vector> {
+    pub(super) fn vector(&mut self, term: &Term, declaration: &Declaration) -> Option<Vector> {
         if let Some(quantity) = self.operand(term, declaration)
             && let Ok(value) = self.system().value_of(&quantity)
             && let Ok(vector) = value.to_vector()
@@ -252,6 +252,18 @@ impl Builder<'_> {
         Some(match vertical.points_down {
             true => Quantity::Scaled(along.boxed(), whole(-1)),
             false => along,
+        })
+    }
+
+    /// Whether a sentence says to which order in a letter lines hold.
+    pub(super) fn is_of_told_order(&self, letter: &Term) -> bool {
+        let order = |slot: &Slot| matches!(slot, Slot::In | Slot::InSecondOrder);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::LineHolds { slots, .. } => {
+                let mut letters = slots.iter().filter(|(slot, _)| order(slot));
+                letters.any(|(_, term)| term == letter)
+            }
+            _ => false,
         })
     }
 

@@ -20,6 +20,8 @@ const PLAIN: [&str; 8] = [
 ];
 /// A shape that has ends.
 pub(super) const ROD: &str = "rod";
+/// A shape that has an apex.
+pub(super) const CONE: &str = "cone";
 /// A body without extent.
 const PARTICLE: &str = "particle";
 
@@ -191,7 +193,7 @@ impl<'a> Builder<'a> {
         declaration: &Declaration,
     ) -> Option<Fraction> {
         let told = what.all(Slot::Of).find_map(|term| match term {
-            Term::Phrase(size) if size.head == wanted => letter_of(term).cloned(),
+            Term::Phrase(size) if is_size(size.head, wanted) => letter_of(term).cloned(),
             _ => None,
         });
         let told = told.or_else(|| self.said_size(body, wanted));
@@ -218,7 +220,7 @@ impl<'a> Builder<'a> {
     fn said_size(&self, body: BodyId, wanted: &str) -> Option<Formula> {
         let mut said = self.declarations.iter();
         said.find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == wanted => {
+            Statement::Is { subjects, what } if is_size(what.head, wanted) => {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term))?;
                 let letter = subjects.first().and_then(letter_of)?;
                 (of == body && subjects.len() == 1).then(|| letter.clone())
@@ -292,6 +294,10 @@ impl<'a> Builder<'a> {
         self.said_to_be(body, &[ROD]).is_some()
     }
 
+    pub(super) fn is_cone(&self, body: BodyId) -> bool {
+        self.said_to_be(body, &[CONE]).is_some()
+    }
+
     /// Whether a sentence says that a body is a disc or a ring, which lies in a plane.
     pub(super) fn is_flat(&self, body: BodyId) -> bool {
         self.said_to_be(body, &["disc", "ring"]).is_some()
@@ -358,9 +364,21 @@ impl<'a> Builder<'a> {
     }
 }
 
+/// What a size of a shape is also called: the height of a cylinder is its length.
+const SAME_SIZE: [(&str, &str); 4] = [
+    ("side", "edge"),
+    ("length", "edge"),
+    ("length", "height"),
+    ("thickness", "height"),
+];
+
+fn is_size(said: &str, wanted: &str) -> bool {
+    said == wanted || SAME_SIZE.contains(&(said, wanted))
+}
+
 /// Whether all that is said of a shape is known to it: a hollow one is another, and so is one with a size more.
 fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
-    let known = |size: &str| size == MASS || sizes.iter().any(|wanted| wanted.name == size);
+    let known = |size: &str| size == MASS || sizes.iter().any(|wanted| is_size(size, wanted.name));
     what.adjectives.iter().all(|said| PLAIN.contains(said))
         && what.slots.iter().all(|(slot, term)| match (slot, term) {
             (Slot::Of, Term::Phrase(size)) => known(size.head),

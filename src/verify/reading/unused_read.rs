@@ -58,7 +58,8 @@ impl Builder<'_> {
                 } => subjects.iter().all(|subject| {
                     let body = self.body(subject);
                     let line = body.and_then(|body| self.reading.system.bodies[body].line);
-                    line.is_some() || self.is_force(subject)
+                    let letter = matches!(subject, Term::Formula(_));
+                    line.is_some() || letter || self.is_force(subject)
                 }),
                 Statement::Does {
                     subjects,

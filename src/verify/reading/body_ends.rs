@@ -1,0 +1,113 @@
+//! The ends of bodies on their lines: of a rod both, of a cone its apex.
+
+use crate::algebra::Fraction;
+use crate::verify::language::statement::{NounPhrase, Slot, Statement};
+use crate::verify::model::atoms::whole;
+use crate::verify::model::system::{BodyId, PointId, Vector};
+use crate::verify::reading::body_lines::ALONG;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::name_of;
+use crate::verify::reading::shapes_read::{CONE, ROD};
+
+/// The noun of the points at which a rod ends.
+pub(super) const END: &str = "end";
+/// The noun of the point of a cone.
+pub(super) const APEX: &str = "apex";
+
+impl Builder<'_> {
+    /// Gives each body the names of its ends: those that are fixed in space first.
+    pub(super) fn name_ends(&mut self) {
+        let mut said: Vec<(BodyId, String)> = vec![];
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && [END, APEX].contains(&what.head)
+                && let Some(body) = what.slot(Slot::Of).and_then(|of| self.body(of))
+            {
+                let names = subjects.iter().filter_map(name_of);
+                said.extend(names.map(|name| (body, name)));
+            }
+        }
+        said.sort_by_cached_key(|(_, name)| !self.is_said_fixed(name));
+        for (body, name) in said {
+            let ends = &mut self.reading.system.bodies[body].ends;
+            if !ends.contains(&name) {
+                ends.push(name);
+            }
+        }
+    }
+
+    /// Whether a sentence says that a point is fixed in space.
+    fn is_said_fixed(&self, name: &str) -> bool {
+        let ground = self.reading.system.ground;
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = subjects.iter().any(|s| name_of(s).as_deref() == Some(name));
+                own && self.frames_fixed(what).contains(&ground)
+            }
+            _ => false,
+        })
+    }
+
+    /// The bodies that have an end of this name, and whether it is the one at which the line of each begins.
+    pub(super) fn bodies_that_end_at(&self, name: &str) -> impl Iterator<Item = (BodyId, bool)> {
+        let bodies = self.reading.system.bodies.iter().enumerate();
+        bodies.filter_map(move |(body, known)| {
+            let place = known.ends.iter().position(|end| end == name)?;
+            Some((body, place == 0))
+        })
+    }
+
+    /// Whether the model knows where the ends of a body are: at which one its line begins is a choice only where no sentence
+    /// says along which axis it lies.
+    pub(super) fn has_ends(&self, body: BodyId) -> bool {
+        (1..=2).contains(&self.reading.system.bodies[body].ends.len())
+            && (self.is_rod(body) || self.is_cone(body))
+            && self.told_axis_of_shape(body).is_none()
+            && self.axis_of_line(body) == Some((ALONG, false))
+    }
+
+    /// Whether a noun is that of ends that the model knows.
+    pub(super) fn is_end_placed(&self, what: &NounPhrase) -> bool {
+        let body = what.slot(Slot::Of).and_then(|of| self.body(of));
+        let Some(body) = body.filter(|&body| self.has_ends(body)) else {
+            return false;
+        };
+        match what.head {
+            END => self.is_rod(body),
+            APEX => self.is_cone(body),
+            _ => false,
+        }
+    }
+
+    /// The way from the mass centre of a uniform rod to one of its ends, or of a cone to its apex, at which its line begins.
+    fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
+        let (what, declaration) = self.said_to_be(body, &[ROD, CONE])?;
+        if !self.has_ends(body) {
+            return None;
+        }
+        let (size, part) = match (what.head == ROD, first) {
+            (true, true) => ("length", Fraction::from_ratio(-1, 2)),
+            (true, false) => ("length", Fraction::from_ratio(1, 2)),
+            (false, true) => ("height", Fraction::from_ratio(-3, 4)),
+            (false, false) => return None,
+        };
+        let size = self.size_of_shape(body, what, size, declaration)?;
+        Some(self.line_of(body)? * (size * part))
+    }
+
+    /// Where the mass centre of a rod is from an end of it that stands already.
+    pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
+        let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
+        let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
+        let (at, end) = known?;
+        Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
+    }
+
+    /// Where an end of a rod is from its mass centre, if that stands already.
+    pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
+        let stands = |(body, _): &(BodyId, bool)| self.reading.system.bodies[*body].centre != 0;
+        let placed = self.bodies_that_end_at(name).find(stands);
+        let (body, first) = placed?;
+        Some((self.centre_of(body), self.way_to_end(body, first)?))
+    }
+}

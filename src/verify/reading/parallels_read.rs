@@ -1,0 +1,68 @@
+//! Vectors that lie along others: "`$H$` points along Z", "`$\\omega$` is parallel to z".
+
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+
+impl Builder<'_> {
+    /// A vector is its component along an axis; where it points there, this component is its magnitude.
+    pub(super) fn read_parallel(
+        &mut self,
+        subjects: &[Term],
+        axis: &Term,
+        points: bool,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let axis = self.axis_quantity(axis, declaration)?;
+        let axis = self.system().value_of(&axis).ok()?.to_vector().ok()?;
+        for subject in subjects {
+            let vector = self.vector(subject, declaration)?;
+            let along = vector.dot(&axis);
+            self.hold_zero(&(vector - axis.clone() * along.clone()), declaration);
+            for letter in self.magnitudes_of(subject).into_iter().filter(|_| points) {
+                let magnitude = self.magnitude_of_letter(&letter, declaration)?;
+                self.hold(magnitude - along.clone(), declaration);
+            }
+        }
+        Some(())
+    }
+
+    /// Where vectors point; where forces do is read with the loads.
+    pub(super) fn read_pointing(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
+        if subjects.iter().all(|subject| self.is_force(subject)) {
+            return;
+        }
+        let read = match slots {
+            [(Slot::Along, axis)] => self.read_parallel(subjects, axis, true, declaration),
+            _ => None,
+        };
+        read.unwrap_or_else(|| self.say_unused(declaration));
+    }
+
+    /// The letters that sentences say to be the magnitude of a vector.
+    fn magnitudes_of(&self, vector: &Term) -> Vec<Term> {
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "magnitude" => {
+                let own = what.slot(Slot::Of) == Some(vector);
+                own.then_some(subjects)
+            }
+            _ => None,
+        });
+        said.flatten().cloned().collect()
+    }
+
+    fn magnitude_of_letter(
+        &mut self,
+        letter: &Term,
+        declaration: &Declaration,
+    ) -> Option<crate::algebra::Fraction> {
+        let letters = [letter.clone()];
+        let formula = formulas(&letters).next()?;
+        self.scalar(formula, declaration)
+    }
+}
