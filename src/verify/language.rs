@@ -33,6 +33,7 @@ mod manual;
 mod members;
 pub(crate) mod messages;
 mod phrase;
+mod places;
 mod plain_letters;
 mod plain_things;
 mod possessions;

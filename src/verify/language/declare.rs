@@ -15,8 +15,9 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
+use super::places::{tell_places, tell_reach, tell_sides};
 use super::plain_letters::write_letters;
-use super::plain_things::{name_plainly, tell_named_frames, tell_places};
+use super::plain_things::{name_plainly, tell_named_frames};
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
@@ -105,6 +106,8 @@ fn in_plain_terms(
     name_plainly(&mut declarations);
     tell_named_frames(&mut declarations);
     tell_places(&mut declarations);
+    tell_reach(&mut declarations);
+    tell_sides(&mut declarations);
     join_together(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);

@@ -78,6 +78,8 @@ impl Builder<'_> {
             }
         }
         self.read_axes_by_vectors();
+        self.read_verticals_by_vectors();
+        self.read_axes_of_symmetry();
         self.read_incline();
         self.reading.letters.customs.named_axes = self.axes.of_one_frame();
     }
@@ -295,10 +297,13 @@ impl Builder<'_> {
                 "component" | PRINCIPAL_MOMENTS | "axes" | "principal axes" => 3,
                 _ => 1,
             };
-            let on = what.slot(Slot::On).or(match what.head {
-                "axes" | "axis" => what.slot(Slot::Of),
-                _ => None,
-            });
+            let on = what
+                .slot(Slot::On)
+                .or(match (what.head, &declaration.statement) {
+                    ("axes" | "axis", _) => what.slot(Slot::Of),
+                    ("symmetric", Statement::Is { subjects, .. }) => subjects.first(),
+                    _ => None,
+                });
             if let Some(frame) = on.and_then(|term| self.frame(term)) {
                 *score.entry(frame).or_default() += weight;
             }
@@ -318,15 +323,22 @@ impl Builder<'_> {
                 **frame,
             )
         });
-        let work = best
-            .map(|(frame, _)| *frame)
-            .or(body)
+        let work = best.map(|(frame, _)| *frame).or(body);
+        let work = work
+            .or_else(|| self.frame_of_only_body())
             .unwrap_or(self.reading.system.ground);
         self.reading.system.work = work;
         self.reading.letters.component_frame = match score.is_empty() {
             true => body.unwrap_or(work),
             false => work,
         };
+    }
+
+    fn frame_of_only_body(&self) -> Option<FrameId> {
+        match self.reading.system.bodies.as_slice() {
+            [body] => body.frame,
+            _ => None,
+        }
     }
 
     /// An axis of a frame, by its name, or as "the third axis of B".

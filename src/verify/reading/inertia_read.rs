@@ -101,6 +101,8 @@ impl Builder<'_> {
             _ => None,
         };
         let frame = known.frame?;
+        let line = self.axis_of_line(body).filter(|_| self.is_cone(body));
+        let round = round.or(line.map(|(axis, _)| axis));
         let told = self.told_axis_of_shape(body).or(round);
         let axis = told.or_else(|| self.axis_of_turn(body).filter(|_| !self.is_rod(body)))?;
         Some(self.system().axis(frame, axis))

@@ -388,6 +388,11 @@ impl Builder<'_> {
         value.is_ok_and(|value| value.is_scalar())
     }
 
+    pub(super) fn is_vector(&mut self, quantity: &Quantity) -> bool {
+        let value = self.system().value_of(quantity);
+        value.is_ok_and(|value| value.to_vector().is_ok())
+    }
+
     pub(super) fn hold_quantities(
         &mut self,
         left: &Quantity,

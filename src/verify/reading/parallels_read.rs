@@ -17,12 +17,12 @@ impl Builder<'_> {
         let axis = self.system().value_of(&axis).ok()?.to_vector().ok()?;
         for subject in subjects {
             let vector = self.vector(subject, declaration)?;
-            let along = vector.dot(&axis);
-            self.hold_zero(&(vector - axis.clone() * along.clone()), declaration);
-            for letter in self.magnitudes_of(subject).into_iter().filter(|_| points) {
-                let magnitude = self.magnitude_of_letter(&letter, declaration)?;
-                self.hold(magnitude - along.clone(), declaration);
-            }
+            let letter = self.magnitudes_of(subject).pop().filter(|_| points);
+            let along = match letter {
+                Some(letter) => self.magnitude_of_letter(&letter, declaration)?,
+                None => vector.dot(&axis),
+            };
+            self.hold_zero(&(vector - axis.clone() * along), declaration);
         }
         Some(())
     }

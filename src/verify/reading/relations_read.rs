@@ -105,6 +105,14 @@ impl Builder<'_> {
             .and_then(|term| self.frame(term))
             .or(of.frame());
         let on = on.unwrap_or(self.reading.letters.component_frame);
+        if self.is_vector(&of) {
+            let components = NounPhrase {
+                head: "component",
+                ..what.clone()
+            };
+            self.read_components(subjects, &components, declaration);
+            return Some(());
+        }
         let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
         for (place, formula) in formulas(subjects).enumerate() {
             if self.read_all_entries(formula, &of, on, declaration) {

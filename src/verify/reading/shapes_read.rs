@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::heads::{MASS, POSITION};
+use crate::verify::language::heads::{MASS, NORMAL, POSITION};
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
@@ -138,6 +138,9 @@ impl<'a> Builder<'a> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
+        if SIDED.contains(&what.head) {
+            return self.sided_body(body, what, declaration);
+        }
         let shape = mechanics::Shape::by_name(what.head)?;
         let lies_along = what.slot(Slot::Along).is_some();
         let untold = lies_along && self.told_axis_of_shape(body).is_none();
@@ -197,20 +200,33 @@ impl<'a> Builder<'a> {
             _ => None,
         });
         let told = told.or_else(|| self.said_size(body, wanted));
+        if let Some(formula) = told {
+            return self.size_by_letter(&formula, declaration);
+        }
         let name = &self.reading.system.bodies[body].name;
-        let own = || format!("\\text{{{wanted} of {name}}}");
-        if let Some(formula) = told.as_ref().filter(|formula| !is_letter(formula)) {
+        let quantity = Quantity::Scalar {
+            text: format!("\\text{{{wanted} of {name}}}"),
+            constant: true,
+        };
+        let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
+        self.system().atoms.set_positive(&size);
+        Some(size)
+    }
+
+    /// A size that a formula tells: a letter is a positive constant.
+    pub(super) fn size_by_letter(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        if !is_letter(formula) {
             return self.formula_value(formula, declaration)?.to_scalar().ok();
         }
         let quantity = Quantity::Scalar {
-            text: told
-                .as_ref()
-                .map_or_else(own, |formula| formula.source.clone()),
+            text: formula.source.clone(),
             constant: true,
         };
-        if let Some(formula) = told.filter(is_letter) {
-            self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
-        }
+        self.denote(formula, Meaning::Quantity(quantity.clone()), declaration);
         let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
         self.system().atoms.set_positive(&size);
         Some(size)
@@ -249,6 +265,10 @@ impl<'a> Builder<'a> {
                 let of = what
                     .all(Slot::With)
                     .any(|term| self.body(term) == Some(body));
+                subjects.first().and_then(name).filter(|_| of)
+            }
+            Statement::Is { subjects, what } if what.head == NORMAL => {
+                let of = what.all(Slot::Of).any(|term| self.body(term) == Some(body));
                 subjects.first().and_then(name).filter(|_| of)
             }
             Statement::Does {
@@ -363,6 +383,9 @@ impl<'a> Builder<'a> {
         (axis == 2).then(|| mechanics::inertia_in_axes(&turn, tensor))
     }
 }
+
+/// Shapes with a side along each axis of their frame.
+const SIDED: [&str; 2] = ["box", "plate"];
 
 /// What a size of a shape is also called: the height of a cylinder is its length.
 const SAME_SIZE: [(&str, &str); 4] = [

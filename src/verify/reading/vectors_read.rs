@@ -11,8 +11,10 @@ use crate::verify::model::contact::Round;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, told};
-use crate::verify::term::letters::{Meaning, Operator, spelled};
+use crate::verify::reading::names::{
+    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, reach_of, told,
+};
+use crate::verify::term::letters::{Effect, Mark, MarkRule, Meaning, Operator, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
 use num_traits::Zero;
@@ -25,6 +27,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+        if self.names_known_axis(subjects, what) {
+            return;
+        }
         let Some(along) = self.said_direction(what, declaration) else {
             return self.say_unused(declaration);
         };
@@ -237,6 +242,14 @@ impl Builder<'_> {
             let Some(node) = node_of(formula) else {
                 continue;
             };
+            if let (CROSS_PRODUCT_MATRIX, Some(mark)) = (what.head, mark_on(node)) {
+                self.reading.letters.marks.push(MarkRule {
+                    mark,
+                    effect: Effect::CrossProductMatrix,
+                    reach: reach_of(&declaration.extent),
+                });
+                continue;
+            }
             let head = match &node.kind {
                 Kind::Call(head, _) => Some((**head).clone()),
                 Kind::Product(factors) => factors.first().map(|f| f.node.clone()),
@@ -364,6 +377,15 @@ pub(super) fn entry_of(tensor: &Quantity, row: usize, column: usize, on: FrameId
 fn number_node(number: usize) -> Option<Node> {
     match read_formula(&number.to_string(), 0, &Macros::default()).pop()? {
         Row::Expression(node) => Some(node),
+        _ => None,
+    }
+}
+
+/// The mark of a letter: `\hat v`, `\tilde v`.
+fn mark_on(node: &Node) -> Option<Mark> {
+    match &node.kind {
+        Kind::Symbol(symbol) if symbol.style.hat => Some(Mark::Hat),
+        Kind::Symbol(symbol) if symbol.style.tilde => Some(Mark::Tilde),
         _ => None,
     }
 }

@@ -197,13 +197,36 @@ impl Lowering<'_> {
             }
             at += 1;
         }
+        match self.joined_from_the_right(&values) {
+            // `$a^T a E$`: the row and the column come first, where a column before a matrix is nothing.
+            Err(Trouble::IllTyped(why)) => self
+                .joined_from_the_left(&values)
+                .map_err(|_| Trouble::IllTyped(why)),
+            product => product,
+        }
+    }
+
+    /// Numbers wait: a row before a number and a column is taken as a row before a column.
+    fn joined_from_the_right(&mut self, values: &[Value]) -> Valued {
         let custom = self.custom();
-        let Some(mut product) = values.pop() else {
+        let Some((last, before)) = values.split_last() else {
             return beyond(EMPTY);
         };
-        while let Some(left) = values.pop() {
-            // Numbers wait: a row before a number and a column is taken as a row before a column.
-            product = self.joined(&left, Sign::Juxtaposed, &product, custom)?;
+        let mut product = last.clone();
+        for left in before.iter().rev() {
+            product = self.joined(left, Sign::Juxtaposed, &product, custom)?;
+        }
+        Ok(product)
+    }
+
+    fn joined_from_the_left(&mut self, values: &[Value]) -> Valued {
+        let custom = self.custom();
+        let Some((first, behind)) = values.split_first() else {
+            return beyond(EMPTY);
+        };
+        let mut product = first.clone();
+        for right in behind {
+            product = self.joined(&product, Sign::Juxtaposed, right, custom)?;
         }
         Ok(product)
     }

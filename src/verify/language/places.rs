@@ -1,0 +1,231 @@
+//! Places and sides of a body that the sentence about its shape tells: its middle, its ends, what its sides are along.
+
+use super::kinds::name;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// Places that a thing has.
+const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
+
+/// "The rod is a uniform rod with its middle at G and the ends A and B": what G, A and B are.
+pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
+    let mut told: Vec<Declaration> = vec![];
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let [thing] = subjects.as_slice() else {
+            continue;
+        };
+        let mut kept = vec![];
+        for (slot, term) in std::mem::take(&mut what.slots) {
+            match place_of(slot, &term, thing) {
+                Some(places) => told.extend(places.into_iter().map(|statement| Declaration {
+                    statement,
+                    ..before.clone()
+                })),
+                None => kept.push((slot, term)),
+            }
+        }
+        what.slots = kept;
+    }
+    declarations.extend(told);
+}
+
+/// "with its middle at G", "with the ends A and B"
+fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
+    let Term::Phrase(place) = term else {
+        return None;
+    };
+    let others = place.slots.iter().all(|(slot, own)| match slot {
+        Slot::At | Slot::Which => name(own).is_some(),
+        Slot::Of => own == thing,
+        _ => false,
+    });
+    if slot != Slot::With || !PLACES.contains(&place.head) || !others {
+        return None;
+    }
+    let points = place.all(Slot::At).chain(place.all(Slot::Which));
+    let points: Vec<Statement> = points
+        .map(|point| Statement::Is {
+            subjects: vec![point.clone()],
+            what: NounPhrase::new(place.head, vec![(Slot::Of, thing.clone())]),
+        })
+        .collect();
+    (!points.is_empty()).then_some(points)
+}
+
+/// "The rod goes from O to P": these are its ends.
+pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Does {
+            subjects,
+            verb: "extend",
+            slots,
+        } = &declaration.statement
+        else {
+            continue;
+        };
+        if let ([body], [(Slot::From, from), (Slot::To, to)]) =
+            (subjects.as_slice(), slots.as_slice())
+        {
+            declaration.statement = Statement::Is {
+                subjects: vec![from.clone(), to.clone()],
+                what: NounPhrase::new("end", vec![(Slot::Of, body.clone())]),
+            };
+        }
+    }
+}
+
+/// "The block is a uniform box with the edges `$a$`, `$b$`, `$c$` along x, y, z": each is a side along its axis.
+pub(crate) fn tell_sides(declarations: &mut Vec<Declaration>) {
+    let mut told: Vec<Declaration> = vec![];
+    let lying = sides_that_lie(declarations);
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let sides = match subjects.as_slice() {
+            [thing] => sides_of_shape(what, thing),
+            letters => lengths_of_sides(letters, what, &lying),
+        };
+        told.extend(sides.into_iter().map(|statement| Declaration {
+            statement,
+            ..before.clone()
+        }));
+    }
+    // Along what sides lie is said with their lengths.
+    let lies = |d: &Declaration| matches!(&d.statement, Statement::Does { verb: "lie", .. });
+    if !told.is_empty() {
+        declarations.retain(|d| !(lies(d) && !sides_that_lie(std::slice::from_ref(d)).is_empty()));
+    }
+    declarations.extend(told);
+}
+
+/// "`$a$` is the side of the block along x."
+fn side(letter: &Term, of: &Term, along: &Term) -> Statement {
+    let slots = vec![(Slot::Of, of.clone()), (Slot::Along, along.clone())];
+    Statement::Is {
+        subjects: vec![letter.clone()],
+        what: NounPhrase::new("side", slots),
+    }
+}
+
+/// Takes the sides out of what is said of a shape.
+fn sides_of_shape(what: &mut NounPhrase, thing: &Term) -> Vec<Statement> {
+    let letter = |term: &Term| matches!(term, Term::Formula(_));
+    let (letters, along): (Vec<Term>, Vec<Term>) = (
+        what.all(Slot::With)
+            .filter(|t| letter(t))
+            .cloned()
+            .collect(),
+        what.all(Slot::Along).cloned().collect(),
+    );
+    if let (3, Some(frame)) = (letters.len(), what.slot(Slot::On).cloned()) {
+        what.slots
+            .retain(|(slot, term)| !(*slot == Slot::On || *slot == Slot::With && letter(term)));
+        let slots = vec![(Slot::Of, thing.clone()), (Slot::Along, axes_of(&frame))];
+        return vec![Statement::Is {
+            subjects: letters,
+            what: NounPhrase::new("side", slots),
+        }];
+    }
+    if !letters.is_empty() && letters.len() == along.len() {
+        what.slots
+            .retain(|(slot, term)| !(*slot == Slot::Along || *slot == Slot::With && letter(term)));
+        let each = letters.iter().zip(&along);
+        return each
+            .map(|(letter, along)| side(letter, thing, along))
+            .collect();
+    }
+    let mut told = vec![];
+    what.slots.retain(|(_, term)| match side_along(term) {
+        Some((letter, along)) => {
+            told.push(side(letter, thing, along));
+            false
+        }
+        None => true,
+    });
+    told
+}
+
+/// "the side `$a$` along x"
+fn side_along(term: &Term) -> Option<(&Term, &Term)> {
+    match term {
+        Term::Phrase(side) if side.head == "side" || side.head == "length" => {
+            Some((side.slot(Slot::Which)?, side.slot(Slot::Along)?))
+        }
+        _ => None,
+    }
+}
+
+/// The things whose sides are said to lie along axes.
+fn sides_that_lie(declarations: &[Declaration]) -> Vec<(Term, Vec<Term>)> {
+    let lie = |d: &Declaration| match &d.statement {
+        Statement::Does {
+            subjects,
+            verb: "lie",
+            slots,
+        } => {
+            let of = match subjects.as_slice() {
+                [Term::Phrase(side)] if side.head == "side" => side.slot(Slot::Of).cloned(),
+                _ => None,
+            };
+            let along = slots.iter().map(|(slot, term)| match slot {
+                Slot::Along => Some(term.clone()),
+                Slot::On => Some(axes_of(term)),
+                _ => None,
+            });
+            Some((of?, along.collect::<Option<_>>()?))
+        }
+        _ => None,
+    };
+    declarations.iter().filter_map(lie).collect()
+}
+
+/// "the axes of B"
+fn axes_of(frame: &Term) -> Term {
+    let of = vec![(Slot::Of, frame.clone())];
+    Term::Phrase(Box::new(NounPhrase::new("axes", of)))
+}
+
+/// "`$a$`, `$b$`, `$c$` are the lengths of the edges of the block along x, y, z"; along what they lie may be told elsewhere.
+fn lengths_of_sides(
+    letters: &[Term],
+    what: &NounPhrase,
+    lying: &[(Term, Vec<Term>)],
+) -> Vec<Statement> {
+    let Some(Term::Phrase(sides)) = what.slot(Slot::Of).filter(|_| what.head == "length") else {
+        return vec![];
+    };
+    let Some(of) = sides.slot(Slot::Of).filter(|_| sides.head == "side") else {
+        return vec![];
+    };
+    let own: Vec<&Term> = sides.all(Slot::Along).collect();
+    let along: Vec<&Term> = match own.is_empty() {
+        true => lying
+            .iter()
+            .filter(|(thing, _)| thing == of)
+            .flat_map(|(_, along)| along)
+            .collect(),
+        false => own,
+    };
+    if let [axes @ Term::Phrase(_)] = along.as_slice() {
+        return vec![Statement::Is {
+            subjects: letters.to_vec(),
+            what: NounPhrase::new(
+                "side",
+                vec![(Slot::Of, of.clone()), (Slot::Along, (*axes).clone())],
+            ),
+        }];
+    }
+    match along.len() == letters.len() {
+        true => letters
+            .iter()
+            .zip(along)
+            .map(|(l, a)| side(l, of, a))
+            .collect(),
+        false => vec![],
+    }
+}

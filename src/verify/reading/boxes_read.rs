@@ -1,0 +1,101 @@
+//! Boxes and rectangular plates, whose sides lie along the axes of their frames.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::heads::MASS;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::{BodyId, FrameId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use num_traits::Zero;
+
+/// What may be said of a box or a plate without making it another one.
+const PLAIN: [&str; 7] = [
+    "uniform",
+    "thin",
+    "rigid",
+    "solid",
+    "heavy",
+    "rectangular",
+    "right",
+];
+
+impl Builder<'_> {
+    /// The tensor of a box by its three sides, of a plate by the two along it.
+    pub(super) fn sided_body(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let frame = self.reading.system.bodies[body].frame?;
+        let mass_alone = what.slots.iter().all(|(slot, term)| match (slot, term) {
+            (Slot::Of, Term::Phrase(size)) => size.head == MASS,
+            _ => false,
+        });
+        if !mass_alone || what.adjectives.iter().any(|said| !PLAIN.contains(said)) {
+            return None;
+        }
+        let mut sides: [Option<Fraction>; 3] = [None, None, None];
+        for (axis, side) in self.told_sides(body, frame, declaration)? {
+            if sides[axis].replace(side).is_some() {
+                return None;
+            }
+        }
+        // A plate has no thickness.
+        if what.head == "plate" && sides.iter().flatten().count() == 2 {
+            let normal = sides.iter().position(Option::is_none)?;
+            sides[normal] = Some(Fraction::zero());
+        }
+        let sides: Vec<Fraction> = sides.into_iter().collect::<Option<_>>()?;
+        let mass = self.reading.system.bodies[body].mass.clone();
+        let pi = self.system().atoms.pi();
+        let moments = mechanics::Shape::by_name("box")?.moments(&mass, &sides, &pi)?;
+        let work = self.reading.system.work;
+        let turn = self.system().rotation(work, frame);
+        let tensor = mechanics::inertia_in_axes(&turn, &moments.central_inertia());
+        self.reading.system.bodies[body].inertia = Some(tensor);
+        Some(())
+    }
+
+    /// The sides of a body by the axes of its frame: "`$a$`, `$b$`, `$c$` are the sides of the block along x, y, z".
+    fn told_sides(
+        &mut self,
+        body: BodyId,
+        frame: FrameId,
+        declaration: &Declaration,
+    ) -> Option<Vec<(usize, Fraction)>> {
+        let mut sides = vec![];
+        for other in self.declarations {
+            let Statement::Is { subjects, what } = &other.statement else {
+                continue;
+            };
+            let of = what.slot(Slot::Of).and_then(|of| self.body(of));
+            if what.head != "side" || of != Some(body) {
+                continue;
+            }
+            let along: Vec<&Term> = what.all(Slot::Along).collect();
+            let axes: Vec<usize> = match along.as_slice() {
+                [Term::Phrase(axes)] if axes.head == "axes" => {
+                    let of = axes.slot(Slot::Of).and_then(|of| self.frame(of));
+                    (of == Some(frame)).then(|| (0..3).collect())?
+                }
+                along => along
+                    .iter()
+                    .map(|axis| {
+                        let (of, axis) = self.axis_of_frame(axis)?;
+                        (of == frame).then_some(axis)
+                    })
+                    .collect::<Option<_>>()?,
+            };
+            if axes.len() != subjects.len() {
+                return None;
+            }
+            for (axis, letter) in axes.into_iter().zip(formulas(subjects)) {
+                let side = self.size_by_letter(letter, declaration)?;
+                sides.push((axis, side));
+            }
+        }
+        Some(sides)
+    }
+}
