@@ -15,6 +15,7 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
+use super::owners::give_to_bodies;
 use super::places::{tell_places, tell_reach, tell_sides};
 use super::plain_letters::write_letters;
 use super::plain_things::{name_plainly, tell_named_frames};
@@ -108,6 +109,7 @@ fn in_plain_terms(
     tell_places(&mut declarations);
     tell_reach(&mut declarations);
     tell_sides(&mut declarations);
+    give_to_bodies(&mut declarations);
     join_together(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);
