@@ -356,7 +356,8 @@ pub(super) fn size(of: &Fraction) -> usize {
     of.numerator().len() + of.denominator().len()
 }
 
-/// The variable that an equation is best solved for: alone rather than with a factor, the highest rate, the youngest.
+/// The variable that an equation is best solved for: alone rather than with a factor, the highest rate, none that is small,
+/// the youngest.
 fn best(
     atoms: &Atoms,
     value: &Polynomial,
@@ -372,7 +373,8 @@ fn best(
         if plainly && !alone {
             return None;
         }
-        Some(((alone, !atom.positive, atom.key.order, v), slope))
+        let rank = (alone, !atom.positive, atom.key.order, !atoms.is_small(v), v);
+        Some((rank, slope))
     });
     let ((.., variable), slope) = candidates.max_by_key(|(rank, _)| *rank)?;
     let rest = value.coefficient_of(variable, 0);

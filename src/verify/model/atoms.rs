@@ -129,6 +129,8 @@ pub(crate) struct Atoms {
     pub(super) lengths: Vec<(Fraction, Variable)>,
     /// Letters that are no less than zero because they are lengths.
     sized: BTreeSet<Variable>,
+    /// Letters that sentences say to be small.
+    small: BTreeSet<Variable>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
 }
@@ -322,6 +324,18 @@ impl Atoms {
     /// Says that a letter is a length: it is no less than zero.
     pub(crate) fn set_length(&mut self, letter: Variable) {
         self.sized.insert(letter);
+    }
+
+    /// Says that a letter is small: what it stands beside is told by it, and not the other way round.
+    pub(crate) fn set_small(&mut self, letter: Variable) {
+        self.small.insert(letter);
+    }
+
+    /// Whether a variable is said to be small, or is a rate of one that is.
+    pub(crate) fn is_small(&self, variable: Variable) -> bool {
+        let rate_of = |of: &Variable| self.atom(*of).rate_of;
+        let mut chain = std::iter::successors(Some(variable), rate_of);
+        !self.small.is_empty() && chain.any(|v| self.small.contains(&v))
     }
 
     /// The angle of which a variable is the sine or cosine.

@@ -319,6 +319,9 @@ impl Builder<'_> {
             self.say_unused(declaration);
         }
         let reach = reach_of(&there.extent);
+        for letter in &variables {
+            self.system().atoms.set_small(*letter);
+        }
         let small = Small::new(variables, order);
         self.reading.sizes.small.push((reach, small));
         true
