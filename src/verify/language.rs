@@ -44,6 +44,7 @@ mod reader;
 mod reorder;
 mod rewrite;
 mod roles;
+mod same;
 mod sentence_parts;
 mod sign;
 pub mod statement;

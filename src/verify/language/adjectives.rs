@@ -21,7 +21,7 @@ const OF_ALL: [&str; 13] = [
 ];
 
 /// What may be said of bodies, frames, points and planes without making them others.
-const OF_THINGS: [&str; 44] = [
+const OF_THINGS: [&str; 45] = [
     "moving",
     "uniform",
     "thin",
@@ -58,6 +58,7 @@ const OF_THINGS: [&str; 44] = [
     "rotating",
     "turning",
     "intermediate",
+    "orbital",
     "fixed",
     "horizontal",
     "vertical",
@@ -69,7 +70,7 @@ const OF_THINGS: [&str; 44] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 28] = [
+const OF_QUANTITIES: [(&str, &[&str]); 29] = [
     (
         "total",
         &[
@@ -94,6 +95,7 @@ const OF_QUANTITIES: [(&str, &[&str]); 28] = [
     ("small", &["disturbance", "angle", "oscillation", "value"]),
     ("axial", &[heads::MOMENT_OF_INERTIA]),
     ("transverse", &[heads::MOMENT_OF_INERTIA]),
+    ("negative", &["axis"]),
     ("other", &["end"]),
     ("upper", &["end"]),
     ("lower", &["end"]),

@@ -138,6 +138,34 @@ pub(crate) fn with_its(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>
     Some([first, &second].concat())
 }
 
+/// "The body is symmetric about the third axis of the frame B fixed in it": behind a preposition it is the thing that is named
+/// before.
+pub(crate) fn with_it_inside(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let it = |at: usize| tokens[at].lower == "it" && at > 0;
+    let at = (0..tokens.len()).find(|&at| it(at))?;
+    let hangs = lexicon.find(&[tokens[at - 1].lower.as_str()], &[Class::Preposition]);
+    let hangs = hangs.is_some() || tokens[at - 1].lower == "of";
+    let before = &tokens[..at];
+    let words: Vec<&str> = before.iter().map(|t| t.lower.as_str()).collect();
+    let article = |from: usize| ARTICLES.contains(&words[from]);
+    let thing = |from: usize| {
+        let rest = words.get(from + 1..)?;
+        let adjective = lexicon
+            .find(rest, &[Class::Adjective])
+            .map_or(0, |a| a.length);
+        let noun = [0, adjective].iter().find_map(|&skip| {
+            let noun = lexicon.find(rest.get(skip..)?, &[Class::Thing])?;
+            Some(skip + noun.length)
+        })?;
+        Some(from..from + 1 + noun)
+    };
+    let named = (0..before.len())
+        .rev()
+        .filter(|&from| article(from))
+        .find_map(thing)?;
+    hangs.then(|| [before, &tokens[named], &tokens[at + 1..]].concat())
+}
+
 /// The clause with the noun of the first one for "that" and "those".
 pub(super) fn reminded(second: &[Token], spoken: &[Token], lexicon: &Lexicon) -> Vec<Token> {
     let reminds = |at: usize| {

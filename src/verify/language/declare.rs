@@ -1,6 +1,6 @@
 //! Declarations: sentences that an author writes, one a line.
 
-use super::anaphora::{referring, with_its};
+use super::anaphora::{referring, with_it_inside, with_its};
 use super::bodies::introduced;
 use super::clause::Said;
 use super::constancy::tell_constants;
@@ -15,16 +15,17 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
-use super::owners::give_to_bodies;
+use super::owners::{give_to_bodies, say_of_loads};
 use super::places::{tell_places, tell_reach, tell_sides};
 use super::plain_letters::write_letters;
-use super::plain_things::{name_plainly, tell_named_frames};
+use super::plain_things::{hang_on_quantities, name_plainly, say_of_things, tell_named_things};
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
     without_ranges,
 };
 use super::rewrite::plainly;
+use super::same::{share_owners, tell_columns, tell_the_same};
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::together::join_together;
 use super::told_apart::told_apart;
@@ -103,9 +104,15 @@ fn in_plain_terms(
 ) -> Vec<Declaration> {
     let mut declarations = turn_in_order(part_respectively(declarations));
     write_letters(&mut declarations, lexicon, macros);
+    say_of_things(&mut declarations);
+    hang_on_quantities(&mut declarations);
+    say_of_loads(&mut declarations);
+    share_owners(&mut declarations);
+    tell_the_same(&mut declarations);
+    tell_columns(&mut declarations);
     tell_turning(&mut declarations);
     name_plainly(&mut declarations);
-    tell_named_frames(&mut declarations);
+    tell_named_things(&mut declarations);
     tell_places(&mut declarations);
     tell_reach(&mut declarations);
     tell_sides(&mut declarations);
@@ -265,6 +272,7 @@ fn understood(
         described_first(&now, lexicon),
         told_beside(&now, lexicon),
         with_its(&now, lexicon),
+        with_it_inside(&now, lexicon),
     ];
     for other in others.into_iter().flatten().chain(fronted(&now, lexicon)) {
         let other = plainly(&other);

@@ -187,7 +187,9 @@ fn completed(
             all.push((whole.clone(), filled));
         }
         // "and is fixed in B", "and fixed in B": the subject of the first
-        all.push((whole.clone(), [subject, second].concat()));
+        if !letter(second) {
+            all.push((whole.clone(), [subject, second].concat()));
+        }
         let words: Vec<&str> = second.iter().map(|t| t.lower.as_str()).collect();
         let said = [Class::Adjective, Class::Preposition, Class::Passive];
         if lexicon.find(&words, &said).is_some() {

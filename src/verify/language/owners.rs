@@ -1,6 +1,6 @@
 //! Whose something is: a point has no mass centre and no mass, but the body has to which it belongs.
 
-use super::heads::MASS;
+use super::heads::{FORCE, MASS, MOMENT};
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::{is_bodily, is_body};
@@ -27,6 +27,46 @@ pub(crate) fn give_to_bodies(declarations: &mut [Declaration]) {
             }
         }
     }
+}
+
+/// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not
+/// said of the body that the sentence names before.
+pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
+    let mut letter: Option<(String, Term)> = None;
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let vector = matches!(what.head, "unit vector" | "vector");
+        if let ([Term::Name(thing)], Some((text, about)), true) =
+            (subjects.as_slice(), &letter, vector)
+            && thing.starts_with(char::is_lowercase)
+            && *text == declaration.text
+        {
+            *subjects = vec![about.clone()];
+        }
+        let named = what
+            .slots
+            .iter()
+            .rev()
+            .find(|(_, t)| matches!(t, Term::Formula(_)));
+        letter = named.map(|(_, about)| (declaration.text.clone(), about.clone()));
+        let of_forces = match what.slot(Slot::Of) {
+            Some(Term::Phrase(forces)) if what.head == MOMENT && is_all_forces(forces) => {
+                forces.slots.clone()
+            }
+            _ => continue,
+        };
+        what.slots.retain(|(slot, _)| *slot != Slot::Of);
+        what.slots.extend(of_forces);
+    }
+}
+
+/// "the external forces on the body"
+fn is_all_forces(forces: &NounPhrase) -> bool {
+    matches!(forces.head, FORCE | "load")
+        && forces.is("external")
+        && forces.slot(Slot::Of).is_some()
 }
 
 /// A point, and the thing to which the sentence that tells it says that it belongs.

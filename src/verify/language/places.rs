@@ -18,6 +18,7 @@ pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
             continue;
         };
         let mut kept = vec![];
+        tell_origin(what, thing, &before, &mut told);
         for (slot, term) in std::mem::take(&mut what.slots) {
             match place_of(slot, &term, thing) {
                 Some(places) => told.extend(places.into_iter().map(|statement| Declaration {
@@ -30,6 +31,33 @@ pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
         what.slots = kept;
     }
     declarations.extend(told);
+}
+
+/// "B is a frame fixed in the body with the origin at O": what O is.
+fn tell_origin(
+    what: &mut NounPhrase,
+    frame: &Term,
+    before: &Declaration,
+    told: &mut Vec<Declaration>,
+) {
+    let origin =
+        |term: &Term| matches!(term, Term::Phrase(p) if p.head == "origin" && p.slots.is_empty());
+    let at = what.slot(Slot::At).cloned();
+    let with = what.all(Slot::With).any(origin);
+    let (Some(at), true, "frame") = (at, with, what.head) else {
+        return;
+    };
+    what.slots
+        .retain(|(slot, term)| !(*slot == Slot::At || *slot == Slot::With && origin(term)));
+    if name(&at).is_some() {
+        told.push(Declaration {
+            statement: Statement::Is {
+                subjects: vec![at],
+                what: NounPhrase::new("origin", vec![(Slot::Of, frame.clone())]),
+            },
+            ..before.clone()
+        });
+    }
 }
 
 /// "with its middle at G", "with the ends A and B"

@@ -7,6 +7,14 @@ use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 /// Adjectives that say of a thing nothing that could tell it from another.
 const IDLE: [&str; 3] = ["rigid", "whole", "heavy"];
 
+/// What hangs on a quantity, and not on the thing that has it.
+const HOISTED: [Slot; 4] = [
+    Slot::About,
+    Slot::RelativeTo,
+    Slot::On,
+    Slot::VelocitiesRelativeTo,
+];
+
 /// The name of the inertial frame where no sentence gives it one.
 const INERTIAL_FRAME: &str = "inertial frame";
 
@@ -49,6 +57,52 @@ fn inertial_frame(declarations: &[Declaration]) -> Option<String> {
     })
 }
 
+/// "The rigid body is symmetric about z" says it of the body.
+pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Premise(premise) = &declaration.statement else {
+            continue;
+        };
+        if let [idle @ .., said] = premise.adjectives.as_slice()
+            && is_body(premise.head)
+            && !idle.is_empty()
+            && idle.iter().all(|adjective| IDLE.contains(adjective))
+        {
+            declaration.statement = Statement::Is {
+                subjects: vec![Term::Name(premise.head.to_owned())],
+                what: NounPhrase::new(said, premise.slots.clone()),
+            };
+        }
+    }
+}
+
+/// "the inertia tensor of the whole spacecraft about C": about C is the tensor, and not the spacecraft.
+pub(crate) fn hang_on_quantities(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Is { what, .. } = &mut declaration.statement else {
+            continue;
+        };
+        let mut moved = vec![];
+        for (slot, term) in &mut what.slots {
+            if let (Slot::Of, Term::Phrase(thing)) = (&slot, &mut *term)
+                && is_body(thing.head)
+                && !thing.slots.is_empty()
+                && thing.slots.iter().all(|(slot, _)| HOISTED.contains(slot))
+            {
+                moved.append(&mut thing.slots);
+                if thing
+                    .adjectives
+                    .iter()
+                    .all(|adjective| IDLE.contains(adjective))
+                {
+                    *term = Term::Name(thing.head.to_owned());
+                }
+            }
+        }
+        what.slots.append(&mut moved);
+    }
+}
+
 /// Gives a thing its plain name; whether the inertial frame was spoken of.
 fn plain(term: &mut Term, ground: &str) -> bool {
     let Term::Phrase(phrase) = term else {
@@ -64,6 +118,16 @@ fn plain(term: &mut Term, ground: &str) -> bool {
         *term = Term::Name(phrase.head.to_owned());
         return false;
     }
+    // "its axis `$a$`"
+    if let (Some(letter @ Term::Formula(_)), "axis") = (phrase.slot(Slot::Which), phrase.head)
+        && phrase
+            .slots
+            .iter()
+            .all(|(slot, _)| matches!(slot, Slot::Which | Slot::Of))
+    {
+        *term = letter.clone();
+        return false;
+    }
     if let [(Slot::Which, Term::Numbers(number))] = phrase.slots.as_slice()
         && let ([number], true) = (number.as_slice(), is_body(phrase.head))
     {
@@ -77,13 +141,14 @@ fn plain(term: &mut Term, ground: &str) -> bool {
     used
 }
 
-/// "the axes of the frame B of the disc": what is said of a frame beside its name is a sentence of its own.
-pub(crate) fn tell_named_frames(declarations: &mut Vec<Declaration>) {
+/// "the axes of the frame B of the disc", "the outer gimbal A turns": what is said of a frame or a body beside its name is a
+/// sentence of its own.
+pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
     let mut told: Vec<Declaration> = vec![];
     for declaration in declarations.iter_mut() {
         let before = declaration.clone();
         for term in declaration.statement.terms_mut() {
-            for statement in named_frames(term) {
+            for statement in named_things(term) {
                 told.push(Declaration {
                     statement,
                     ..before.clone()
@@ -94,20 +159,27 @@ pub(crate) fn tell_named_frames(declarations: &mut Vec<Declaration>) {
     declarations.extend(told);
 }
 
-/// Puts the name of a frame in the place of its phrase, and gives what the phrases say.
-fn named_frames(term: &mut Term) -> Vec<Statement> {
+/// Bodies that are points, whose names are those of points.
+fn is_point(noun: &str) -> bool {
+    matches!(noun, "particle" | "element" | "bob" | "bead")
+}
+
+/// Puts the name of a thing in the place of its phrase, and gives what the phrases say.
+fn named_things(term: &mut Term) -> Vec<Statement> {
     let Term::Phrase(phrase) = term else {
         return vec![];
     };
     let mut told = vec![];
     for (_, inner) in &mut phrase.slots {
-        told.extend(named_frames(inner));
+        told.extend(named_things(inner));
     }
     let called: Vec<&Term> = phrase.all(Slot::Which).collect();
-    if let ("frame", [called @ Term::Name(_)]) = (phrase.head, called.as_slice()) {
+    let thing = phrase.head == "frame" || is_body(phrase.head) && !is_point(phrase.head);
+    if let (true, [called @ Term::Name(_)]) = (thing, called.as_slice()) {
         let called = (*called).clone();
         phrase.slots.retain(|(slot, _)| *slot != Slot::Which);
-        if !phrase.slots.is_empty() || !phrase.adjectives.is_empty() {
+        let says_more = !phrase.slots.is_empty() || !phrase.adjectives.is_empty();
+        if says_more || phrase.head != "frame" {
             told.push(Statement::Is {
                 subjects: vec![called.clone()],
                 what: (**phrase).clone(),

@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::verify::language::heads::AXES;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -139,9 +139,30 @@ impl Builder<'_> {
             term => self.body(term) == Some(body),
         };
         if own {
-            return self.axis_of_body(body);
+            let told = self.axis_told_with(body, declaration);
+            return self.axis_of_body(body).or(told);
         }
         let axis = self.axis_quantity(across, declaration)?;
+        self.system().value_of(&axis).ok()?.to_vector().ok()
+    }
+
+    /// The axis of another moment of the same sentence: "`$C$` is the moment about the axis along `$n$`, and `$A$` the one about
+    /// any axis across it".
+    fn axis_told_with(&mut self, body: BodyId, declaration: &Declaration) -> Option<Vector> {
+        let declarations = self.declarations;
+        let axis = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { what, .. }
+                if d.line == declaration.line && d.text == declaration.text =>
+            {
+                let of = what.slot(Slot::Of).and_then(|of| self.body(of)) == Some(body);
+                match what.slot(Slot::About).filter(|_| of)? {
+                    Term::Phrase(axis) => axis.slot(Slot::Along),
+                    _ => None,
+                }
+            }
+            _ => None,
+        })?;
+        let axis = self.axis_quantity(axis, declaration)?;
         self.system().value_of(&axis).ok()?.to_vector().ok()
     }
 

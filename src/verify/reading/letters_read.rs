@@ -176,6 +176,7 @@ impl Builder<'_> {
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             // That letters are small says nothing that lines need; to which order they hold is said of lines.
             DISTURBANCE if what.slots.is_empty() => {}
+            "function" if what.slots.iter().all(|(_, of)| is_time(of)) => {}
             "small" if subjects.iter().all(|s| self.is_of_told_order(s)) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {
@@ -404,6 +405,11 @@ impl Builder<'_> {
             self.hold_equal(&left, &right, declaration);
         }
     }
+}
+
+/// "the time"
+fn is_time(term: &Term) -> bool {
+    matches!(term, Term::Phrase(time) if time.head == "time")
 }
 
 /// The formulas among terms.

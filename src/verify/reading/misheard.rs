@@ -38,7 +38,11 @@ fn is_misheard(statement: &Statement) -> bool {
         } => slots.iter().any(|(_, term)| is_quantity(term)),
         Statement::Does { verb, slots, .. } => {
             let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
-            MOTIONS.contains(verb) && slots.iter().any(strange) || has_reversed(slots)
+            // About a negative axis a thing turns the other way.
+            let about = |(slot, _): &&(Slot, Term)| *verb == "turn" && *slot == Slot::About;
+            let mut others = slots.iter().filter(|slot| !about(slot));
+            MOTIONS.contains(verb) && slots.iter().any(strange)
+                || others.any(|(_, term)| is_reversed(term))
         }
         Statement::Is { subjects, what } => {
             let with = what.all(Slot::With).any(is_of_thing);

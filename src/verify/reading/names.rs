@@ -115,6 +115,13 @@ pub(crate) fn along_of(axis: &Term) -> &Term {
 
 /// `x` of `-x`: the direction against which something points.
 pub(crate) fn opposite(term: &Term) -> Option<Term> {
+    if let Term::Phrase(axis) = term
+        && axis.is("negative")
+    {
+        let mut axis = axis.clone();
+        axis.adjectives.retain(|a| *a != "negative");
+        return Some(Term::Phrase(axis));
+    }
     let Term::Formula(formula) = term else {
         return None;
     };

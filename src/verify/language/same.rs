@@ -1,0 +1,122 @@
+//! What a sentence takes from the one before: "the same vector in components on N", "the Coriolis force and … on P in A".
+
+use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, VELOCITY};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// Nouns of quantities of which a list may say once whose they are.
+const SHARING: [&str; 8] = [
+    "Coriolis force",
+    "centrifugal force",
+    "Euler force",
+    POSITION,
+    VELOCITY,
+    ACCELERATION,
+    ANGULAR_VELOCITY,
+    "angular acceleration",
+];
+
+/// "`$u$` is the same vector in components on N": what the sentence before says of its letter, on other axes.
+pub(crate) fn tell_the_same(declarations: &mut [Declaration]) {
+    for at in 1..declarations.len() {
+        let (before, rest) = declarations.split_at_mut(at);
+        let told = before.iter().rev().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => match subjects.as_slice() {
+                [Term::Formula(_)] => Some(inner(what).0),
+                _ => None,
+            },
+            _ => None,
+        });
+        let (Some(told), Statement::Is { what, .. }) = (told, &mut rest[0].statement) else {
+            continue;
+        };
+        let (own, on) = inner(what);
+        let same = told.slot(Slot::ForAny).is_none()
+            && own.is("same")
+            && (own.head == told.head || own.head == "vector");
+        let (Some(on), true) = (on, same) else {
+            continue;
+        };
+        let mut slots = told.slots.clone();
+        slots.retain(|(slot, _)| *slot != Slot::On);
+        slots.push((Slot::On, on));
+        *what = NounPhrase {
+            slots,
+            ..told.clone()
+        };
+    }
+}
+
+/// "`$u$` is the column of the components on N of the velocity of P": the velocity in components on N; and "the entry in row
+/// `$j$` and column `$k$` of `$C$`" by its numbers.
+pub(crate) fn tell_columns(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Is { what, .. } = &mut declaration.statement else {
+            continue;
+        };
+        match (what.head, inner(what)) {
+            ("column", (quantity, Some(on))) if quantity.head != "column" => {
+                let mut quantity = quantity.clone();
+                quantity.slots.retain(|(slot, _)| *slot != Slot::On);
+                quantity.slots.push((Slot::On, on));
+                *what = quantity;
+            }
+            ("entry", _) => {
+                if let Some(entry) = entry_by_numbers(what) {
+                    *what = entry;
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn entry_by_numbers(what: &NounPhrase) -> Option<NounPhrase> {
+    let place = |noun: &str| {
+        what.slots.iter().find_map(|(_, term)| match term {
+            Term::Phrase(place) if place.head == noun => Some(place),
+            _ => None,
+        })
+    };
+    let (row, column) = (place("row")?, place("column")?);
+    let of = column.slot(Slot::Of).or(what.slot(Slot::Of))?;
+    let number = |place: &NounPhrase| match place.slot(Slot::Which)? {
+        Term::Formula(letter) => Some(Term::Name(letter.source.clone())),
+        other => Some(other.clone()),
+    };
+    let slots = vec![
+        (Slot::Which, number(row)?),
+        (Slot::Which, number(column)?),
+        (Slot::Of, of.clone()),
+    ];
+    Some(NounPhrase::new("entry", slots))
+}
+
+/// A quantity inside "the column of the components on B of …", and on which frame it has components.
+fn inner(what: &NounPhrase) -> (&NounPhrase, Option<Term>) {
+    let on = what.slot(Slot::On).cloned();
+    match (what.head, what.slot(Slot::Of)) {
+        ("column" | "component", Some(Term::Phrase(of))) => {
+            let (what, own) = inner(of);
+            (what, own.or(on))
+        }
+        _ => (what, on),
+    }
+}
+
+/// "`$a$` is the velocity, `$b$` the acceleration of P relative to N": the last one says of all what they are of.
+pub(crate) fn share_owners(declarations: &mut [Declaration]) {
+    for at in (1..declarations.len()).rev() {
+        let (before, rest) = declarations.split_at_mut(at);
+        let (one, next) = (&mut before[at - 1], &rest[0]);
+        let joined = one.line == next.line && one.text == next.text && one.extent == next.extent;
+        if let (Statement::Is { what, .. }, Statement::Is { what: last, .. }, true) =
+            (&mut one.statement, &next.statement, joined)
+            && SHARING.contains(&what.head)
+            && SHARING.contains(&last.head)
+            && what.slots.is_empty()
+            && last.slot(Slot::Of).is_some()
+        {
+            what.slots.clone_from(&last.slots);
+        }
+    }
+}
