@@ -5,7 +5,7 @@ use super::bodies::introduced;
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
-use super::entries::tell_entries;
+use super::entries::{tell_entries, tell_parts};
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::part_respectively;
 use super::introduce::introduce;
@@ -25,7 +25,7 @@ use super::reorder::{
     without_ranges,
 };
 use super::rewrite::plainly;
-use super::same::{share_owners, tell_columns, tell_the_same};
+use super::same::{name_by_formulas, share_owners, tell_columns, tell_the_same};
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::together::join_together;
 use super::told_apart::told_apart;
@@ -106,12 +106,13 @@ fn in_plain_terms(
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
-    say_of_loads(&mut declarations);
     share_owners(&mut declarations);
     tell_the_same(&mut declarations);
     tell_columns(&mut declarations);
+    name_by_formulas(&mut declarations);
     tell_turning(&mut declarations);
     name_plainly(&mut declarations);
+    say_of_loads(&mut declarations);
     tell_named_things(&mut declarations);
     tell_places(&mut declarations);
     tell_reach(&mut declarations);
@@ -129,6 +130,7 @@ fn in_plain_terms(
     fix_frames(&mut declarations);
     shape_by_name(&mut declarations, lexicon);
     centre_shapes(&mut declarations);
+    tell_parts(&mut declarations);
     tell_entries(&mut declarations);
     show_frames(&mut declarations);
     introduce(&mut declarations);

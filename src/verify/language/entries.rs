@@ -40,6 +40,62 @@ pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
     declarations.extend(told);
 }
 
+/// "`$q = (q_0, q_1, q_2, q_3)$` takes components on B to components on N": q does, and the others are its components.
+pub(crate) fn tell_parts(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let Statement::Does {
+            subjects,
+            verb: "take",
+            ..
+        } = &mut declaration.statement
+        else {
+            continue;
+        };
+        let Some(formula) = subjects
+            .first()
+            .and_then(written)
+            .filter(|_| subjects.len() == 1)
+        else {
+            continue;
+        };
+        let (Some(letter), Some(entries)) =
+            (letter_in(formula), array_in(formula).and_then(row_in))
+        else {
+            continue;
+        };
+        let entries = entries
+            .into_iter()
+            .map(Formula::of)
+            .map(Term::Formula)
+            .collect();
+        let letter = Term::Formula(letter);
+        let of = vec![(Slot::Of, letter.clone())];
+        *subjects = vec![letter];
+        told.push(Declaration {
+            statement: Statement::Is {
+                subjects: entries,
+                what: NounPhrase::new("component", of),
+            },
+            ..before
+        });
+    }
+    declarations.extend(told);
+}
+
+/// A formula, and that of "the quaternion `$q$`".
+fn written(term: &Term) -> Option<&Formula> {
+    match term {
+        Term::Formula(formula) => Some(formula),
+        Term::Phrase(phrase) => match phrase.slots.as_slice() {
+            [(Slot::Which, Term::Formula(formula))] => Some(formula),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// "the components of the angular velocity of B on B"
 fn component_of(what: &NounPhrase) -> NounPhrase {
     let (on, own) = what
@@ -74,13 +130,17 @@ fn letter_in(formula: &Formula) -> Option<Formula> {
 
 /// The three entries of a row or a column.
 fn entries_of(node: &Node) -> Option<Vec<&Node>> {
+    row_in(node).filter(|entries| entries.len() == 3)
+}
+
+/// The entries of a row or a column.
+fn row_in(node: &Node) -> Option<Vec<&Node>> {
     match &node.kind {
-        Kind::Transpose(inner) | Kind::Group(_, inner) => entries_of(inner),
-        Kind::Tuple(entries) => (entries.len() == 3).then(|| entries.iter().collect()),
+        Kind::Transpose(inner) | Kind::Group(_, inner) => row_in(inner),
+        Kind::Tuple(entries) => Some(entries.iter().collect()),
         Kind::Matrix(rows) => {
-            let entries: Vec<&Node> = rows.iter().flatten().collect();
             let one = rows.len() == 1 || rows.iter().all(|row| row.len() == 1);
-            (one && entries.len() == 3).then_some(entries)
+            one.then(|| rows.iter().flatten().collect())
         }
         _ => None,
     }

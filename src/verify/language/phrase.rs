@@ -192,7 +192,12 @@ impl<'a> Reader<'a> {
         let mut phrase = self.phrase_of(owner)?;
         self.belongs_to_thing(&mut phrase, owned)?;
         if self.hangs() && OWNED.contains(&phrase.head) && phrase.slot(Slot::Of).is_none() {
-            let whose = self.owner.first().cloned();
+            // A letter has no mass centre.
+            let whose = self
+                .owner
+                .first()
+                .filter(|owner| !matches!(owner, Term::Formula(_)));
+            let whose = whose.cloned();
             phrase.slots.extend(whose.map(|whose| (Slot::Of, whose)));
         }
         Ok(match phrase.slots.as_slice() {

@@ -5,7 +5,7 @@ use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
-const IDLE: [&str; 3] = ["rigid", "whole", "heavy"];
+const IDLE: [&str; 4] = ["rigid", "whole", "heavy", "one"];
 
 /// What hangs on a quantity, and not on the thing that has it.
 const HOISTED: [Slot; 4] = [
@@ -172,6 +172,16 @@ fn named_things(term: &mut Term) -> Vec<Statement> {
     let mut told = vec![];
     for (_, inner) in &mut phrase.slots {
         told.extend(named_things(inner));
+    }
+    // "a frame fixed in the platform"
+    if let ("frame", [(Slot::FixedIn, Term::Name(body))]) = (phrase.head, phrase.slots.as_slice()) {
+        let called = Term::Name(format!("frame of {body}"));
+        told.push(Statement::Is {
+            subjects: vec![called.clone()],
+            what: (**phrase).clone(),
+        });
+        *term = called;
+        return told;
     }
     let called: Vec<&Term> = phrase.all(Slot::Which).collect();
     let thing = phrase.head == "frame" || is_body(phrase.head) && !is_point(phrase.head);

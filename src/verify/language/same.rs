@@ -1,7 +1,9 @@
 //! What a sentence takes from the one before: "the same vector in components on N", "the Coriolis force and … on P in A".
 
 use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, VELOCITY};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 
 /// Nouns of quantities of which a list may say once whose they are.
 const SHARING: [&str; 8] = [
@@ -89,6 +91,34 @@ fn entry_by_numbers(what: &NounPhrase) -> Option<NounPhrase> {
         (Slot::Of, of.clone()),
     ];
     Some(NounPhrase::new("entry", slots))
+}
+
+/// "`$h$` means `$J\Omega$`": a letter of which nothing else is told is that.
+pub(crate) fn name_by_formulas(declarations: &mut [Declaration]) {
+    let told: Vec<Term> = declarations
+        .iter()
+        .filter(|d| matches!(d.statement, Statement::Is { .. }))
+        .flat_map(|d| d.statement.subjects().to_vec())
+        .collect();
+    for declaration in declarations {
+        let Statement::Means { written, meaning } = &declaration.statement else {
+            continue;
+        };
+        let letter = Term::Formula(written.clone());
+        if is_letter(written) && !told.contains(&letter) {
+            declaration.statement = Statement::Same {
+                subjects: vec![letter],
+                others: vec![Term::Formula(meaning.clone())],
+            };
+        }
+    }
+}
+
+fn is_letter(formula: &Formula) -> bool {
+    match &formula.row {
+        Row::Expression(node) => matches!(node.kind, Kind::Symbol(_)),
+        _ => false,
+    }
 }
 
 /// A quantity inside "the column of the components on B of …", and on which frame it has components.

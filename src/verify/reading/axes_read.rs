@@ -216,7 +216,13 @@ impl Builder<'_> {
         relative: FrameId,
     ) -> Option<usize> {
         let Some(name) = name_of(about) else {
-            // "the first axis of B"
+            // "the first axis" is that of both, "the first axis of B" that of B
+            if let Term::Phrase(axis) = about
+                && let ("axis", [(Slot::Which, number @ Term::Numbers(_))]) =
+                    (axis.head, axis.slots.as_slice())
+            {
+                return self.number_of_axis(number);
+            }
             let (of, axis) = self.axis_of_frame(about)?;
             return (of == frame || of == relative).then_some(axis);
         };

@@ -189,6 +189,8 @@ impl Builder<'_> {
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;
                 let velocities = match phrase.slot(Slot::VelocitiesRelativeTo) {
+                    // Relative to the frame itself, as without these words.
+                    Some(term) if self.frame(term) == Some(relative) => Velocities::Absolute,
                     Some(term) => self.point(term).map(|_| Velocities::RelativeToPoint)?,
                     None => Velocities::Absolute,
                 };
