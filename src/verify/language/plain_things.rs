@@ -1,7 +1,7 @@
 //! Things by their plain names: "the rigid body" is the body, and "an inertial frame" the one that a sentence names.
 
 use super::is_body;
-use super::kinds::name;
+use super::kinds::{name, rename};
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
@@ -156,7 +156,34 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
             }
         }
     }
+    // "the inner gimbal" is the one that has got a name.
+    for (noun, called) in names_of_bodies(&told) {
+        for term in declarations
+            .iter_mut()
+            .flat_map(|d| d.statement.terms_mut())
+        {
+            rename(term, noun, &called);
+        }
+    }
     declarations.extend(told);
+}
+
+/// The nouns by which only one thing is called, each with the name of that.
+fn names_of_bodies(told: &[Declaration]) -> Vec<(&'static str, String)> {
+    let mut names: Vec<(&'static str, String)> = vec![];
+    for declaration in told {
+        if let Statement::Is { subjects, what } = &declaration.statement
+            && is_body(what.head)
+            && let Some(called) = subjects.first().and_then(name)
+            && !names.contains(&(what.head, called.clone()))
+        {
+            names.push((what.head, called));
+        }
+    }
+    let all = names.clone();
+    let single = |noun: &str| all.iter().filter(|(other, _)| *other == noun).count() == 1;
+    names.retain(|(noun, _)| single(noun));
+    names
 }
 
 /// Bodies that are points, whose names are those of points.

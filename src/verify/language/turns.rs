@@ -78,6 +78,15 @@ const OF_TURNS: [Slot; 5] = [
     Slot::FixedIn,
 ];
 
+/// Slots that say where something moves.
+const OF_MOVES: [Slot; 4] = [Slot::On, Slot::RelativeTo, Slot::In, Slot::Along];
+
+/// Adjectives of what moves, with their verbs and what says how.
+const MOTIONS: [(&str, &str, &[Slot]); 2] = [
+    ("turning", "turn", &OF_TURNS),
+    ("moving", "move", &OF_MOVES),
+];
+
 /// "The disc is a body that turns about z": the disc turns.
 pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
     let mut told = vec![];
@@ -85,19 +94,23 @@ pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
         let Statement::Is { subjects, what } = &mut declaration.statement else {
             continue;
         };
-        if !is_body(what.head) || !what.is("turning") {
+        let Some((adjective, verb, slots)) = MOTIONS.into_iter().find(|(said, ..)| what.is(said))
+        else {
+            continue;
+        };
+        if !is_body(what.head) {
             continue;
         }
-        what.adjectives.retain(|a| *a != "turning");
-        let (turn, own) = std::mem::take(&mut what.slots)
+        what.adjectives.retain(|a| *a != adjective);
+        let (moves, own) = std::mem::take(&mut what.slots)
             .into_iter()
-            .partition(|(slot, _)| OF_TURNS.contains(slot));
+            .partition(|(slot, _)| slots.contains(slot));
         what.slots = own;
         told.push(Declaration {
             statement: Statement::Does {
                 subjects: subjects.clone(),
-                verb: "turn",
-                slots: turn,
+                verb,
+                slots: moves,
             },
             ..declaration.clone()
         });

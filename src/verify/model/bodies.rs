@@ -237,7 +237,8 @@ impl System {
             .unwrap_or_else(Vector::zeros)
     }
 
-    /// The kinetic energy of a body relative to a frame, by König's law; or of rotation alone.
+    /// The kinetic energy of a body relative to a frame, by König's law; or of rotation alone, which is that of all motion
+    /// relative to the mass centre.
     pub(crate) fn kinetic_energy(
         &mut self,
         body: BodyId,
@@ -259,8 +260,12 @@ impl System {
             if let Some((inertia, omega)) = self.spin(part, frame) {
                 sum += mechanics::kinetic_energy(&inertia, &omega);
             }
-            if !rotation_alone {
-                let velocity = self.velocity(centre, frame);
+            let whole = self.bodies[body].centre;
+            if !rotation_alone || part != body {
+                let mut velocity = self.velocity(centre, frame);
+                if rotation_alone {
+                    velocity -= self.velocity(whole, frame);
+                }
                 let own = half.clone() * mass * velocity.dot(&velocity);
                 sum += self.over_members(part, own);
             }

@@ -207,7 +207,10 @@ impl Builder<'_> {
     pub(super) fn point(&self, term: &Term) -> Option<PointId> {
         match term {
             Term::Phrase(phrase) if phrase.head == MASS_CENTRE => {
-                let body = self.body(phrase.slot(Slot::Of)?)?;
+                let body = match phrase.slot(Slot::Of) {
+                    Some(of) => self.body(of)?,
+                    None => self.only_body()?,
+                };
                 Some(self.reading.system.bodies[body].centre)
             }
             _ if acting_force(term).is_some() => self.where_acts(acting_force(term)?),

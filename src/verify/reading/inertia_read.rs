@@ -39,7 +39,7 @@ impl Builder<'_> {
         }
         let axis = match (self.told_axis(phrase, declaration), own) {
             (Some(axis), _) if !phrase.is("axial") => axis,
-            (None, Some(body)) => self.axis_by_itself(phrase, body)?,
+            (None, Some(body)) => self.axis_by_itself(phrase, body, declaration)?,
             _ => return None,
         };
         Some(Quantity::Along {
@@ -59,7 +59,12 @@ impl Builder<'_> {
     }
 
     /// The axis that is meant where none is told: that of the body itself, one across its line, or the one about which it turns.
-    fn axis_by_itself(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Quantity> {
+    fn axis_by_itself(
+        &mut self,
+        phrase: &NounPhrase,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
         let axis = match phrase.slot(Slot::About) {
             Some(Term::Phrase(axis)) if AXES.contains(&axis.head) => {
                 let own = axis.all(Slot::Of).all(|of| self.body(of) == Some(body));
@@ -69,7 +74,10 @@ impl Builder<'_> {
                 let across = axis.slot(Slot::With).map(|of| self.body(of));
                 match across {
                     Some(of) => self.axis_across(of?)?,
-                    None if axis.slot(Slot::Through).is_none() => self.axis_of_body(body)?,
+                    None if axis.slot(Slot::Through).is_none() => {
+                        let told = self.axis_of_symmetry_told(body, declaration);
+                        self.axis_of_body(body).or(told)?
+                    }
                     None => return None,
                 }
             }
@@ -140,9 +148,24 @@ impl Builder<'_> {
         };
         if own {
             let told = self.axis_told_with(body, declaration);
+            let told = told.or_else(|| self.axis_of_symmetry_told(body, declaration));
             return self.axis_of_body(body).or(told);
         }
         let axis = self.axis_quantity(across, declaration)?;
+        self.system().value_of(&axis).ok()?.to_vector().ok()
+    }
+
+    /// The axis about which a sentence says that a body is symmetric.
+    fn axis_of_symmetry_told(&mut self, body: BodyId, declaration: &Declaration) -> Option<Vector> {
+        let declarations = self.declarations;
+        let axis = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "symmetric" => {
+                let own = subjects.iter().any(|s| self.body(s) == Some(body));
+                what.slot(Slot::About).filter(|_| own)
+            }
+            _ => None,
+        })?;
+        let axis = self.axis_quantity(axis, declaration)?;
         self.system().value_of(&axis).ok()?.to_vector().ok()
     }
 
