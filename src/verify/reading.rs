@@ -34,6 +34,7 @@ pub(crate) mod no_loads_read;
 pub(crate) mod notation_read;
 pub(crate) mod only_loads_read;
 pub(crate) mod order;
+pub(crate) mod orders_read;
 pub(crate) mod parallels_read;
 pub(crate) mod parents_read;
 pub(crate) mod points_read;

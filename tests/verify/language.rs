@@ -537,7 +537,8 @@ fn what_a_sentence_says_first_is_kept_where_the_rest_is_not_understood() {
     let (declarations, misread) = read_declarations(text, &Macros::default(), &Lexicon::default());
     assert_eq!(misread.len(), 2);
     let read = |d: &&Declaration| !matches!(d.statement, Statement::Unread { .. });
-    let kept: Vec<usize> = declarations.iter().filter(read).map(|d| d.line).collect();
+    let mut kept: Vec<usize> = declarations.iter().filter(read).map(|d| d.line).collect();
+    kept.dedup();
     assert_eq!(kept, [1], "what goes on may change what is said of things");
 }
 

@@ -21,7 +21,7 @@ const OF_ALL: [&str; 13] = [
 ];
 
 /// What may be said of bodies, frames, points and planes without making them others.
-const OF_THINGS: [&str; 45] = [
+const OF_THINGS: [&str; 46] = [
     "moving",
     "uniform",
     "thin",
@@ -59,6 +59,7 @@ const OF_THINGS: [&str; 45] = [
     "turning",
     "intermediate",
     "orbital",
+    "right-handed",
     "fixed",
     "horizontal",
     "vertical",

@@ -83,6 +83,8 @@ pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
 ];
 /// Angles that lead from one frame to another, one after the other.
 pub(crate) const EULER_ANGLES: &str = "Euler angles";
+/// The axis of a body that is symmetric.
+pub(crate) const OF_SYMMETRY: [&str; 2] = ["symmetry axis", "spin axis"];
 /// What a moment may be about, beside points.
 pub(crate) const AXES: [&str; 4] = [VERTICAL, "axis", "symmetry axis", "spin axis"];
 /// Words of sentences about where up is.

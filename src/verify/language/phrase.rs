@@ -191,15 +191,7 @@ impl<'a> Reader<'a> {
         }
         let mut phrase = self.phrase_of(owner)?;
         self.belongs_to_thing(&mut phrase, owned)?;
-        if self.hangs() && OWNED.contains(&phrase.head) && phrase.slot(Slot::Of).is_none() {
-            // A letter has no mass centre.
-            let whose = self
-                .owner
-                .first()
-                .filter(|owner| !matches!(owner, Term::Formula(_)));
-            let whose = whose.cloned();
-            phrase.slots.extend(whose.map(|whose| (Slot::Of, whose)));
-        }
+        self.belongs_to_subject(&mut phrase);
         Ok(match phrase.slots.as_slice() {
             // "frame B" is B, and so is "the inertial frame B" where it hangs on something.
             [(Slot::Of, _), (Slot::Which, named @ Term::Name(_))]
@@ -215,6 +207,18 @@ impl<'a> Reader<'a> {
             }
             _ => Term::Phrase(Box::new(phrase)),
         })
+    }
+
+    /// "the moment on the hub about the mass centre" is about that of the hub; a letter has no mass centre.
+    fn belongs_to_subject(&self, phrase: &mut NounPhrase) {
+        if !self.hangs() || !OWNED.contains(&phrase.head) || phrase.slot(Slot::Of).is_some() {
+            return;
+        }
+        let owner = self.owner.first();
+        let owner = owner.filter(|owner| !matches!(owner, Term::Formula(_)));
+        phrase
+            .slots
+            .extend(owner.map(|owner| (Slot::Of, owner.clone())));
     }
 
     /// A noun with its article, its adjectives and what hangs on it.

@@ -40,8 +40,10 @@ fn tell_origin(
     before: &Declaration,
     told: &mut Vec<Declaration>,
 ) {
-    let origin =
-        |term: &Term| matches!(term, Term::Phrase(p) if p.head == "origin" && p.slots.is_empty());
+    let origin = |term: &Term| match term {
+        Term::Phrase(p) => p.head == "origin" && p.slots.iter().all(|(_, of)| of == frame),
+        _ => false,
+    };
     let at = what.slot(Slot::At).cloned();
     let with = what.all(Slot::With).any(origin);
     let (Some(at), true, "frame") = (at, with, what.head) else {

@@ -2,7 +2,7 @@
 
 use super::is_body;
 use super::kinds::{name, rename};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
 const IDLE: [&str; 4] = ["rigid", "whole", "heavy", "one"];
@@ -57,9 +57,25 @@ fn inertial_frame(declarations: &[Declaration]) -> Option<String> {
     })
 }
 
-/// "The rigid body is symmetric about z" says it of the body.
+/// Names of all that a document says in formulas.
+const FORMULAS: [&str; 4] = ["formulas", "equations", "relations", "lines"];
+
+/// "The rigid body is symmetric about z" says it of the body, "the formulas hold to first order" of all lines.
 pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
     for declaration in declarations {
+        if let Statement::Does {
+            subjects,
+            verb: "hold",
+            slots,
+        } = &declaration.statement
+            && let [Term::Name(all)] = subjects.as_slice()
+            && FORMULAS.contains(&all.as_str())
+        {
+            declaration.statement = Statement::LineHolds {
+                lines: Extent::Document,
+                slots: slots.clone(),
+            };
+        }
         let Statement::Premise(premise) = &declaration.statement else {
             continue;
         };

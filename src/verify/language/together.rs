@@ -29,7 +29,9 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
         let Statement::Is { subjects, what } = &mut declaration.statement else {
             continue;
         };
-        if subjects.len() != 1 || !OF_WHOLES.contains(&what.head) {
+        // "the mass of P and of Q" may be that of each.
+        let of_each = what.head == MASS && !what.is("total");
+        if subjects.len() != 1 || !OF_WHOLES.contains(&what.head) || of_each {
             continue;
         }
         let Some((whole, parts)) = told_together(what) else {

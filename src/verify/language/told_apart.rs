@@ -109,41 +109,35 @@ fn relative_clause(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let (subject, verb, rest) = clause(tokens, lexicon)?;
     let behind = subject.len() + verb.len();
     let at = (0..rest.len()).find(|&at| at > 0 && opens_clause(rest, at, lexicon))?;
-    let comma = usize::from(rest[at - 1].kind == Kind::Comma);
-    let before = &tokens[..behind + at - comma];
+    let before = &tokens[..behind + at];
+    let predicate = &before[behind..];
     let (relative, inside) = rest[at..].split_first()?;
-    let end = end_of_clause(inside, comma > 0);
-    let (inside, more) = inside.split_at(end);
+    let (inside, more) = inside.split_at(end_of_clause(inside));
     let is = verb
         .first()
         .is_some_and(|t| COPULAS.contains(&t.lower.as_str()));
+    let letter = subject.last().is_some_and(|t| t.kind == Kind::Formula);
     let whose = match is {
-        true if is_one_noun(&before[behind..]) => subject.to_vec(),
+        true if is_one_noun(predicate) && !letter => subject.to_vec(),
         // Of two nouns it may be either.
-        true if begins_with_article(&before[behind..]) => return None,
-        _ => named_last(&before[behind..], lexicon)?,
+        true if begins_with_article(predicate) => return None,
+        _ => named_last(predicate, lexicon)?,
     };
     let semicolon = put_in(Kind::Semicolon, "", relative);
     let told = match relative.lower.as_str() {
         "whose" => {
             let (noun, _, _) = clause(inside, lexicon)?;
-            let predicate = &inside[noun.len()..];
             let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, relative));
-            [&[the], noun, &[of], &whose, predicate].concat()
+            [&[the], noun, &[of], &whose, &inside[noun.len()..]].concat()
         }
         _ => [&whose, inside].concat(),
     };
-    let more: Vec<Token> = match more.split_first() {
-        Some((comma, rest)) if comma.kind == Kind::Comma && joins_verb(rest, lexicon) => {
-            [subject, &rest[1..]].concat()
-        }
-        Some((comma, rest)) if comma.kind == Kind::Comma => rest.to_vec(),
-        _ => more.to_vec(),
+    let more = match more.split_first() {
+        Some((_, rest)) if joins_verb(rest, lexicon) => [subject, &rest[1..]].concat(),
+        Some((_, rest)) => rest.to_vec(),
+        None => return Some([before, &[semicolon], &told].concat()),
     };
-    match more.is_empty() {
-        true => Some([before, &[semicolon], &told].concat()),
-        false => Some([before, &[semicolon.clone()], &told, &[semicolon], &more].concat()),
-    }
+    Some([before, &[semicolon.clone()], &told, &[semicolon], &more].concat())
 }
 
 /// Whether a clause about the noun before begins here.
@@ -158,18 +152,17 @@ fn opens_clause(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
         .find(&[tokens[at - 1].lower.as_str()], &[Class::Preposition])
         .is_some();
     match words[0] {
-        "that" | "which" => !hangs && verb(1),
-        "whose" => (2..words.len().min(6)).any(verb),
+        "that" | "which" => !hangs && tokens[at - 1].kind != Kind::Comma && verb(1),
+        "whose" => tokens[at - 1].kind != Kind::Comma && (2..words.len().min(6)).any(verb),
         _ => false,
     }
 }
 
-/// Where a relative clause ends: behind a comma at the next one, else where another clause is joined.
-fn end_of_clause(inside: &[Token], behind_comma: bool) -> usize {
+/// Where a relative clause ends: where another clause is joined.
+fn end_of_clause(inside: &[Token]) -> usize {
     let ends = |at: usize| {
-        let comma = inside[at].kind == Kind::Comma;
         let joined = inside.get(at + 1).is_some_and(|t| t.lower == "and");
-        comma && (behind_comma || joined)
+        inside[at].kind == Kind::Comma && joined
     };
     (0..inside.len())
         .find(|&at| ends(at))
@@ -198,9 +191,15 @@ fn begins_with_article(tokens: &[Token]) -> bool {
         .is_some_and(|t| ARTICLES.contains(&t.lower.as_str()))
 }
 
-/// The noun with the last article, without what describes it.
+/// What is named last: by its own name, or by the noun with the last article, without what describes it.
 fn named_last(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let article = |t: &Token| ARTICLES.contains(&t.lower.as_str());
+    if let [.., before, last] = tokens
+        && is_name(last)
+        && before.kind == Kind::Word
+    {
+        return Some(vec![last.clone()]);
+    }
     let at = tokens.iter().rposition(article)?;
     let noun = head(&tokens[at..], lexicon);
     (!noun.is_empty()).then(|| [&[put_in(Kind::Word, "the", &tokens[at])], noun].concat())

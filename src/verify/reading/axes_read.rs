@@ -340,11 +340,13 @@ impl Builder<'_> {
         };
     }
 
+    /// The frame of the only body, where its shape or its symmetry gives it an axis.
     fn frame_of_only_body(&self) -> Option<FrameId> {
-        match self.reading.system.bodies.as_slice() {
-            [body] => body.frame,
-            _ => None,
-        }
+        let [body] = self.reading.system.bodies.as_slice() else {
+            return None;
+        };
+        let named = |frame: &FrameId| self.axes.iter().any(|(_, (of, _))| of == frame);
+        body.frame.filter(|frame| self.is_cone(0) || named(frame))
     }
 
     /// An axis of a frame, by its name, or as "the third axis of B".

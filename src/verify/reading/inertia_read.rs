@@ -55,6 +55,16 @@ impl Builder<'_> {
             Term::Phrase(line) => line.slot(Slot::Along).unwrap_or(about),
             _ => about,
         };
+        // "along the axis of the cylinder"
+        if let Term::Phrase(axis) = along
+            && AXES.contains(&axis.head)
+            && let Some(body) = axis.slot(Slot::Of).and_then(|of| self.body(of))
+            && axis.slots.len() == 1
+        {
+            let told = self.axis_of_symmetry_told(body, declaration);
+            let axis = self.axis_of_body(body).or(told)?;
+            return Some(Quantity::Known(Value::vector(&axis, Basis::Itself)));
+        }
         self.axis_quantity(&along.clone(), declaration)
     }
 

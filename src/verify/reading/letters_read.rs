@@ -174,10 +174,7 @@ impl Builder<'_> {
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
-            // That letters are small says nothing that lines need; to which order they hold is said of lines.
-            DISTURBANCE if what.slots.is_empty() => {}
-            "function" if what.slots.iter().all(|(_, of)| is_time(of)) => {}
-            "small" if subjects.iter().all(|s| self.is_of_told_order(s)) => {}
+            _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {
                 for formula in formulas(subjects) {
@@ -405,11 +402,6 @@ impl Builder<'_> {
             self.hold_equal(&left, &right, declaration);
         }
     }
-}
-
-/// "the time"
-fn is_time(term: &Term) -> bool {
-    matches!(term, Term::Phrase(time) if time.head == "time")
 }
 
 /// The formulas among terms.

@@ -3,6 +3,7 @@
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::lying_read::axis_of;
 
 impl Builder<'_> {
     /// A vector is its component along an axis; where it points there, this component is its magnitude.
@@ -27,8 +28,49 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// "`$\omega$` is parallel to z."
+    pub(super) fn read_parallel_to(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
+        let read = match slots {
+            [(Slot::With | Slot::Along, axis)] => {
+                self.read_parallel(subjects, axis, false, declaration)
+            }
+            _ => None,
+        };
+        read.unwrap_or_else(|| self.say_unused(declaration));
+    }
+
+    /// Where things lie and vectors point.
+    pub(super) fn read_direction(
+        &mut self,
+        subjects: &[Term],
+        verb: &str,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
+        match verb {
+            "point" if formulas(subjects).count() == subjects.len() => {
+                self.read_pointing(subjects, slots, declaration);
+            }
+            "lie" => {
+                if let Some(axis) = axis_of(slots) {
+                    self.read_lying(subjects, axis, declaration);
+                }
+                if let [(Slot::At, at)] = slots {
+                    let read = self.read_lying_at(subjects, at, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
+                }
+            }
+            _ => {}
+        }
+    }
+
     /// Where vectors point; where forces do is read with the loads.
-    pub(super) fn read_pointing(
+    fn read_pointing(
         &mut self,
         subjects: &[Term],
         slots: &[(Slot, Term)],

@@ -12,8 +12,6 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::lying_read::axis_of;
 use crate::verify::reading::names::{
     MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
 };
@@ -53,35 +51,14 @@ impl Builder<'_> {
                     let read = self.read_perpendicular(subjects, what, declaration);
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
-                Statement::Does {
-                    subjects,
-                    verb: "point",
-                    slots,
-                } if formulas(subjects).count() == subjects.len() => {
-                    self.read_pointing(subjects, slots, declaration);
-                }
                 Statement::Is { subjects, what } if what.head == "parallel" => {
-                    let read = match what.slots.as_slice() {
-                        [(Slot::With | Slot::Along, axis)] => {
-                            self.read_parallel(subjects, axis, false, declaration)
-                        }
-                        _ => None,
-                    };
-                    read.unwrap_or_else(|| self.say_unused(declaration));
+                    self.read_parallel_to(subjects, &what.slots, declaration);
                 }
                 Statement::Does {
                     subjects,
-                    verb: "lie",
+                    verb,
                     slots,
-                } => {
-                    if let Some(axis) = axis_of(slots) {
-                        self.read_lying(subjects, axis, declaration);
-                    }
-                    if let [(Slot::At, at)] = slots.as_slice() {
-                        let read = self.read_lying_at(subjects, at, declaration);
-                        read.unwrap_or_else(|| self.say_unused(declaration));
-                    }
-                }
+                } => self.read_direction(subjects, verb, slots, declaration),
                 Statement::Is { subjects, what } if what.head == "symmetric" => {
                     self.read_symmetry(subjects, what, declaration);
                 }

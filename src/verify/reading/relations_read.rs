@@ -1,8 +1,6 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
-use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
-use crate::verify::facts::small::Small;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
@@ -17,7 +15,6 @@ use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::Value;
-use num_traits::Zero;
 
 /// The order of the entries of a symmetric tensor, where their letters do not say it.
 const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
@@ -261,70 +258,6 @@ impl Builder<'_> {
             true => Quantity::Scaled(along.boxed(), whole(-1)),
             false => along,
         })
-    }
-
-    /// Whether a sentence says to which order in a letter lines hold.
-    pub(super) fn is_of_told_order(&self, letter: &Term) -> bool {
-        let order = |slot: &Slot| matches!(slot, Slot::In | Slot::InSecondOrder);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::LineHolds { slots, .. } => {
-                let mut letters = slots.iter().filter(|(slot, _)| order(slot));
-                letters.any(|(_, term)| term == letter)
-            }
-            _ => false,
-        })
-    }
-
-    /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.
-    pub(super) fn read_order_of_lines(
-        &mut self,
-        lines: &Extent,
-        slots: &[(Slot, Term)],
-        declaration: &Declaration,
-    ) -> bool {
-        let order = |slot: &Slot| match slot {
-            Slot::In => Some(1),
-            Slot::InSecondOrder => Some(2),
-            _ => None,
-        };
-        let small = slots.iter();
-        let small = small.filter_map(|(slot, term)| Some((order(slot)?, term)));
-        let (orders, letters): (Vec<u32>, Vec<Term>) = small.map(|(o, t)| (o, t.clone())).unzip();
-        let Some(order) = orders.into_iter().max() else {
-            return false;
-        };
-        // The letters mean what they mean on these lines.
-        let there = match lines {
-            Extent::Document => declaration.clone(),
-            lines => Declaration {
-                extent: lines.clone(),
-                ..declaration.clone()
-            },
-        };
-        let mut variables = vec![];
-        for formula in formulas(&letters) {
-            let value = self.formula_value(formula, &there);
-            let entries = value.map_or_else(Vec::new, |value| value.entries);
-            let own: Option<Vec<Variable>> = entries
-                .iter()
-                .filter(|entry| !entry.is_zero())
-                .map(Fraction::as_variable)
-                .collect();
-            match own.filter(|own| !own.is_empty()) {
-                Some(own) => variables.extend(own),
-                None => self.say_unused(declaration),
-            }
-        }
-        if variables.is_empty() {
-            self.say_unused(declaration);
-        }
-        let reach = reach_of(&there.extent);
-        for letter in &variables {
-            self.system().atoms.set_small(*letter);
-        }
-        let small = Small::new(variables, order);
-        self.reading.sizes.small.push((reach, small));
-        true
     }
 
     /// "`$h$` is the product of `$J$` and `$\Omega$`."

@@ -1,6 +1,6 @@
 //! Letters of axes that no frame names: the axis of symmetry of a body that turns freely, and the vertical.
 
-use crate::verify::language::heads::{EULER_ANGLES, VERTICAL};
+use crate::verify::language::heads::{EULER_ANGLES, OF_SYMMETRY, VERTICAL};
 use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::axes_read::Vertical;
@@ -9,9 +9,6 @@ use crate::verify::reading::names::{UNIT_VECTOR, name_of};
 
 /// The axis of its own frame along which a body is symmetric, where nothing else is told of that frame.
 const OWN: usize = 2;
-
-/// Nouns of the axis of a body that is symmetric.
-const OF_SYMMETRY: [&str; 2] = ["symmetry axis", "spin axis"];
 
 impl Builder<'_> {
     /// "The body is symmetric about `$n$`, a unit vector fixed in it": where no sentence says how its frame lies, its third
@@ -44,8 +41,14 @@ impl Builder<'_> {
                 fixed.then(|| (letter, body.clone()))
             }
             ([letter @ Term::Formula(_)], UNIT_VECTOR) => {
-                let body = axis_of_symmetry(what)?;
-                Some((letter.clone(), body.clone()))
+                let body = match axis_of_symmetry(what)? {
+                    Some(body) => body.clone(),
+                    None => {
+                        let only = self.only_body()?;
+                        Term::Name(self.reading.system.bodies[only].name.clone())
+                    }
+                };
+                Some((letter.clone(), body))
             }
             _ => None,
         }
@@ -137,10 +140,10 @@ impl Builder<'_> {
     }
 }
 
-/// The body of "the unit vector along the axis of symmetry of the body".
-fn axis_of_symmetry(what: &NounPhrase) -> Option<&Term> {
+/// "the unit vector along the axis of symmetry of the body": the body, if it says so.
+fn axis_of_symmetry(what: &NounPhrase) -> Option<Option<&Term>> {
     match what.slot(Slot::Along)? {
-        Term::Phrase(axis) if OF_SYMMETRY.contains(&axis.head) => axis.slot(Slot::Of),
+        Term::Phrase(axis) if OF_SYMMETRY.contains(&axis.head) => Some(axis.slot(Slot::Of)),
         _ => None,
     }
 }
