@@ -32,6 +32,7 @@ mod lexicon;
 mod manual;
 mod members;
 pub(crate) mod messages;
+mod mounted;
 mod owners;
 mod phrase;
 mod places;

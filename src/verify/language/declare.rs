@@ -7,7 +7,7 @@ use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
 use super::hinges::{name_ends, tell_hinges};
-use super::in_turn::part_respectively;
+use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{
@@ -15,6 +15,7 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
+use super::mounted::mount_wheels;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::places::{tell_places, tell_reach, tell_sides};
 use super::plain_letters::write_letters;
@@ -102,7 +103,7 @@ fn in_plain_terms(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
-    let mut declarations = turn_in_order(part_respectively(declarations));
+    let mut declarations = turn_in_order(part_letters(part_respectively(declarations)));
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
@@ -136,6 +137,7 @@ fn in_plain_terms(
     introduce(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
+    mount_wheels(&mut declarations);
     declarations
 }
 

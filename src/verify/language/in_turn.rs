@@ -165,6 +165,27 @@ const SHARED_BY_VERBS: [Slot; 7] = [
     Slot::RelativeTo,
 ];
 
+/// What is said of letters by as many nouns, also where the sentence begins with these: "the masses of P and Q are `$m$` and
+/// `$M$`".
+pub(crate) fn part_letters(declarations: Vec<Declaration>) -> Vec<Declaration> {
+    let mut parted = vec![];
+    for declaration in declarations {
+        match &declaration.statement {
+            Statement::Is { subjects, what }
+                if subjects.iter().all(|t| matches!(t, Term::Formula(_))) =>
+            {
+                let each = each_of_its_own(subjects.clone(), what.clone()).into_iter();
+                parted.extend(each.map(|statement| Declaration {
+                    statement,
+                    ..declaration.clone()
+                }));
+            }
+            _ => parted.push(declaration),
+        }
+    }
+    parted
+}
+
 /// "O and P are points fixed in N and B, respectively": as the word says, each of its own.
 pub(crate) fn part_respectively(declarations: Vec<Declaration>) -> Vec<Declaration> {
     let mut parted = vec![];

@@ -1,7 +1,7 @@
 //! Bodies, their parts, and the families that their members make.
 
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::language::{heads::MASS, is_bodily};
+use crate::verify::language::{heads::MASS, is_bodily, is_body};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
@@ -112,7 +112,7 @@ impl Builder<'_> {
                 if let Term::Name(name) = term
                     && name.starts_with(char::is_lowercase)
                     && singular(name).is_none()
-                    && !self.frames.contains_key(name)
+                    && (!self.frames.contains_key(name) || is_body(name))
                     && !self.is_plane(name)
                 {
                     self.add_named_body(name);

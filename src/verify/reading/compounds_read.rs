@@ -46,6 +46,10 @@ impl Builder<'_> {
         quantity: &Quantity,
         declaration: &Declaration,
     ) {
+        // "`$x\hat x$`": a letter and its own unit vector are two.
+        if let Some(node) = node_of(formula) {
+            self.reading.letters.keep_apart(std::slice::from_ref(node));
+        }
         let known = self.system().value_of(quantity).ok();
         let value = match quantity {
             Quantity::Position { .. } => self.place_value(formula, declaration),

@@ -1,9 +1,7 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
 use crate::notation::ast::{Kind, Node};
-use crate::verify::language::statement::{
-    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
-};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
