@@ -55,6 +55,7 @@ mod together;
 mod told_apart;
 mod turns;
 mod unread;
+mod weights;
 mod words;
 
 pub use declare::{read_declarations, read_sentence};

@@ -10,6 +10,7 @@ mod long_laws;
 mod matrices;
 mod members;
 mod named_loads;
+mod own_words;
 mod parts;
 mod quaternions;
 mod reading;

@@ -31,6 +31,7 @@ use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::together::join_together;
 use super::told_apart::told_apart;
 use super::turns::{tell_turning, turn_by_aircraft_angles, turn_in_order};
+use super::weights::{tell_gravity, tell_zeros};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -120,6 +121,8 @@ fn in_plain_terms(
     tell_sides(&mut declarations);
     give_to_bodies(&mut declarations);
     join_together(&mut declarations);
+    tell_zeros(&mut declarations);
+    tell_gravity(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);
     name_positions(&mut declarations);

@@ -307,7 +307,9 @@ impl Builder<'_> {
                 .slot(Slot::On)
                 .or(match (what.head, &declaration.statement) {
                     ("axes" | "axis", _) => what.slot(Slot::Of),
-                    ("symmetric", Statement::Is { subjects, .. }) => subjects.first(),
+                    ("symmetric", Statement::Is { subjects, .. }) => subjects
+                        .first()
+                        .filter(|body| self.has_axis(body, what.slot(Slot::About))),
                     _ => None,
                 });
             if let Some(frame) = on.and_then(|term| self.frame(term)) {
@@ -338,6 +340,12 @@ impl Builder<'_> {
             true => body.unwrap_or(work),
             false => work,
         };
+    }
+
+    /// Whether a letter names an axis of the frame of a body.
+    fn has_axis(&self, body: &Term, letter: Option<&Term>) -> bool {
+        let axis = letter.and_then(|letter| self.axis_of_frame(letter));
+        axis.is_some_and(|(frame, _)| self.frame(body) == Some(frame))
     }
 
     /// The frame of the only body, where its shape or its symmetry gives it an axis.

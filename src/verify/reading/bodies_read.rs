@@ -374,6 +374,7 @@ impl Builder<'_> {
             }
         }
         self.find_bases();
+        self.tell_tensors_of_wheels();
     }
 
     /// "P is a particle of mass `$m$`", "the rods are thin rods of length `$l$`".

@@ -280,7 +280,13 @@ impl Builder<'_> {
                 if angle.is_some() {
                     self.say_unused(said.declaration);
                 }
-                let along = self.direction(about, said.declaration, Some(relative))?;
+                // It is fixed in both, and how fast they turn against each other is not told yet.
+                let nearer = if self.carries_work(frame) {
+                    frame
+                } else {
+                    relative
+                };
+                let along = self.direction(about, said.declaration, Some(nearer))?;
                 let rate = match (rate, angle) {
                     (Some(rate), _) => rate,
                     (None, Some(angle)) => self.system().atoms.derivative(&angle),
@@ -289,6 +295,14 @@ impl Builder<'_> {
                 Turn::Rate(Axis::Along(Box::new(along)), Box::new(rate))
             }
         })
+    }
+
+    /// Whether the frame on whose axes all is worked out is this one, or turns against it.
+    fn carries_work(&self, frame: FrameId) -> bool {
+        let frames = &self.reading.system.frames;
+        let up = |of: &FrameId| frames[*of].parent;
+        let mut chain = std::iter::successors(Some(self.reading.system.work), up);
+        chain.any(|of| of == frame)
     }
 
     /// A rate that has no letter.

@@ -2,9 +2,9 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
-use crate::verify::model::system::Vector;
+use crate::verify::model::system::{BodyId, Matrix, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::vectors_read::entry_of;
 use crate::verify::term::quantity::{Quantity, Whole};
@@ -39,6 +39,54 @@ impl Builder<'_> {
             None => self.direction(about, declaration, Some(frame))?,
         };
         self.hold_symmetry(body, &axis, declaration)
+    }
+
+    /// A part that is symmetric about a vector and turns about it has I_t 1 + (I_s − I_t) n nᵀ on any axes: its spin does not
+    /// change that.
+    pub(super) fn tell_tensors_of_wheels(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let ("symmetric", [subject], Some(about @ Term::Formula(letter))) =
+                (what.head, subjects.as_slice(), what.slot(Slot::About))
+            else {
+                continue;
+            };
+            let part = self.body(subject).filter(|&body| self.is_plain_part(body));
+            let named = self.axis_of_frame(about).is_some();
+            if let Some(body) = part.filter(|_| !named) {
+                self.reading.system.bodies[body].inertia = self.tensor_of_wheel(body, letter);
+            }
+        }
+    }
+
+    /// Whether a body is a part of another, and nothing is told yet of its inertia.
+    fn is_plain_part(&self, body: BodyId) -> bool {
+        let bodies = &self.reading.system.bodies;
+        let known = &bodies[body];
+        let plain = known.parts.is_empty() && known.members.is_none() && known.frame.is_some();
+        let untold = known.inertia.is_none() && known.base.is_none();
+        plain && untold && bodies.iter().any(|whole| whole.parts.contains(&body))
+    }
+
+    fn tensor_of_wheel(&mut self, body: BodyId, axis: &Formula) -> Option<Matrix> {
+        let axis = Quantity::UnitVector {
+            text: axis.source.clone(),
+            carried: Some(self.said_fixed(axis)?),
+        };
+        let axis = self.system().value_of(&axis).ok()?.to_vector().ok()?;
+        let name = self.reading.system.bodies[body].name.clone();
+        let mut moment = |which: &str| {
+            let text = format!("\\text{{{which} moment of {name}}}");
+            let constant = true;
+            let moment = self.system().value_of(&Quantity::Scalar { text, constant });
+            let moment = moment.ok()?.to_scalar().ok()?;
+            self.system().atoms.set_positive(&moment);
+            Some(moment)
+        };
+        let (across, along) = (moment("transverse")?, moment("axial")?);
+        Some(mechanics::symmetric_inertia(&across, &along, &axis))
     }
 
     /// "The plane of x and z is a plane of symmetry of the aircraft": no product of inertia has the axis across it.

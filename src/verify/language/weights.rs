@@ -1,0 +1,147 @@
+//! Weights that are written out, and where potential energies are zero: "the weight `$mg$`" tells the letter of gravity.
+
+use super::heads::{GRAVITY, MASS, POTENTIAL_ENERGY, WEIGHT};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+
+/// "`$V$` is the potential energy of the rod, zero at O": where it is zero is a sentence of its own.
+pub(crate) fn tell_zeros(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let zero = what.slots.iter().position(|(_, term)| is_zero(term));
+        let Some(at) = zero.filter(|_| what.head == POTENTIAL_ENERGY) else {
+            continue;
+        };
+        if let (_, Term::Phrase(zero)) = what.slots.remove(at) {
+            told.push(Declaration {
+                statement: Statement::Is {
+                    subjects: subjects.clone(),
+                    what: *zero,
+                },
+                ..before
+            });
+        }
+    }
+    declarations.extend(told);
+}
+
+fn is_zero(term: &Term) -> bool {
+    matches!(term, Term::Phrase(zero) if zero.head == "zero" && zero.slot(Slot::At).is_some())
+}
+
+/// "The weight `$mg$` and the force at O are the only loads": where m is a mass, g is the acceleration of gravity.
+pub(crate) fn tell_gravity(declarations: &mut Vec<Declaration>) {
+    let masses: Vec<String> = declarations.iter().flat_map(masses_in).collect();
+    let mut found: Option<Declaration> = None;
+    for declaration in declarations.iter_mut() {
+        let before = declaration.clone();
+        let (Statement::Premise(NounPhrase { slots, .. }) | Statement::Does { slots, .. }) =
+            &mut declaration.statement
+        else {
+            continue;
+        };
+        for at in 0..slots.len() {
+            let Some(weight) = written_weight(&slots[at].1) else {
+                continue;
+            };
+            if !masses.contains(&weight.mass) {
+                continue;
+            }
+            let slot = slots[at].0;
+            slots[at].1 = Term::Phrase(Box::new(NounPhrase::new(WEIGHT, vec![])));
+            slots.extend(weight.others.into_iter().map(|other| (slot, other)));
+            found.get_or_insert(Declaration {
+                statement: Statement::Is {
+                    subjects: vec![Term::Formula(weight.gravity)],
+                    what: NounPhrase::new(GRAVITY, vec![]),
+                },
+                ..before.clone()
+            });
+        }
+    }
+    let told = |d: &Declaration| matches!(&d.statement, Statement::Is { what, .. } if what.head == GRAVITY);
+    if !declarations.iter().any(told) {
+        declarations.extend(found);
+    }
+}
+
+/// A weight with its formula.
+struct Written {
+    /// The letter of the mass.
+    mass: String,
+    gravity: Formula,
+    /// Other loads that the list names behind it.
+    others: Vec<Term>,
+}
+
+/// "the weight `$mg$`", "the weight of magnitude `$mg$`"
+fn written_weight(term: &Term) -> Option<Written> {
+    let Term::Phrase(weight) = term else {
+        return None;
+    };
+    if weight.head != WEIGHT {
+        return None;
+    }
+    let magnitude = weight.all(Slot::Of).find_map(|of| match of {
+        Term::Phrase(size) if size.head == "magnitude" => size.slot(Slot::Which),
+        _ => None,
+    });
+    let Some(Term::Formula(formula)) = weight.slot(Slot::Which).or(magnitude) else {
+        return None;
+    };
+    let (mass, gravity) = mass_and_gravity(formula)?;
+    let others = weight
+        .all(Slot::Of)
+        .filter(|of| !matches!(of, Term::Phrase(p) if p.head == "magnitude"));
+    Some(Written {
+        mass,
+        gravity,
+        others: others.cloned().collect(),
+    })
+}
+
+/// The letters of "`$mg$`".
+fn mass_and_gravity(formula: &Formula) -> Option<(String, Formula)> {
+    let Row::Expression(node) = &formula.row else {
+        return None;
+    };
+    let Kind::Product(factors) = &node.kind else {
+        return None;
+    };
+    let is_g = |node: &Node| matches!(&node.kind, Kind::Symbol(symbol) if symbol.name == "g");
+    match factors.as_slice() {
+        [mass, gravity] if is_g(&gravity.node) => {
+            Some((Formula::of(&mass.node).source, Formula::of(&gravity.node)))
+        }
+        _ => None,
+    }
+}
+
+/// The letters that a sentence says to be masses.
+fn masses_in(declaration: &Declaration) -> Vec<String> {
+    let source = |term: &Term| match term {
+        Term::Formula(Formula {
+            row: Row::Expression(node),
+            ..
+        }) => Some(Formula::of(node).source),
+        _ => None,
+    };
+    let own = match &declaration.statement {
+        Statement::Is { subjects, what } if what.head == MASS => subjects.as_slice(),
+        _ => &[],
+    };
+    let sizes = declaration
+        .statement
+        .terms()
+        .into_iter()
+        .filter_map(|term| match term {
+            Term::Phrase(size) if size.head == MASS => size.slot(Slot::Which),
+            _ => None,
+        });
+    own.iter().chain(sizes).filter_map(source).collect()
+}
