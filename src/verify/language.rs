@@ -10,6 +10,7 @@
 pub(crate) mod adjectives;
 mod anaphora;
 mod bodies;
+mod body_axes;
 mod clause;
 mod constancy;
 pub(crate) mod cues;

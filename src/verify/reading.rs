@@ -51,6 +51,7 @@ pub(crate) mod rest_read;
 pub(crate) mod shapes_read;
 pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;
+pub(crate) mod turn_order;
 pub(crate) mod turns_read;
 pub(crate) mod unused;
 pub(crate) mod unused_read;

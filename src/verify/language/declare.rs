@@ -2,6 +2,7 @@
 
 use super::anaphora::{referring, with_it_inside, with_its};
 use super::bodies::introduced;
+use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::ellipsis::{joint_weakness, parted_at};
@@ -104,10 +105,13 @@ fn in_plain_terms(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
-    let mut declarations = turn_in_order(part_letters(part_respectively(declarations)));
+    let mut declarations =
+        turn_in_order(part_centres(part_letters(part_respectively(declarations))));
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
+    tell_normals(&mut declarations);
+    end_the_same(&mut declarations);
     share_owners(&mut declarations);
     tell_the_same(&mut declarations);
     tell_columns(&mut declarations);
@@ -141,6 +145,8 @@ fn in_plain_terms(
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
     mount_wheels(&mut declarations);
+    turn_to_frames(&mut declarations);
+    fix_pivots(&mut declarations);
     declarations
 }
 

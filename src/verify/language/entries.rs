@@ -4,6 +4,16 @@ use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 
+/// Nouns that are said of several letters.
+const LISTED: [&str; 6] = [
+    "principal moments",
+    "products of inertia",
+    "component",
+    "entry",
+    "Euler angles",
+    "axes",
+];
+
 /// Parts what is said of an array into what is said of its entries; "`$\omega = (p, q, r)$` is …" says it of the letter as
 /// well.
 pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
@@ -19,6 +29,11 @@ pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
             continue;
         };
         let entries = entries.iter().map(|node| Term::Formula(Formula::of(node)));
+        // "`$(A, A, C)$` are the principal moments": what is said of several is said of them.
+        if LISTED.contains(&what.head) {
+            *subjects = entries.collect();
+            continue;
+        }
         let of_entries = Statement::Is {
             subjects: entries.collect(),
             what: component_of(what),

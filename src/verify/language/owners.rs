@@ -5,27 +5,70 @@ use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::{is_bodily, is_body};
 
-/// Nouns of points.
-const POINTS: [&str; 5] = ["point", "apex", "end", "corner", "middle"];
+/// Nouns of what belongs to a body.
+const BELONGING: [&str; 8] = [
+    "point",
+    "apex",
+    "end",
+    "corner",
+    "middle",
+    "frame",
+    "vector",
+    "unit vector",
+];
 
 /// "O is the apex of the cone, and G is its mass centre": that of the cone.
 pub(crate) fn give_to_bodies(declarations: &mut [Declaration]) {
     let owners: Vec<(String, Term)> = declarations.iter().filter_map(owner).collect();
     for declaration in declarations {
-        let Statement::Is { what, .. } = &mut declaration.statement else {
-            continue;
-        };
-        let of_bodies = is_bodily(what.head) || what.head == MASS || what.head == "mass centre";
-        for (_, of) in what
-            .slots
-            .iter_mut()
-            .filter(|(slot, _)| of_bodies && *slot == Slot::Of)
-        {
-            let point = name(of);
-            if let Some((_, body)) = owners.iter().find(|(own, _)| Some(own) == point.as_ref()) {
-                of.clone_from(body);
+        let mut lost = false;
+        if let Statement::Is { what, .. } | Statement::Premise(what) = &mut declaration.statement {
+            lost |= give(what, &owners);
+        }
+        for term in declaration.statement.terms_mut() {
+            if let Term::Phrase(phrase) = term {
+                lost |= give(phrase, &owners);
             }
         }
+        if lost {
+            *declaration = declaration.clone().not_understood();
+        }
+    }
+}
+
+/// Gives what only bodies have to the body to which the thing belongs; whether it is a letter of which no sentence tells that.
+fn give(what: &mut NounPhrase, owners: &[(String, Term)]) -> bool {
+    let centre = what.head == "mass centre";
+    let of_bodies = is_bodily(what.head) || what.head == MASS || centre;
+    let mut lost = false;
+    for (slot, term) in &mut what.slots {
+        if let Term::Phrase(inner) = term {
+            lost |= give(inner, owners);
+            continue;
+        }
+        if !of_bodies || *slot != Slot::Of {
+            continue;
+        }
+        let own = name(term);
+        match owners
+            .iter()
+            .find(|(own_name, _)| Some(own_name) == own.as_ref())
+        {
+            Some((_, body)) => term.clone_from(body),
+            None => lost |= centre && is_vector(term),
+        }
+    }
+    lost
+}
+
+/// Whether a term is a letter of a vector: small, or with a mark.
+fn is_vector(term: &Term) -> bool {
+    match term {
+        Term::Formula(formula) => {
+            formula.source.starts_with('\\') && !formula.source.contains("cal")
+                || formula.source.starts_with(char::is_lowercase)
+        }
+        _ => false,
     }
 }
 
@@ -83,7 +126,7 @@ fn owner(declaration: &Declaration) -> Option<(String, Term)> {
         .filter_map(|slot| belongs(what, slot))
         .collect();
     match owners.as_slice() {
-        [owner] if POINTS.contains(&what.head) => Some((name(point)?, (*owner).clone())),
+        [owner] if BELONGING.contains(&what.head) => Some((name(point)?, (*owner).clone())),
         _ => None,
     }
 }
@@ -95,6 +138,6 @@ fn belongs<'t>(what: &NounPhrase, (slot, of): &'t (Slot, Term)) -> Option<&'t Te
         Term::Phrase(phrase) => is_body(phrase.head),
         _ => false,
     };
-    let fixed = *slot == Slot::FixedIn && what.head == "point";
+    let fixed = *slot == Slot::FixedIn && BELONGING.contains(&what.head);
     (body && (*slot == Slot::Of || fixed)).then_some(of)
 }

@@ -1,5 +1,6 @@
 //! Things by their plain names: "the rigid body" is the body, and "an inertial frame" the one that a sentence names.
 
+use super::body_axes::is_thing_with_sizes;
 use super::is_body;
 use super::kinds::{name, rename};
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
@@ -215,6 +216,16 @@ fn named_things(term: &mut Term) -> Vec<Statement> {
     let mut told = vec![];
     for (_, inner) in &mut phrase.slots {
         told.extend(named_things(inner));
+    }
+    // "A uniform rod of mass `$m$` goes from O to P"
+    if is_thing_with_sizes(phrase) && !is_point(phrase.head) {
+        let called = Term::Name(phrase.head.to_owned());
+        told.push(Statement::Is {
+            subjects: vec![called.clone()],
+            what: (**phrase).clone(),
+        });
+        *term = called;
+        return told;
     }
     // "a frame fixed in the platform"
     if let ("frame", [(Slot::FixedIn, Term::Name(body))]) = (phrase.head, phrase.slots.as_slice()) {

@@ -152,6 +152,9 @@ impl Builder<'_> {
     ) {
         let ground = self.reading.system.ground;
         let [subject] = subjects else { return };
+        if self.body(subject).is_some() {
+            return self.say_unused(declaration);
+        }
         let axis = self.number_of_axis(subject).unwrap_or(2);
         self.bearings.vertical = Some(Vertical {
             frame: ground,
@@ -216,6 +219,9 @@ impl Builder<'_> {
         relative: FrameId,
     ) -> Option<usize> {
         let Some(name) = name_of(about) else {
+            if let Some(own) = self.own_axis_of_shape(about, frame) {
+                return Some(own);
+            }
             // "the first axis" is that of both, "the first axis of B" that of B
             if let Term::Phrase(axis) = about
                 && let ("axis", [(Slot::Which, number @ Term::Numbers(_))]) =

@@ -108,16 +108,34 @@ impl Builder<'_> {
             let array = Quantity::On(of.boxed(), frame);
             return self.denote(formula, Meaning::Quantity(array), declaration);
         }
-        for (place, subject) in subjects.iter().take(3).enumerate() {
-            let axis = single.unwrap_or(place);
-            if let Term::Formula(formula) = subject {
-                let quantity = Quantity::Component {
-                    of: of.clone().boxed(),
-                    axis,
-                    on: frame,
-                };
+        let component = |place: usize| Quantity::Component {
+            of: of.clone().boxed(),
+            axis: single.unwrap_or(place),
+            on: frame,
+        };
+        let all = subjects.iter().take(3).enumerate();
+        let all = all.filter_map(|(place, subject)| match subject {
+            Term::Formula(formula) => Some((formula, component(place))),
+            _ => None,
+        });
+        self.tell_each(all.collect(), declaration);
+    }
+
+    /// Letters first, each once; what is made of them, and a letter that stands again, holds by what they are.
+    fn tell_each(&mut self, entries: Vec<(&Formula, Quantity)>, declaration: &Declaration) {
+        let mut told: Vec<&Formula> = vec![];
+        let mut others = vec![];
+        for (formula, quantity) in entries {
+            let again = told.iter().any(|known| known.source == formula.source);
+            if again || self.is_worked_out(formula, declaration) {
+                others.push((formula, quantity));
+            } else {
+                told.push(formula);
                 self.tell(formula, quantity, declaration);
             }
+        }
+        for (formula, quantity) in others {
+            self.hold_formula_is(formula, &quantity, declaration);
         }
     }
 

@@ -159,29 +159,8 @@ impl Builder<'_> {
         for declaration in chains {
             self.read_euler_angles(declaration);
         }
+        self.read_turns();
         for declaration in declarations {
-            let Statement::Does {
-                subjects,
-                verb: "turn",
-                slots,
-            } = &declaration.statement
-            else {
-                continue;
-            };
-            let relative = slot(slots, Slot::RelativeTo).and_then(name_of);
-            let said = Said {
-                relative,
-                slots,
-                declaration,
-            };
-            for subject in subjects {
-                if let Some(frame) = self.frame(subject) {
-                    self.turn_frame(frame, &said);
-                }
-            }
-        }
-        for declaration in declarations {
-            self.read_turning_frame(declaration);
             self.read_kept_direction(declaration);
             self.read_axis_in_space(declaration);
         }

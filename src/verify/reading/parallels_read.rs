@@ -77,6 +77,13 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         if subjects.iter().all(|subject| self.is_force(subject)) {
+            // A number is told by the direction; a vector lies along it.
+            let vectors = subjects
+                .iter()
+                .all(|subject| self.vector(subject, declaration).is_some());
+            if let ([(Slot::Along, axis)], true) = (slots, vectors) {
+                self.read_parallel(subjects, axis, true, declaration);
+            }
             return;
         }
         let read = match slots {

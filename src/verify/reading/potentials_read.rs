@@ -2,14 +2,22 @@
 
 use crate::algebra::{Fraction, Variable, compose};
 use crate::notation::document::Row;
-use crate::verify::language::heads::{HEIGHT, OF_POTENTIALS};
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::heads::{
+    CONTACT_FORCE, FORCE, FRICTION, HEIGHT, NORMAL_FORCE, OF_LOADS, OF_POTENTIALS, WEIGHT,
+};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use std::collections::HashMap;
+
+/// Forces that may do work.
+const FORCES_AT_WORK: [&str; 2] = [FORCE, "load"];
+
+/// What an elastic thing has.
+const ELASTIC: [&str; 2] = ["stiffness", "damping"];
 
 /// Whether a sentence says for which values of letters a potential energy is zero: "`$V$` is zero at `$\\theta = 0$`".
 pub(super) fn tells_zero_of_potential(declaration: &Declaration, all: &[Declaration]) -> bool {
@@ -39,12 +47,50 @@ impl<'a> Builder<'a> {
         sign: i64,
     ) -> Option<Quantity> {
         let potential = self.potential_energy(body);
-        if potential.is_none() && self.gravity.is_some() {
+        let unknown = potential.is_none() && self.gravity.is_some();
+        if unknown || self.declarations.iter().any(|d| self.may_do_work(d)) {
             return None;
         }
         let signed = |v: Quantity| Quantity::Scaled(v.boxed(), whole(sign));
         let terms = std::iter::once(kinetic).chain(potential.map(signed));
         Some(Quantity::Sum(terms.collect()))
+    }
+
+    /// Whether a sentence tells of a load that may have a potential energy besides a weight of which all is known: no force at a
+    /// point, which holds a body there, and none of a plane on which it moves.
+    fn may_do_work(&self, declaration: &Declaration) -> bool {
+        let weightless = self.gravity.is_none();
+        let weighs = |phrase: &NounPhrase| phrase.head == WEIGHT || phrase.head == POTENTIAL;
+        let holds = |load: &NounPhrase| {
+            load.slot(Slot::At).is_some()
+                || matches!(load.head, CONTACT_FORCE | NORMAL_FORCE | FRICTION)
+        };
+        let works = |load: &NounPhrase| match weighs(load) {
+            true => weightless,
+            false => FORCES_AT_WORK.contains(&load.head) && !holds(load),
+        };
+        match &declaration.statement {
+            Statement::Is { subjects, what } => {
+                let letters = subjects.iter().any(|s| matches!(s, Term::Formula(_)));
+                letters && works(what) || ELASTIC.contains(&what.head)
+            }
+            Statement::Premise(premise) if premise.is("only") => {
+                premise.all(Slot::With).any(|load| match load {
+                    Term::Phrase(load) => works(load),
+                    _ => true,
+                })
+            }
+            Statement::Does {
+                subjects,
+                verb: "act",
+                slots,
+            } => {
+                let at = slots.iter().any(|(slot, _)| *slot == Slot::At);
+                !at && subjects.iter().any(|s| matches!(s, Term::Formula(_)))
+            }
+            Statement::Unread { .. } => declaration.may_speak_of(&OF_LOADS),
+            _ => false,
+        }
     }
 
     /// −m g · r, from the origin or from where it is said to be zero.

@@ -78,7 +78,7 @@ impl Builder<'_> {
         let axis = self.system().value_of(&axis).ok()?.to_vector().ok()?;
         let name = self.reading.system.bodies[body].name.clone();
         let mut moment = |which: &str| {
-            let text = format!("\\text{{{which} moment of {name}}}");
+            let text = format!("I_{{\\text{{{which},{name}}}}}");
             let constant = true;
             let moment = self.system().value_of(&Quantity::Scalar { text, constant });
             let moment = moment.ok()?.to_scalar().ok()?;

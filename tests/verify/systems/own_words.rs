@@ -215,6 +215,7 @@ $$ \dot{\hat a} = \hat a\times\vec\omega $$
 fn a_letter_that_means_a_formula_says_nothing_of_the_letter_before() {
     let sentences = "\
 N is an inertial frame.
+The rotor is a rigid body.
 $J$ is the mass of the rotor, and $h$ means $J s$.
 $s$ is a constant.
 ";

@@ -34,7 +34,7 @@ fn an_adjective_that_makes_a_quantity_another_one_is_not_dropped() {
         (
             "The hub and the wheel have the total mass $m$. / $a$ and $b$ are the masses of the hub and the wheel.",
             &["a = m"],
-            "u",
+            "r",
         ),
         (
             "P is a particle of mass $m$. / $u$ is the velocity of P relative to N. / $T$ is the kinetic energy of P relative to N per unit mass.",

@@ -1,0 +1,193 @@
+//! Axes of bodies and points about which bodies turn, in the plain form.
+
+use super::heads::NORMAL;
+use super::is_body;
+use super::kinds::name;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use std::collections::BTreeSet;
+
+/// "The axis of the cylinder is the second axis of B", "it lies along that": that axis of B is the axis of the cylinder.
+pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let pair = match &declaration.statement {
+            Statement::Is { subjects, what } => match subjects.as_slice() {
+                [own] if is_axis_of_frame(&Term::Phrase(Box::new(what.clone()))) => {
+                    Some((own.clone(), Term::Phrase(Box::new(what.clone()))))
+                }
+                _ => None,
+            },
+            Statement::Does {
+                subjects,
+                verb: "lie",
+                slots,
+            } => match (subjects.as_slice(), slots.as_slice()) {
+                ([own], [(Slot::Along, axis)]) => Some((own.clone(), axis.clone())),
+                _ => None,
+            },
+            _ => None,
+        };
+        let said = pair.and_then(|(one, other)| {
+            said_of_axis(&one, &other).or_else(|| said_of_axis(&other, &one))
+        });
+        if let Some(statement) = said {
+            declaration.statement = statement;
+        }
+    }
+}
+
+/// "the axis of the cylinder" and "the second axis of B" in the plain order.
+fn said_of_axis(own: &Term, axis: &Term) -> Option<Statement> {
+    let Term::Phrase(own) = own else {
+        return None;
+    };
+    let [(Slot::Of, body)] = own.slots.as_slice() else {
+        return None;
+    };
+    let thing = name(body).is_some_and(|name| name.starts_with(char::is_lowercase));
+    let line = own.head == "axis" || own.head == NORMAL;
+    (line && thing && is_axis_of_frame(axis)).then(|| Statement::Is {
+        subjects: vec![axis.clone()],
+        what: (**own).clone(),
+    })
+}
+
+/// "the second axis of B", or the name of an axis.
+fn is_axis_of_frame(term: &Term) -> bool {
+    match term {
+        Term::Phrase(axis) => axis.head == "axis" && axis.slot(Slot::Which).is_some(),
+        Term::Name(name) => name.chars().count() == 1,
+        Term::Formula(_) => true,
+        _ => false,
+    }
+}
+
+/// "`$u$` is normal to `$n$`" is said of two directions; of bodies and planes it is a noun.
+pub(crate) fn tell_normals(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+        let [(Slot::Of, of)] = what.slots.as_slice() else {
+            continue;
+        };
+        if what.head != NORMAL || !letters {
+            continue;
+        }
+        let each_other = matches!(of, Term::Phrase(p) if p.head == "other");
+        match (each_other, subjects.as_slice()) {
+            (true, [one, other]) => {
+                what.slots = vec![(Slot::With, other.clone())];
+                what.head = "orthogonal";
+                *subjects = vec![one.clone()];
+            }
+            (true, _) => *declaration = declaration.clone().not_understood(),
+            (false, _) if matches!(of, Term::Formula(_)) || is_axis_of_frame(of) => {
+                what.slots = vec![(Slot::With, of.clone())];
+                what.head = "orthogonal";
+            }
+            _ => {}
+        }
+    }
+}
+
+/// "P is the other end": of the body of whose end the sentence before tells.
+pub(crate) fn end_the_same(declarations: &mut [Declaration]) {
+    let mut last: Option<Term> = None;
+    for declaration in declarations {
+        let Statement::Is { what, .. } = &mut declaration.statement else {
+            continue;
+        };
+        if what.head != "end" {
+            continue;
+        }
+        match (what.slot(Slot::Of), &last) {
+            (Some(of), _) => last = Some(of.clone()),
+            (None, Some(of)) => what.slots.push((Slot::Of, of.clone())),
+            (None, None) => {}
+        }
+    }
+}
+
+/// "The rotor turns about O": O is fixed in the rotor as well.
+pub(crate) fn fix_pivots(declarations: &mut Vec<Declaration>) {
+    let points: BTreeSet<String> = declarations
+        .iter()
+        .filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "point" => {
+                Some(subjects.iter().filter_map(name))
+            }
+            _ => None,
+        })
+        .flatten()
+        .collect();
+    let mut told = vec![];
+    for declaration in declarations.iter() {
+        let Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } = &declaration.statement
+        else {
+            continue;
+        };
+        let about = slots.iter().filter(|(slot, _)| *slot == Slot::About);
+        let pivots = about.filter(|(_, at)| name(at).is_some_and(|name| points.contains(&name)));
+        for (_, pivot) in pivots {
+            let fixed = subjects.iter().map(|body| (Slot::FixedIn, body.clone()));
+            told.push(Declaration {
+                statement: Statement::Is {
+                    subjects: vec![pivot.clone()],
+                    what: NounPhrase::new("point", fixed.collect()),
+                },
+                ..declaration.clone()
+            });
+        }
+    }
+    declarations.extend(told);
+}
+
+/// "`$u$` and `$v$` are the velocities of the mass centres of the hub and the wheel": one for each.
+pub(crate) fn part_centres(declarations: Vec<Declaration>) -> Vec<Declaration> {
+    let mut parted = vec![];
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            parted.push(declaration);
+            continue;
+        };
+        let place = what.slots.iter().position(|(slot, of)| {
+            *slot == Slot::Of && matches!(of, Term::Phrase(p) if p.head == "mass centre" && p.all(Slot::Of).count() > 1)
+        });
+        let Some((at, Term::Phrase(centres))) = place.map(|at| (at, &what.slots[at].1)) else {
+            parted.push(declaration);
+            continue;
+        };
+        let bodies: Vec<Term> = centres.all(Slot::Of).cloned().collect();
+        if bodies.len() != subjects.len() {
+            parted.push(declaration.not_understood());
+            continue;
+        }
+        for (subject, body) in subjects.iter().zip(bodies) {
+            let mut what = what.clone();
+            let centre = NounPhrase::new("mass centre", vec![(Slot::Of, body)]);
+            what.slots[at].1 = Term::Phrase(Box::new(centre));
+            parted.push(Declaration {
+                statement: Statement::Is {
+                    subjects: vec![subject.clone()],
+                    what,
+                },
+                ..declaration.clone()
+            });
+        }
+    }
+    parted
+}
+
+/// Whether a noun in the plain form is that of a body.
+pub(super) fn is_thing_with_sizes(phrase: &NounPhrase) -> bool {
+    const SIZES: [&str; 6] = ["mass", "length", "radius", "height", "thickness", "density"];
+    let sized = |(slot, term): &(Slot, Term)| {
+        *slot == Slot::Of && matches!(term, Term::Phrase(size) if SIZES.contains(&size.head))
+    };
+    is_body(phrase.head) && !phrase.slots.is_empty() && phrase.slots.iter().all(sized)
+}

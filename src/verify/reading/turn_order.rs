@@ -1,0 +1,64 @@
+//! In which order turns are read: from the frame on whose axes all is worked out outwards, for the rate of an axis that is fixed
+//! in another frame needs the turns between.
+
+use crate::verify::language::statement::{Declaration, Slot, Statement};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::frames_read::{Said, slot};
+use crate::verify::reading::names::name_of;
+
+impl Builder<'_> {
+    /// How frames turn by the verbs and the nouns of sentences.
+    pub(super) fn read_turns(&mut self) {
+        let declarations = self.declarations.iter();
+        let turns = declarations.filter_map(|d| Some((self.links_to_work(d)?, d)));
+        let mut turns: Vec<((usize, bool), &Declaration)> = turns.collect();
+        turns.sort_by_key(|(order, _)| *order);
+        for (_, declaration) in turns {
+            self.read_turn(declaration);
+            self.read_turning_frame(declaration);
+        }
+    }
+
+    /// How far from the work frame a sentence turns something, and whether by a noun, behind those with a verb.
+    fn links_to_work(&self, declaration: &Declaration) -> Option<(usize, bool)> {
+        let (subjects, by_noun) = match &declaration.statement {
+            Statement::Does {
+                subjects,
+                verb: "turn",
+                ..
+            } => (subjects, false),
+            Statement::Is { subjects, what } if what.head == "frame" => (subjects, true),
+            _ => return None,
+        };
+        let system = &self.reading.system;
+        let links = |frame| system.distance(system.work, frame, &[]);
+        let frames = subjects.iter().filter_map(|subject| self.frame(subject));
+        let nearest = frames.map(|frame| {
+            let parent = system.frames[frame].parent.unwrap_or(frame);
+            links(frame).min(links(parent))
+        });
+        Some((nearest.min()?, by_noun))
+    }
+
+    fn read_turn(&mut self, declaration: &Declaration) {
+        let Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } = &declaration.statement
+        else {
+            return;
+        };
+        let relative = slot(slots, Slot::RelativeTo).and_then(name_of);
+        let said = Said {
+            relative,
+            slots,
+            declaration,
+        };
+        for subject in subjects {
+            if let Some(frame) = self.frame(subject) {
+                self.turn_frame(frame, &said);
+            }
+        }
+    }
+}
