@@ -23,6 +23,7 @@ mod taken_in_whole;
 mod tensors;
 mod textbook;
 mod told_places;
+mod whose;
 mod word_for_word;
 
 use polhode::notation::sentences;

@@ -100,9 +100,9 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontal",
     "horizontally",
 ];
-/// Words of sentences about where a potential energy is zero.
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
+/// Words of sentences about where a potential energy is zero.
 pub(crate) const OF_POTENTIALS: [&str; 3] = ["potential", "energy", "gravity"];
 pub(crate) const VERTICAL: &str = "vertical";
 /// What is said of densities.

@@ -348,21 +348,6 @@ impl Builder<'_> {
         };
     }
 
-    /// Whether a letter names an axis of the frame of a body.
-    fn has_axis(&self, body: &Term, letter: Option<&Term>) -> bool {
-        let axis = letter.and_then(|letter| self.axis_of_frame(letter));
-        axis.is_some_and(|(frame, _)| self.frame(body) == Some(frame))
-    }
-
-    /// The frame of the only body, where its shape or its symmetry gives it an axis.
-    fn frame_of_only_body(&self) -> Option<FrameId> {
-        let [body] = self.reading.system.bodies.as_slice() else {
-            return None;
-        };
-        let named = |frame: &FrameId| self.axes.iter().any(|(_, (of, _))| of == frame);
-        body.frame.filter(|frame| self.is_cone(0) || named(frame))
-    }
-
     /// An axis of a frame, by its name, or as "the third axis of B".
     pub(super) fn axis_of_frame(&self, term: &Term) -> Option<(FrameId, usize)> {
         match term {

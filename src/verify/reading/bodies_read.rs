@@ -29,7 +29,6 @@ const PARTICLES: [&str; 2] = ["particle", ELEMENT];
 impl Builder<'_> {
     /// Gives each body its place, in the order in which they are named.
     pub(super) fn name_bodies(&mut self) {
-        // A point of its own for each mass centre comes later; the first point is the origin.
         self.system().origin();
         for declaration in self.declarations {
             match &declaration.statement {

@@ -2,11 +2,11 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::heads::{AXES, MASS, NORMAL, POSITION};
+use crate::verify::language::heads::{MASS, NORMAL, POSITION};
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
-use crate::verify::model::system::{BodyId, FrameId, Matrix, Turn};
+use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{is_letter, letter_of, name_of};
@@ -291,25 +291,6 @@ impl<'a> Builder<'a> {
         };
         told.filter(|&(f, axis)| f == frame || shared(f, axis))
             .map(|(_, axis)| axis)
-    }
-
-    /// "The disc turns about its axis": the third axis of its frame, where no axis of that has a name.
-    pub(super) fn own_axis_of_shape(&self, about: &Term, frame: FrameId) -> Option<usize> {
-        let Term::Phrase(axis) = about else {
-            return None;
-        };
-        let own = |of: &Term| {
-            let body = self.body(of)?;
-            let known = &self.reading.system.bodies[body];
-            let round = self.said_to_be(body, &["disc", "ring", "cylinder", "tube", CONE]);
-            (known.frame == Some(frame) && round.is_some()).then_some(body)
-        };
-        let body = match axis.slots.as_slice() {
-            [(Slot::Of, of)] if AXES.contains(&axis.head) => own(of)?,
-            _ => return None,
-        };
-        let told = self.told_axis_of_shape(body);
-        told.or((!self.has_named_axes(body)).then_some(2))
     }
 
     /// The number of the axis about which a body's frame is said to turn.

@@ -1,11 +1,12 @@
 //! Letters of axes that no frame names: the axis of symmetry of a body that turns freely, and the vertical.
 
-use crate::verify::language::heads::{EULER_ANGLES, OF_SYMMETRY, VERTICAL};
+use crate::verify::language::heads::{AXES, EULER_ANGLES, OF_SYMMETRY, VERTICAL};
 use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{UNIT_VECTOR, name_of};
+use crate::verify::reading::shapes_read::CONE;
 
 /// The axis of its own frame along which a body is symmetric, where nothing else is told of that frame.
 const OWN: usize = 2;
@@ -137,6 +138,40 @@ impl Builder<'_> {
             what.slot(Slot::Along).is_some_and(vertical) || axis_of_symmetry(what).is_some();
         let known = |term: &Term| name_of(term).is_some_and(|n| self.axes.get(&n).is_some());
         what.head == UNIT_VECTOR && along && subjects.iter().all(known)
+    }
+
+    /// Whether a letter names an axis of the frame of a body.
+    pub(super) fn has_axis(&self, body: &Term, letter: Option<&Term>) -> bool {
+        let axis = letter.and_then(|letter| self.axis_of_frame(letter));
+        axis.is_some_and(|(frame, _)| self.frame(body) == Some(frame))
+    }
+
+    /// The frame of the only body, where its shape or its symmetry gives it an axis.
+    pub(super) fn frame_of_only_body(&self) -> Option<FrameId> {
+        let [body] = self.reading.system.bodies.as_slice() else {
+            return None;
+        };
+        let named = |frame: &FrameId| self.axes.iter().any(|(_, (of, _))| of == frame);
+        body.frame.filter(|frame| self.is_cone(0) || named(frame))
+    }
+
+    /// "The disc turns about its axis": the third axis of its frame, where no axis of that has a name.
+    pub(super) fn own_axis_of_shape(&self, about: &Term, frame: FrameId) -> Option<usize> {
+        let Term::Phrase(axis) = about else {
+            return None;
+        };
+        let own = |of: &Term| {
+            let body = self.body(of)?;
+            let known = &self.reading.system.bodies[body];
+            let round = self.said_to_be(body, &["disc", "ring", "cylinder", "tube", CONE]);
+            (known.frame == Some(frame) && round.is_some()).then_some(body)
+        };
+        let body = match axis.slots.as_slice() {
+            [(Slot::Of, of)] if AXES.contains(&axis.head) => own(of)?,
+            _ => return None,
+        };
+        let told = self.told_axis_of_shape(body);
+        told.or((!self.has_named_axes(body)).then_some(2))
     }
 }
 
