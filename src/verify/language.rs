@@ -2,10 +2,13 @@
 //!
 //! `lexicon` reads the words from a file of data, `words` parts a sentence, `reader` goes along it, `phrase`,
 //! `hanging`, `gaps`, `extent`, `sign`, `roles`, `subjects`, `predicate`, `decide` and `clause` are the grammar, `bodies` finds
-//! the bodies that a text introduces, `kinds` what things are by other sentences, `rewrite`, `reorder`, `ellipsis` and
-//! `anaphora` bring other wordings to the plain one, `hinges` says which points they are, `declare` reads many sentences, `kept` and `unread` find what still holds
-//! of one that is not understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as
-//! sentences again and `manual` tells people about all of it. English stands nowhere else.
+//! the bodies that a text introduces. `rewrite`, `reorder`, `ellipsis`, `anaphora` and `told_apart` bring other wordings to the
+//! plain one before the grammar reads them. `declare` reads many sentences, and what each leaves to the others is put in
+//! afterwards: `kinds`, `introduce` and `plain_things` say what a name is, `owners`, `together` and `same` whose a quantity is,
+//! `entries` what stands in arrays, `hinges`, `places`, `body_axes` and `mounted` where points and axes of bodies are, `turns`
+//! how they turn, `weights` the letter of gravity. `kept` and `unread` find what still holds of a sentence that is not
+//! understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as sentences again
+//! and `manual` tells people about all of it. English stands nowhere else.
 
 pub(crate) mod adjectives;
 mod anaphora;

@@ -128,7 +128,7 @@ pub(crate) fn tell_sides(declarations: &mut Vec<Declaration>) {
     // Along what sides lie is said with their lengths.
     let lies = |d: &Declaration| matches!(&d.statement, Statement::Does { verb: "lie", .. });
     if !told.is_empty() {
-        declarations.retain(|d| !(lies(d) && !sides_that_lie(std::slice::from_ref(d)).is_empty()));
+        declarations.retain(|d| !lies(d) || sides_that_lie(std::slice::from_ref(d)).is_empty());
     }
     declarations.extend(told);
 }

@@ -46,7 +46,7 @@ fn described(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
         .is_some_and(|t| matches!(t.lower.as_str(), "of" | "with"))
         && names_size(&behind[1..], lexicon);
     let new = article.lower != "the" && start > 0 && behind.is_empty();
-    if !(sized || new) || behind.is_empty() && !new {
+    if !sized && !new {
         return None;
     }
     let [the, is, a] = ["the", "is", "a"].map(|word| put_in(Kind::Word, word, article));
@@ -123,7 +123,7 @@ fn relative_clause(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
         true if begins_with_article(predicate) => return None,
         _ => named_last(predicate, lexicon)?,
     };
-    let semicolon = put_in(Kind::Semicolon, "", relative);
+    let joint = [put_in(Kind::Semicolon, "", relative)];
     let told = match relative.lower.as_str() {
         "whose" => {
             let (noun, _, _) = clause(inside, lexicon)?;
@@ -135,9 +135,9 @@ fn relative_clause(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let more = match more.split_first() {
         Some((_, rest)) if joins_verb(rest, lexicon) => [subject, &rest[1..]].concat(),
         Some((_, rest)) => rest.to_vec(),
-        None => return Some([before, &[semicolon], &told].concat()),
+        None => return Some([before, &joint, &told].concat()),
     };
-    Some([before, &[semicolon.clone()], &told, &[semicolon], &more].concat())
+    Some([before, &joint, &told, &joint, &more].concat())
 }
 
 /// Whether a clause about the noun before begins here.
