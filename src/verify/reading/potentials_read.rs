@@ -67,6 +67,8 @@ impl<'a> Builder<'a> {
         };
         let works = |load: &NounPhrase| match weighs(load) {
             true => weightless,
+            // Where a sentence lists all loads their sum is no other one.
+            false if load.is("total") && self.lists_loads() => false,
             false => FORCES_AT_WORK.contains(&load.head) && !holds(load),
         };
         match &declaration.statement {

@@ -117,7 +117,7 @@ impl Builder<'_> {
     }
 
     /// Whether a sentence says which loads are the only ones.
-    fn lists_loads(&self) -> bool {
+    pub(super) fn lists_loads(&self) -> bool {
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Premise(premise) => premise.is("only") || premise.is("no"),
             _ => false,
