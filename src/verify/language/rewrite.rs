@@ -124,7 +124,7 @@ impl Rule {
         (0..tokens.len()).find_map(|at| {
             let (length, bound) = matched(&self.pattern, &tokens[at..], false)?;
             let mut new = tokens[..at].to_vec();
-            new.extend(self.written(&bound, &tokens[at]));
+            new.extend(self.written(&bound, &tokens[at])?);
             new.extend_from_slice(&tokens[at + length..]);
             Some(new)
         })
@@ -137,9 +137,10 @@ impl Rule {
             let end = start + clause.len();
             if let Some(first) = clause.first()
                 && let Some((_, bound)) = matched(&self.pattern, clause, true)
+                && let Some(written) = self.written(&bound, first)
             {
                 let mut new = tokens[..start].to_vec();
-                new.extend(self.written(&bound, first));
+                new.extend(written);
                 new.extend_from_slice(&tokens[end..]);
                 return Some(new);
             }
@@ -148,8 +149,8 @@ impl Rule {
         None
     }
 
-    /// What the pattern becomes; words that are put in stand where `near` stands.
-    fn written(&self, bound: &Bound<'_>, near: &Token) -> Vec<Token> {
+    /// What the pattern becomes, if it can; words that are put in stand where `near` stands.
+    fn written(&self, bound: &Bound<'_>, near: &Token) -> Option<Vec<Token>> {
         let mut new: Vec<Token> = vec![];
         for piece in &self.plain {
             match piece {
@@ -171,26 +172,24 @@ impl Rule {
                 }
                 Piece::Built(pattern) => {
                     let place = new.last().unwrap_or(near);
-                    new.push(put_in(Kind::Formula, &built(pattern, bound), place));
+                    new.push(put_in(Kind::Formula, &built(pattern, bound)?, place));
                 }
             }
         }
-        new
+        Some(new)
     }
 }
 
-/// A formula with formulas for the capitals of a pattern.
-fn built(pattern: &str, bound: &Bound<'_>) -> String {
-    let source = |c: char| {
-        let (_, tokens) = bound.iter().find(|(letter, _)| *letter == c)?;
-        let texts: Vec<&str> = tokens.iter().map(|t| t.text.as_str()).collect();
-        Some(texts.join(" "))
+/// A formula with formulas for the capitals of a pattern; none where one stands for a list of them.
+fn built(pattern: &str, bound: &Bound<'_>) -> Option<String> {
+    let source = |c: char| bound.iter().find(|(letter, _)| *letter == c);
+    let piece = |c: char| match (c, source(c)) {
+        ('*', _) => Some(" ".to_owned()),
+        (_, Some((_, [one]))) => Some(one.text.clone()),
+        (_, Some(_)) => None,
+        (c, None) => Some(c.to_string()),
     };
-    let pieces = pattern.chars().map(|c| match c {
-        '*' => " ".to_owned(),
-        c => source(c).unwrap_or_else(|| c.to_string()),
-    });
-    pieces.collect()
+    pattern.chars().map(piece).collect()
 }
 
 /// A piece that the author did not write, at the place of another.
@@ -336,5 +335,19 @@ mod tests {
         let after = plainly(&before);
         assert_eq!(text(&after), "$L$ is the momentum of B");
         assert_eq!(after[0].column, 4);
+    }
+
+    #[test]
+    fn a_list_is_no_part_of_a_formula() {
+        let written = |sentence: &str| text(&plainly(&tokens(sentence, 1).expect("a sentence")));
+        assert_eq!(written("$a$ is larger than $b$"), "$a>b$");
+        for list in [
+            "$a$ is larger than $b$ and $c$",
+            "$a$ and $b$ are larger than $c$",
+            "the equality of $a$, $b$ and $c$ is assumed",
+        ] {
+            let signs = |text: &str| text.replace(" ,", ",");
+            assert_eq!(signs(&written(list)), list);
+        }
     }
 }
