@@ -4,7 +4,7 @@ use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
-use super::sentence_parts::{clause, head, is_list, nouns_end};
+use super::sentence_parts::{clause, head, is_list, nouns_end, thing_in};
 use super::words::{Kind, Token};
 
 /// Words before a noun that has been said.
@@ -146,23 +146,12 @@ pub(crate) fn with_it_inside(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<
     let hangs = lexicon.find(&[tokens[at - 1].lower.as_str()], &[Class::Preposition]);
     let hangs = hangs.is_some() || tokens[at - 1].lower == "of";
     let before = &tokens[..at];
-    let words: Vec<&str> = before.iter().map(|t| t.lower.as_str()).collect();
-    let article = |from: usize| ARTICLES.contains(&words[from]);
+    let article = |from: &usize| ARTICLES.contains(&before[*from].lower.as_str());
     let thing = |from: usize| {
-        let rest = words.get(from + 1..)?;
-        let adjective = lexicon
-            .find(rest, &[Class::Adjective])
-            .map_or(0, |a| a.length);
-        let noun = [0, adjective].iter().find_map(|&skip| {
-            let noun = lexicon.find(rest.get(skip..)?, &[Class::Thing])?;
-            Some(skip + noun.length)
-        })?;
-        Some(from..from + 1 + noun)
+        let (_, end) = thing_in(&before[from + 1..], lexicon)?;
+        Some(from..from + 1 + end)
     };
-    let named = (0..before.len())
-        .rev()
-        .filter(|&from| article(from))
-        .find_map(thing)?;
+    let named = (0..before.len()).rev().filter(article).find_map(thing)?;
     hangs.then(|| [before, &tokens[named], &tokens[at + 1..]].concat())
 }
 

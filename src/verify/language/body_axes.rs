@@ -1,34 +1,29 @@
 //! Axes of bodies and points about which bodies turn, in the plain form.
 
-use super::heads::NORMAL;
+use super::heads::{NORMAL, SIZES};
 use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 use std::collections::BTreeSet;
 
 /// "The axis of the cylinder is the second axis of B", "it lies along that": that axis of B is the axis of the cylinder.
 pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
     for declaration in declarations {
-        let pair = match &declaration.statement {
+        let said = match &declaration.statement {
             Statement::Is { subjects, what } => match subjects.as_slice() {
-                [own] if is_axis_of_frame(&Term::Phrase(Box::new(what.clone()))) => {
-                    Some((own.clone(), Term::Phrase(Box::new(what.clone()))))
+                [own] if is_numbered_axis(what) => {
+                    said_of_axis(own, &Term::Phrase(Box::new(what.clone())))
                 }
                 _ => None,
             },
-            Statement::Does {
-                subjects,
-                verb: "lie",
-                slots,
-            } => match (subjects.as_slice(), slots.as_slice()) {
-                ([own], [(Slot::Along, axis)]) => Some((own.clone(), axis.clone())),
+            statement => match statement.does("lie") {
+                Some(([own], [(Slot::Along, axis)])) => {
+                    said_of_axis(own, axis).or_else(|| said_of_axis(axis, own))
+                }
                 _ => None,
             },
-            _ => None,
         };
-        let said = pair.and_then(|(one, other)| {
-            said_of_axis(&one, &other).or_else(|| said_of_axis(&other, &one))
-        });
         if let Some(statement) = said {
             declaration.statement = statement;
         }
@@ -45,20 +40,23 @@ fn said_of_axis(own: &Term, axis: &Term) -> Option<Statement> {
     };
     let thing = name(body).is_some_and(|name| name.starts_with(char::is_lowercase));
     let line = own.head == "axis" || own.head == NORMAL;
-    (line && thing && is_axis_of_frame(axis)).then(|| Statement::Is {
-        subjects: vec![axis.clone()],
-        what: (**own).clone(),
-    })
+    (line && thing && is_axis_of_frame(axis))
+        .then(|| Statement::one_is(axis.clone(), (**own).clone()))
 }
 
 /// "the second axis of B", or the name of an axis.
 fn is_axis_of_frame(term: &Term) -> bool {
     match term {
-        Term::Phrase(axis) => axis.head == "axis" && axis.slot(Slot::Which).is_some(),
+        Term::Phrase(axis) => is_numbered_axis(axis),
         Term::Name(name) => name.chars().count() == 1,
         Term::Formula(_) => true,
         _ => false,
     }
+}
+
+/// "the second axis of B"
+fn is_numbered_axis(what: &NounPhrase) -> bool {
+    what.head == "axis" && what.slot(Slot::Which).is_some()
 }
 
 /// "`$u$` is normal to `$n$`" is said of two directions; of bodies and planes it is a noun.
@@ -121,30 +119,18 @@ pub(crate) fn fix_pivots(declarations: &mut Vec<Declaration>) {
         })
         .flatten()
         .collect();
-    let mut told = vec![];
-    for declaration in declarations.iter() {
-        let Statement::Does {
-            subjects,
-            verb: "turn",
-            slots,
-        } = &declaration.statement
-        else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Some((subjects, slots)) = statement.does("turn") else {
+            return vec![];
         };
         let about = slots.iter().filter(|(slot, _)| *slot == Slot::About);
         let pivots = about.filter(|(_, at)| name(at).is_some_and(|name| points.contains(&name)));
-        for (_, pivot) in pivots {
-            let fixed = subjects.iter().map(|body| (Slot::FixedIn, body.clone()));
-            told.push(Declaration {
-                statement: Statement::Is {
-                    subjects: vec![pivot.clone()],
-                    what: NounPhrase::new("point", fixed.collect()),
-                },
-                ..declaration.clone()
-            });
-        }
-    }
-    declarations.extend(told);
+        let fixed = subjects.iter().map(|body| (Slot::FixedIn, body.clone()));
+        let point = NounPhrase::new("point", fixed.collect());
+        pivots
+            .map(|(_, pivot)| Statement::one_is(pivot.clone(), point.clone()))
+            .collect()
+    });
 }
 
 /// "`$u$` and `$v$` are the velocities of the mass centres of the hub and the wheel": one for each.
@@ -171,13 +157,7 @@ pub(crate) fn part_centres(declarations: Vec<Declaration>) -> Vec<Declaration> {
             let mut what = what.clone();
             let centre = NounPhrase::new("mass centre", vec![(Slot::Of, body)]);
             what.slots[at].1 = Term::Phrase(Box::new(centre));
-            parted.push(Declaration {
-                statement: Statement::Is {
-                    subjects: vec![subject.clone()],
-                    what,
-                },
-                ..declaration.clone()
-            });
+            parted.push(declaration.saying(Statement::one_is(subject.clone(), what)));
         }
     }
     parted
@@ -185,7 +165,6 @@ pub(crate) fn part_centres(declarations: Vec<Declaration>) -> Vec<Declaration> {
 
 /// Whether a noun in the plain form is that of a body.
 pub(super) fn is_thing_with_sizes(phrase: &NounPhrase) -> bool {
-    const SIZES: [&str; 6] = ["mass", "length", "radius", "height", "thickness", "density"];
     let sized = |(slot, term): &(Slot, Term)| {
         *slot == Slot::Of && matches!(term, Term::Phrase(size) if SIZES.contains(&size.head))
     };

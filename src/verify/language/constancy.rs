@@ -2,16 +2,16 @@
 
 use super::heads::CONSTANT;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 
 /// Adjectives of what does not change.
 const UNCHANGING: [&str; 2] = [CONSTANT, "steady"];
 
 /// Says of letters that they are constant, in a sentence of its own, where an adjective does.
 pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
+    say_besides(declarations, |statement| {
         let mut letters = vec![];
-        match &mut declaration.statement {
+        match statement {
             Statement::Is { subjects, what } if what.head != CONSTANT => {
                 if subjects.iter().all(is_formula) && take_adjective(what) {
                     letters.extend(subjects.iter().cloned());
@@ -21,17 +21,12 @@ pub(crate) fn tell_constants(declarations: &mut Vec<Declaration>) {
             Statement::Does { slots, .. } => constant_in(slots, &mut letters),
             _ => {}
         }
-        if !letters.is_empty() {
-            told.push(Declaration {
-                statement: Statement::Is {
-                    subjects: letters,
-                    what: NounPhrase::new(CONSTANT, vec![]),
-                },
-                ..declaration.clone()
-            });
-        }
-    }
-    declarations.extend(told);
+        let said = (!letters.is_empty()).then(|| Statement::Is {
+            subjects: letters,
+            what: NounPhrase::new(CONSTANT, vec![]),
+        });
+        said.into_iter().collect()
+    });
 }
 
 fn take_adjective(phrase: &mut NounPhrase) -> bool {

@@ -1,6 +1,7 @@
 //! Arrays that are written out: "`$(p, q, r)^T$` is the angular velocity of B" says what p, q and r are.
 
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 
@@ -17,22 +18,21 @@ const LISTED: [&str; 6] = [
 /// Parts what is said of an array into what is said of its entries; "`$\omega = (p, q, r)$` is …" says it of the letter as
 /// well.
 pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
         let [Term::Formula(formula)] = subjects.as_slice() else {
-            continue;
+            return vec![];
         };
         let Some(entries) = array_in(formula).and_then(entries_of) else {
-            continue;
+            return vec![];
         };
         let entries = entries.iter().map(|node| Term::Formula(Formula::of(node)));
         // "`$(A, A, C)$` are the principal moments": what is said of several is said of them.
         if LISTED.contains(&what.head) {
             *subjects = entries.collect();
-            continue;
+            return vec![];
         }
         let of_entries = Statement::Is {
             subjects: entries.collect(),
@@ -40,63 +40,47 @@ pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
         };
         match letter_in(formula) {
             Some(letter) => {
-                told.push(Declaration {
-                    statement: of_entries,
-                    ..declaration.clone()
-                });
-                let Statement::Is { subjects, .. } = &mut declaration.statement else {
-                    continue;
-                };
                 *subjects = vec![Term::Formula(letter)];
+                vec![of_entries]
             }
-            None => declaration.statement = of_entries,
+            None => {
+                *statement = of_entries;
+                vec![]
+            }
         }
-    }
-    declarations.extend(told);
+    });
 }
 
 /// "`$q = (q_0, q_1, q_2, q_3)$` takes components on B to components on N": q does, and the others are its components.
 pub(crate) fn tell_parts(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let before = declaration.clone();
+    say_besides(declarations, |statement| {
         let Statement::Does {
             subjects,
             verb: "take",
             ..
-        } = &mut declaration.statement
+        } = statement
         else {
-            continue;
+            return vec![];
         };
-        let Some(formula) = subjects
-            .first()
-            .and_then(written)
-            .filter(|_| subjects.len() == 1)
-        else {
-            continue;
+        let formula = match subjects.as_slice() {
+            [subject] => written(subject),
+            _ => None,
         };
-        let (Some(letter), Some(entries)) =
-            (letter_in(formula), array_in(formula).and_then(row_in))
-        else {
-            continue;
+        let parts = formula
+            .and_then(|formula| Some((letter_in(formula)?, array_in(formula).and_then(row_in)?)));
+        let Some((letter, entries)) = parts else {
+            return vec![];
         };
-        let entries = entries
-            .into_iter()
-            .map(Formula::of)
-            .map(Term::Formula)
-            .collect();
+        let entries = entries.into_iter().map(Formula::of).map(Term::Formula);
+        let entries = entries.collect();
         let letter = Term::Formula(letter);
         let of = vec![(Slot::Of, letter.clone())];
         *subjects = vec![letter];
-        told.push(Declaration {
-            statement: Statement::Is {
-                subjects: entries,
-                what: NounPhrase::new("component", of),
-            },
-            ..before
-        });
-    }
-    declarations.extend(told);
+        vec![Statement::Is {
+            subjects: entries,
+            what: NounPhrase::new("component", of),
+        }]
+    });
 }
 
 /// A formula, and that of "the quaternion `$q$`".

@@ -127,6 +127,20 @@ pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
 pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";
 
+/// What a sentence tells of a thing with its noun: "a rod of mass `$m$` and length `$l$`".
+pub(crate) const SIZES: [&str; 10] = [
+    MASS,
+    HEIGHT,
+    "length",
+    "radius",
+    "width",
+    "side",
+    "diameter",
+    "thickness",
+    "edge",
+    "density",
+];
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use super::heads::{ACCELERATION, VELOCITY};
 use super::kinds::{name, rename};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
 /// Verbs of bodies that are joined at a point.
 const JOINS: [&str; 3] = ["hinge", "pin", "pivot"];
@@ -29,10 +29,7 @@ pub(crate) fn name_ends(declarations: &mut Vec<Declaration>) {
         for term in declaration.statement.terms_mut() {
             name_end(term, &mut ends);
         }
-        named.extend(ends.into_iter().map(|statement| Declaration {
-            statement,
-            ..declaration.clone()
-        }));
+        named.extend(ends.into_iter().map(|end| declaration.saying(end)));
     }
     for end in named {
         if !declarations.iter().any(|d| d.statement == end.statement) {
@@ -84,11 +81,8 @@ pub(crate) fn tell_hinges(declarations: &mut Vec<Declaration>) {
                 if !points.contains(&hinge.point) {
                     points.push(hinge.point.clone());
                 }
-                let statement = |statement| Declaration {
-                    statement,
-                    ..declaration.clone()
-                };
-                told.extend(statements(hinge, declarations).into_iter().map(statement));
+                let statements = statements(hinge, declarations).into_iter();
+                told.extend(statements.map(|statement| declaration.saying(statement)));
             }
             None => told.push(declaration.clone()),
         }
@@ -229,8 +223,8 @@ fn is_fixed_elsewhere(hinge: &Hinge, declarations: &[Declaration]) -> bool {
         }
         Statement::Does { subjects, .. } if subjects.contains(&hinge.point) => true,
         Statement::Does { verb, slots, .. } if JOINS.contains(verb) => {
-            let to = slots.iter().find(|(slot, _)| *slot == Slot::To);
-            slots.contains(&(Slot::At, hinge.point.clone())) && to.is_some()
+            let at = slots.contains(&(Slot::At, hinge.point.clone()));
+            at && slot(slots, Slot::To).is_some()
         }
         _ => false,
     })

@@ -175,10 +175,7 @@ pub(crate) fn part_letters(declarations: Vec<Declaration>) -> Vec<Declaration> {
                 if subjects.iter().all(|t| matches!(t, Term::Formula(_))) =>
             {
                 let each = each_of_its_own(subjects.clone(), what.clone()).into_iter();
-                parted.extend(each.map(|statement| Declaration {
-                    statement,
-                    ..declaration.clone()
-                }));
+                parted.extend(each.map(|statement| declaration.saying(statement)));
             }
             _ => parted.push(declaration),
         }
@@ -199,13 +196,7 @@ pub(crate) fn part_respectively(declarations: Vec<Declaration>) -> Vec<Declarati
                 for (number, subject) in subjects.iter().enumerate() {
                     let mut own = what.clone();
                     keep_one(&mut own.slots, Slot::FixedIn, number);
-                    parted.push(Declaration {
-                        statement: Statement::Is {
-                            subjects: vec![subject.clone()],
-                            what: own,
-                        },
-                        ..declaration.clone()
-                    });
+                    parted.push(declaration.saying(Statement::one_is(subject.clone(), own)));
                 }
             }
             _ => parted.push(declaration),

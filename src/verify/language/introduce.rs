@@ -22,13 +22,8 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
         let kinds = kinds.chain(points.map(|name| (name, "point")));
         for (name, kind) in kinds {
             if may_be_introduced(&name) && told.insert(name.clone()) {
-                added.push(Declaration {
-                    statement: Statement::Is {
-                        subjects: vec![Term::Name(name)],
-                        what: NounPhrase::new(kind, vec![]),
-                    },
-                    ..declaration.clone()
-                });
+                let what = NounPhrase::new(kind, vec![]);
+                added.push(declaration.saying(Statement::one_is(Term::Name(name), what)));
             }
         }
     }
@@ -66,12 +61,7 @@ fn may_be_introduced(name: &str) -> bool {
 
 /// What a sentence says to turn, and what it turns against.
 fn turning(statement: &Statement) -> Vec<String> {
-    let Statement::Does {
-        subjects,
-        verb: "turn",
-        slots,
-    } = statement
-    else {
+    let Some((subjects, slots)) = statement.does("turn") else {
         return vec![];
     };
     let against = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);

@@ -5,6 +5,7 @@ use super::bodies::singular;
 use super::heads::{EULER_ANGLES, POSITION};
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 use super::{is_body, is_thing};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
@@ -133,10 +134,7 @@ pub(crate) fn tell_mass_centres(declarations: &mut Vec<Declaration>) {
         for centre in mentioned.into_iter().filter_map(named_centre) {
             let new = subject_name(&centre).is_some_and(|name| !told.contains(&name));
             if new && !found.iter().any(|known| known.statement == centre) {
-                found.push(Declaration {
-                    statement: centre,
-                    ..declaration.clone()
-                });
+                found.push(declaration.saying(centre));
             }
         }
     }
@@ -205,34 +203,30 @@ pub(crate) fn shape_by_name(declarations: &mut [Declaration], lexicon: &Lexicon)
 
 /// "A is a frame with the axes x, y, z": these are its axes.
 pub(crate) fn tell_axes(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
         let axes: Vec<Term> = what.all(Slot::With).cloned().collect();
         let named = axes.iter().all(|axis| name(axis).is_some());
-        if what.head == "frame" && named && axes.len() == 3 && subjects.len() == 1 {
-            what.slots.retain(|(slot, _)| *slot != Slot::With);
-            let of = vec![(Slot::Of, subjects[0].clone())];
-            told.push(Declaration {
-                statement: Statement::Is {
+        match subjects.as_slice() {
+            [frame] if what.head == "frame" && named && axes.len() == 3 => {
+                what.slots.retain(|(slot, _)| *slot != Slot::With);
+                vec![Statement::Is {
                     subjects: axes,
-                    what: NounPhrase::new("axes", of),
-                },
-                ..declaration.clone()
-            });
+                    what: NounPhrase::new("axes", vec![(Slot::Of, frame.clone())]),
+                }]
+            }
+            _ => vec![],
         }
-    }
-    declarations.extend(told);
+    });
 }
 
 /// "P is a particle of mass `$m$` at E": it lies there.
 pub(crate) fn place_particles(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
         let at: Vec<(Slot, Term)> = what
             .slots
@@ -240,19 +234,16 @@ pub(crate) fn place_particles(declarations: &mut Vec<Declaration>) {
             .filter(|(slot, at)| *slot == Slot::At && !at.is_condition())
             .cloned()
             .collect();
-        if what.head == "particle" && at.len() == 1 {
-            what.slots.retain(|said| !at.contains(said));
-            told.push(Declaration {
-                statement: Statement::Does {
-                    subjects: subjects.clone(),
-                    verb: "lie",
-                    slots: at,
-                },
-                ..declaration.clone()
-            });
+        if what.head != "particle" || at.len() != 1 {
+            return vec![];
         }
-    }
-    declarations.extend(told);
+        what.slots.retain(|said| !at.contains(said));
+        vec![Statement::Does {
+            subjects: subjects.clone(),
+            verb: "lie",
+            slots: at,
+        }]
+    });
 }
 
 /// "link 1" is a body of this name where no letter numbers the links.

@@ -4,6 +4,9 @@ use super::heads::{FORCE, MASS, MOMENT};
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::{is_bodily, is_body};
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
+use std::collections::BTreeMap;
 
 /// Nouns of what belongs to a body.
 const BELONGING: [&str; 8] = [
@@ -19,7 +22,10 @@ const BELONGING: [&str; 8] = [
 
 /// "O is the apex of the cone, and G is its mass centre": that of the cone.
 pub(crate) fn give_to_bodies(declarations: &mut [Declaration]) {
-    let owners: Vec<(String, Term)> = declarations.iter().filter_map(owner).collect();
+    let mut owners: BTreeMap<String, Term> = BTreeMap::new();
+    for (point, body) in declarations.iter().filter_map(owner) {
+        owners.entry(point).or_insert(body);
+    }
     for declaration in declarations {
         let mut lost = false;
         if let Statement::Is { what, .. } | Statement::Premise(what) = &mut declaration.statement {
@@ -37,7 +43,7 @@ pub(crate) fn give_to_bodies(declarations: &mut [Declaration]) {
 }
 
 /// Gives what only bodies have to the body to which the thing belongs; whether it is a letter of which no sentence tells that.
-fn give(what: &mut NounPhrase, owners: &[(String, Term)]) -> bool {
+fn give(what: &mut NounPhrase, owners: &BTreeMap<String, Term>) -> bool {
     let centre = what.head == "mass centre";
     let of_bodies = is_bodily(what.head) || what.head == MASS || centre;
     let mut lost = false;
@@ -49,12 +55,8 @@ fn give(what: &mut NounPhrase, owners: &[(String, Term)]) -> bool {
         if !of_bodies || *slot != Slot::Of {
             continue;
         }
-        let own = name(term);
-        match owners
-            .iter()
-            .find(|(own_name, _)| Some(own_name) == own.as_ref())
-        {
-            Some((_, body)) => term.clone_from(body),
+        match name(term).and_then(|point| owners.get(&point)) {
+            Some(body) => term.clone_from(body),
             None => lost |= centre && is_vector(term),
         }
     }
@@ -63,13 +65,17 @@ fn give(what: &mut NounPhrase, owners: &[(String, Term)]) -> bool {
 
 /// Whether a term is a letter of a vector: small, or with a mark.
 fn is_vector(term: &Term) -> bool {
-    match term {
-        Term::Formula(formula) => {
-            formula.source.starts_with('\\') && !formula.source.contains("cal")
-                || formula.source.starts_with(char::is_lowercase)
+    let Term::Formula(formula) = term else {
+        return false;
+    };
+    let calligraphic = match &formula.row {
+        Row::Expression(node) => {
+            matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.calligraphic)
         }
         _ => false,
-    }
+    };
+    let marked = |c: char| c == '\\' || c.is_lowercase();
+    !calligraphic && formula.source.starts_with(marked)
 }
 
 /// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not

@@ -2,44 +2,35 @@
 
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 
 /// Places that a thing has.
 const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
 
 /// "The rod is a uniform rod with its middle at G and the ends A and B": what G, A and B are.
 pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
-    let mut told: Vec<Declaration> = vec![];
-    for declaration in declarations.iter_mut() {
-        let before = declaration.clone();
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
         let [thing] = subjects.as_slice() else {
-            continue;
+            return vec![];
         };
-        let mut kept = vec![];
-        tell_origin(what, thing, &before, &mut told);
-        for (slot, term) in std::mem::take(&mut what.slots) {
-            match place_of(slot, &term, thing) {
-                Some(places) => told.extend(places.into_iter().map(|statement| Declaration {
-                    statement,
-                    ..before.clone()
-                })),
-                None => kept.push((slot, term)),
-            }
-        }
-        what.slots = kept;
-    }
-    declarations.extend(told);
+        let mut told: Vec<Statement> = take_origin(what, thing).into_iter().collect();
+        what.slots
+            .retain(|(slot, term)| match place_of(*slot, term, thing) {
+                Some(places) => {
+                    told.extend(places);
+                    false
+                }
+                None => true,
+            });
+        told
+    });
 }
 
 /// "B is a frame fixed in the body with the origin at O": what O is.
-fn tell_origin(
-    what: &mut NounPhrase,
-    frame: &Term,
-    before: &Declaration,
-    told: &mut Vec<Declaration>,
-) {
+fn take_origin(what: &mut NounPhrase, frame: &Term) -> Option<Statement> {
     let origin = |term: &Term| match term {
         Term::Phrase(p) => p.head == "origin" && p.slots.iter().all(|(_, of)| of == frame),
         _ => false,
@@ -47,19 +38,13 @@ fn tell_origin(
     let at = what.slot(Slot::At).cloned();
     let with = what.all(Slot::With).any(origin);
     let (Some(at), true, "frame") = (at, with, what.head) else {
-        return;
+        return None;
     };
     what.slots
         .retain(|(slot, term)| !(*slot == Slot::At || *slot == Slot::With && origin(term)));
-    if name(&at).is_some() {
-        told.push(Declaration {
-            statement: Statement::Is {
-                subjects: vec![at],
-                what: NounPhrase::new("origin", vec![(Slot::Of, frame.clone())]),
-            },
-            ..before.clone()
-        });
-    }
+    let of = vec![(Slot::Of, frame.clone())];
+    name(&at)?;
+    Some(Statement::one_is(at, NounPhrase::new("origin", of)))
 }
 
 /// "with its middle at G", "with the ends A and B"
@@ -77,9 +62,9 @@ fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
     }
     let points = place.all(Slot::At).chain(place.all(Slot::Which));
     let points: Vec<Statement> = points
-        .map(|point| Statement::Is {
-            subjects: vec![point.clone()],
-            what: NounPhrase::new(place.head, vec![(Slot::Of, thing.clone())]),
+        .map(|point| {
+            let of = vec![(Slot::Of, thing.clone())];
+            Statement::one_is(point.clone(), NounPhrase::new(place.head, of))
         })
         .collect();
     (!points.is_empty()).then_some(points)
@@ -88,16 +73,8 @@ fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
 /// "The rod goes from O to P": these are its ends.
 pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
     for declaration in declarations {
-        let Statement::Does {
-            subjects,
-            verb: "extend",
-            slots,
-        } = &declaration.statement
-        else {
-            continue;
-        };
-        if let ([body], [(Slot::From, from), (Slot::To, to)]) =
-            (subjects.as_slice(), slots.as_slice())
+        if let Some(([body], [(Slot::From, from), (Slot::To, to)])) =
+            declaration.statement.does("extend")
         {
             declaration.statement = Statement::Is {
                 subjects: vec![from.clone(), to.clone()],
@@ -109,37 +86,27 @@ pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
 
 /// "The block is a uniform box with the edges `$a$`, `$b$`, `$c$` along x, y, z": each is a side along its axis.
 pub(crate) fn tell_sides(declarations: &mut Vec<Declaration>) {
-    let mut told: Vec<Declaration> = vec![];
     let lying = sides_that_lie(declarations);
-    for declaration in declarations.iter_mut() {
-        let before = declaration.clone();
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    let before = declarations.len();
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
-        let sides = match subjects.as_slice() {
+        match subjects.as_slice() {
             [thing] => sides_of_shape(what, thing),
             letters => lengths_of_sides(letters, what, &lying),
-        };
-        told.extend(sides.into_iter().map(|statement| Declaration {
-            statement,
-            ..before.clone()
-        }));
-    }
+        }
+    });
     // Along what sides lie is said with their lengths.
-    let lies = |d: &Declaration| matches!(&d.statement, Statement::Does { verb: "lie", .. });
-    if !told.is_empty() {
-        declarations.retain(|d| !lies(d) || sides_that_lie(std::slice::from_ref(d)).is_empty());
+    if declarations.len() > before {
+        declarations.retain(|d| side_that_lies(d).is_none());
     }
-    declarations.extend(told);
 }
 
 /// "`$a$` is the side of the block along x."
 fn side(letter: &Term, of: &Term, along: &Term) -> Statement {
     let slots = vec![(Slot::Of, of.clone()), (Slot::Along, along.clone())];
-    Statement::Is {
-        subjects: vec![letter.clone()],
-        what: NounPhrase::new("side", slots),
-    }
+    Statement::one_is(letter.clone(), NounPhrase::new("side", slots))
 }
 
 /// Takes the sides out of what is said of a shape.
@@ -192,26 +159,21 @@ fn side_along(term: &Term) -> Option<(&Term, &Term)> {
 
 /// The things whose sides are said to lie along axes.
 fn sides_that_lie(declarations: &[Declaration]) -> Vec<(Term, Vec<Term>)> {
-    let lie = |d: &Declaration| match &d.statement {
-        Statement::Does {
-            subjects,
-            verb: "lie",
-            slots,
-        } => {
-            let of = match subjects.as_slice() {
-                [Term::Phrase(side)] if side.head == "side" => side.slot(Slot::Of).cloned(),
-                _ => None,
-            };
-            let along = slots.iter().map(|(slot, term)| match slot {
-                Slot::Along => Some(term.clone()),
-                Slot::On => Some(axes_of(term)),
-                _ => None,
-            });
-            Some((of?, along.collect::<Option<_>>()?))
-        }
-        _ => None,
+    declarations.iter().filter_map(side_that_lies).collect()
+}
+
+fn side_that_lies(declaration: &Declaration) -> Option<(Term, Vec<Term>)> {
+    let (subjects, slots) = declaration.statement.does("lie")?;
+    let of = match subjects {
+        [Term::Phrase(side)] if side.head == "side" => side.slot(Slot::Of)?.clone(),
+        _ => return None,
     };
-    declarations.iter().filter_map(lie).collect()
+    let along = slots.iter().map(|(slot, term)| match slot {
+        Slot::Along => Some(term.clone()),
+        Slot::On => Some(axes_of(term)),
+        _ => None,
+    });
+    Some((of, along.collect::<Option<_>>()?))
 }
 
 /// "the axes of B"

@@ -4,6 +4,8 @@ use super::body_axes::is_thing_with_sizes;
 use super::is_body;
 use super::kinds::{name, rename};
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
 const IDLE: [&str; 4] = ["rigid", "whole", "heavy", "one"];
@@ -161,18 +163,12 @@ fn plain(term: &mut Term, ground: &str) -> bool {
 /// "the axes of the frame B of the disc", "the outer gimbal A turns": what is said of a frame or a body beside its name is a
 /// sentence of its own.
 pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
-    let mut told: Vec<Declaration> = vec![];
-    for declaration in declarations.iter_mut() {
-        let before = declaration.clone();
-        for term in declaration.statement.terms_mut() {
-            for statement in named_things(term) {
-                told.push(Declaration {
-                    statement,
-                    ..before.clone()
-                });
-            }
-        }
-    }
+    let before = declarations.len();
+    say_besides(declarations, |statement| {
+        let terms = statement.terms_mut().into_iter();
+        terms.flat_map(named_things).collect()
+    });
+    let told = declarations.split_off(before);
     // "the inner gimbal" is the one that has got a name.
     for (noun, called) in names_of_bodies(&told) {
         for term in declarations
@@ -187,20 +183,19 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
 
 /// The nouns by which only one thing is called, each with the name of that.
 fn names_of_bodies(told: &[Declaration]) -> Vec<(&'static str, String)> {
-    let mut names: Vec<(&'static str, String)> = vec![];
+    let mut names: BTreeMap<&'static str, BTreeSet<String>> = BTreeMap::new();
     for declaration in told {
         if let Statement::Is { subjects, what } = &declaration.statement
             && is_body(what.head)
             && let Some(called) = subjects.first().and_then(name)
-            && !names.contains(&(what.head, called.clone()))
         {
-            names.push((what.head, called));
+            names.entry(what.head).or_default().insert(called);
         }
     }
-    let all = names.clone();
-    let single = |noun: &str| all.iter().filter(|(other, _)| *other == noun).count() == 1;
-    names.retain(|(noun, _)| single(noun));
-    names
+    let single = names.into_iter().filter(|(_, names)| names.len() == 1);
+    single
+        .flat_map(|(noun, names)| names.into_iter().map(move |name| (noun, name)))
+        .collect()
 }
 
 /// Bodies that are points, whose names are those of points.

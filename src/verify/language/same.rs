@@ -21,6 +21,13 @@ const SHARING: [&str; 8] = [
 pub(crate) fn tell_the_same(declarations: &mut [Declaration]) {
     for at in 1..declarations.len() {
         let (before, rest) = declarations.split_at_mut(at);
+        let Statement::Is { what, .. } = &mut rest[0].statement else {
+            continue;
+        };
+        let (own, on) = inner(what);
+        let (Some(on), true) = (on, own.is("same")) else {
+            continue;
+        };
         let told = before.iter().rev().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } => match subjects.as_slice() {
                 [Term::Formula(_)] => Some(inner(what).0),
@@ -28,14 +35,11 @@ pub(crate) fn tell_the_same(declarations: &mut [Declaration]) {
             },
             _ => None,
         });
-        let (Some(told), Statement::Is { what, .. }) = (told, &mut rest[0].statement) else {
-            continue;
+        let like = |told: &&NounPhrase| {
+            let kind = own.head == told.head || own.head == "vector";
+            kind && told.slot(Slot::ForAny).is_none()
         };
-        let (own, on) = inner(what);
-        let same = told.slot(Slot::ForAny).is_none()
-            && own.is("same")
-            && (own.head == told.head || own.head == "vector");
-        let (Some(on), true) = (on, same) else {
+        let Some(told) = told.filter(like) else {
             continue;
         };
         let mut slots = told.slots.clone();

@@ -52,6 +52,19 @@ pub(super) fn head<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
     &tokens[start..at]
 }
 
+/// Where a noun for a thing stands, behind adjectives alone.
+pub(super) fn thing_in(noun: &[Token], lexicon: &Lexicon) -> Option<(usize, usize)> {
+    let words: Vec<&str> = noun.iter().map(|t| t.lower.as_str()).collect();
+    let mut at = 0;
+    loop {
+        let rest = words.get(at..).filter(|rest| !rest.is_empty())?;
+        if let Some(thing) = lexicon.find(rest, &[Class::Thing]) {
+            return Some((at, at + thing.length));
+        }
+        at += lexicon.find(rest, &[Class::Adjective])?.length;
+    }
+}
+
 /// Where the noun ends with which something begins.
 pub(super) fn nouns_end(tokens: &[Token], lexicon: &Lexicon) -> usize {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();

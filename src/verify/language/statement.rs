@@ -359,8 +359,8 @@ impl NounPhrase {
     }
 
     /// The first term in a slot.
-    pub fn slot(&self, slot: Slot) -> Option<&Term> {
-        self.all(slot).next()
+    pub fn slot(&self, wanted: Slot) -> Option<&Term> {
+        slot(&self.slots, wanted)
     }
 
     /// The terms in a slot, in order.
@@ -373,4 +373,12 @@ impl NounPhrase {
     pub fn is(&self, adjective: &str) -> bool {
         self.adjectives.contains(&adjective)
     }
+}
+
+/// The first term that hangs on a verb or a noun so.
+pub(crate) fn slot(slots: &[(Slot, Term)], wanted: Slot) -> Option<&Term> {
+    slots
+        .iter()
+        .find(|(slot, _)| *slot == wanted)
+        .map(|(_, term)| term)
 }

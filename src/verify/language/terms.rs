@@ -1,10 +1,13 @@
 //! What a statement speaks of.
 
 use super::clause::as_formula;
-use super::statement::{Declaration, Extent, Formula, Slot, Statement, Term, Touched};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, Touched};
 use crate::notation::ast::Node;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
+
+/// What does something, and what hangs on the verb.
+pub(crate) type Doing<'s> = (&'s [Term], &'s [(Slot, Term)]);
 
 impl Statement {
     /// What a clause is about.
@@ -15,6 +18,24 @@ impl Statement {
             | Self::Does { subjects, .. } => subjects,
             _ => &[],
         }
+    }
+
+    /// What a verb is said of, and what hangs on it.
+    pub(crate) fn does(&self, wanted: &str) -> Option<Doing<'_>> {
+        match self {
+            Self::Does {
+                subjects,
+                verb,
+                slots,
+            } if *verb == wanted => Some((subjects, slots)),
+            _ => None,
+        }
+    }
+
+    /// "G is the middle of the rod": what one thing is.
+    pub(crate) fn one_is(subject: Term, what: NounPhrase) -> Self {
+        let subjects = vec![subject];
+        Self::Is { subjects, what }
     }
 
     /// What hangs on the verb or the noun of a clause, and on each of its phrases.
@@ -120,6 +141,14 @@ impl Declaration {
         }
     }
 
+    /// Another thing that the sentence says.
+    pub(crate) fn saying(&self, statement: Statement) -> Self {
+        Self {
+            statement,
+            ..self.clone()
+        }
+    }
+
     /// Whether the sentence was not understood and has one of some words in lower case.
     pub(crate) fn may_speak_of(&self, words: &[&str]) -> bool {
         let plain = |word: &str| {
@@ -133,6 +162,19 @@ impl Declaration {
     pub fn is_unread(&self) -> bool {
         matches!(self.statement, Statement::Unread { .. })
     }
+}
+
+/// Adds what sentences say besides; what is left of each is put in its place.
+pub(crate) fn say_besides(
+    declarations: &mut Vec<Declaration>,
+    mut besides: impl FnMut(&mut Statement) -> Vec<Statement>,
+) {
+    let mut told = vec![];
+    for declaration in declarations.iter_mut() {
+        let statements = besides(&mut declaration.statement);
+        told.extend(statements.into_iter().map(|s| declaration.saying(s)));
+    }
+    declarations.extend(told);
 }
 
 impl Term {

@@ -43,10 +43,7 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
             slots: parts,
         };
         if joined.iter().all(|known| known.statement != consists) {
-            joined.push(Declaration {
-                statement: consists,
-                ..declaration.clone()
-            });
+            joined.push(declaration.saying(consists));
         }
     }
     declarations.extend(joined);

@@ -1,10 +1,11 @@
 //! Sentences that say several things of one thing at once, as one clause for each: "A uniform rod of mass `$m$` that turns
 //! about z is hinged at O" says that the rod is uniform, has a mass, turns, and is hinged.
 
+use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
-use super::sentence_parts::{clause, head};
+use super::sentence_parts::{clause, head, thing_in};
 use super::words::{Kind, Token};
 
 /// A sentence is told apart no more often.
@@ -59,19 +60,6 @@ fn described(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     Some([&own, &what[..], &[semicolon], &own, verb, rest].concat())
 }
 
-/// Where a noun for a thing stands, behind adjectives alone.
-fn thing_in(noun: &[Token], lexicon: &Lexicon) -> Option<(usize, usize)> {
-    let words: Vec<&str> = noun.iter().map(|t| t.lower.as_str()).collect();
-    let mut at = 0;
-    loop {
-        let rest = words.get(at..).filter(|rest| !rest.is_empty())?;
-        if let Some(thing) = lexicon.find(rest, &[Class::Thing]) {
-            return Some((at, at + thing.length));
-        }
-        at += lexicon.find(rest, &[Class::Adjective])?.length;
-    }
-}
-
 fn is_name(token: &Token) -> bool {
     let capital = token.text.chars().next().is_some_and(char::is_uppercase);
     token.kind == Kind::Word && capital && token.text.chars().count() <= 2
@@ -79,18 +67,6 @@ fn is_name(token: &Token) -> bool {
 
 /// Whether a size or a mass comes next: "mass `$m$`", "equal lengths".
 fn names_size(tokens: &[Token], lexicon: &Lexicon) -> bool {
-    const SIZES: [&str; 10] = [
-        "mass",
-        "length",
-        "radius",
-        "height",
-        "width",
-        "side",
-        "diameter",
-        "thickness",
-        "edge",
-        "density",
-    ];
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let article = usize::from(words.first().is_some_and(|word| ARTICLES.contains(word)));
     let words = words.get(article..).unwrap_or_default();

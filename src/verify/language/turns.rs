@@ -3,7 +3,8 @@
 use super::clause::as_formula;
 use super::heads::EULER_ANGLES;
 use super::is_body;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use super::terms::say_besides;
 
 /// Puts the turns of a sentence together: by angles they are Euler angles; several rates of one thing are not understood.
 pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> {
@@ -89,48 +90,33 @@ const MOTIONS: [(&str, &str, &[Slot]); 2] = [
 
 /// "The disc is a body that turns about z": the disc turns.
 pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
-        let Some((adjective, verb, slots)) = MOTIONS.into_iter().find(|(said, ..)| what.is(said))
-        else {
-            continue;
+        let motion = MOTIONS.into_iter().find(|(said, ..)| what.is(said));
+        let Some((adjective, verb, slots)) = motion.filter(|_| is_body(what.head)) else {
+            return vec![];
         };
-        if !is_body(what.head) {
-            continue;
-        }
         what.adjectives.retain(|a| *a != adjective);
         let (moves, own) = std::mem::take(&mut what.slots)
             .into_iter()
             .partition(|(slot, _)| slots.contains(slot));
         what.slots = own;
-        told.push(Declaration {
-            statement: Statement::Does {
-                subjects: subjects.clone(),
-                verb,
-                slots: moves,
-            },
-            ..declaration.clone()
-        });
-    }
-    declarations.extend(told);
+        vec![Statement::Does {
+            subjects: subjects.clone(),
+            verb,
+            slots: moves,
+        }]
+    });
 }
 
 /// Whether a sentence goes on with another turn of the same thing against the same frame.
 fn is_next_turn(one: &Declaration, next: &Declaration) -> bool {
-    let turn = |d: &Declaration| match &d.statement {
-        Statement::Does {
-            subjects,
-            verb: "turn",
-            slots,
-        } => {
-            let relative = term_in(slots, Slot::RelativeTo);
-            Some((subjects.clone(), relative))
-        }
-        _ => None,
-    };
+    fn turn(d: &Declaration) -> Option<(&[Term], Option<&Term>)> {
+        let (subjects, slots) = d.statement.does("turn")?;
+        Some((subjects, slot(slots, Slot::RelativeTo)))
+    }
     one.line == next.line
         && one.extent == next.extent
         && turn(one).is_some_and(|t| turn(next) == Some(t))
@@ -148,7 +134,7 @@ fn in_order(row: &[Declaration]) -> Option<Declaration> {
         return None;
     };
     let of = subjects.iter().map(|s| (Slot::Of, s.clone()));
-    let relative = term_in(slots, Slot::RelativeTo).map(|term| (Slot::RelativeTo, term));
+    let relative = slot(slots, Slot::RelativeTo).map(|term| (Slot::RelativeTo, term.clone()));
     let axes = turns.iter().map(|(_, axis)| (Slot::InOrder, axis.clone()));
     let what = NounPhrase::new(EULER_ANGLES, of.chain(relative).chain(axes).collect());
     let subjects = turns.iter().map(|(angle, _)| angle.clone()).collect();
@@ -163,17 +149,10 @@ fn angle_and_axis(turn: &Declaration) -> Option<(Term, Term)> {
     let Statement::Does { slots, .. } = &turn.statement else {
         return None;
     };
-    let angle = match term_in(slots, Slot::By)? {
-        Term::Phrase(angle) => angle.slot(Slot::Which)?.clone(),
+    let angle = match slot(slots, Slot::By)? {
+        Term::Phrase(angle) => angle.slot(Slot::Which)?,
         angle => angle,
     };
-    as_formula(&angle)?;
-    Some((angle, term_in(slots, Slot::About)?))
-}
-
-fn term_in(slots: &[(Slot, Term)], wanted: Slot) -> Option<Term> {
-    let mut slots = slots.iter();
-    slots
-        .find(|(slot, _)| *slot == wanted)
-        .map(|(_, term)| term.clone())
+    as_formula(angle)?;
+    Some((angle.clone(), slot(slots, Slot::About)?.clone()))
 }

@@ -2,32 +2,28 @@
 
 use super::heads::{GRAVITY, MASS, POTENTIAL_ENERGY, WEIGHT};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 
 /// "`$V$` is the potential energy of the rod, zero at O": where it is zero is a sentence of its own.
 pub(crate) fn tell_zeros(declarations: &mut Vec<Declaration>) {
-    let mut told = vec![];
-    for declaration in declarations.iter_mut() {
-        let before = declaration.clone();
-        let Statement::Is { subjects, what } = &mut declaration.statement else {
-            continue;
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
         };
         let zero = what.slots.iter().position(|(_, term)| is_zero(term));
-        let Some(at) = zero.filter(|_| what.head == POTENTIAL_ENERGY) else {
-            continue;
-        };
-        if let (_, Term::Phrase(zero)) = what.slots.remove(at) {
-            told.push(Declaration {
-                statement: Statement::Is {
-                    subjects: subjects.clone(),
-                    what: *zero,
-                },
-                ..before
-            });
+        let taken = zero
+            .filter(|_| what.head == POTENTIAL_ENERGY)
+            .map(|at| what.slots.remove(at));
+        match taken {
+            Some((_, Term::Phrase(zero))) => vec![Statement::Is {
+                subjects: subjects.clone(),
+                what: *zero,
+            }],
+            _ => vec![],
         }
-    }
-    declarations.extend(told);
+    });
 }
 
 fn is_zero(term: &Term) -> bool {

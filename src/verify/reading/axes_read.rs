@@ -3,11 +3,11 @@
 use crate::notation::ast::{Kind, Node, Style};
 use crate::notation::document::Row;
 use crate::verify::language::statement::{
-    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::{CUSTOMARY, slot};
+use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
 use crate::verify::term::letters::{Meaning, spelled};

@@ -1,10 +1,11 @@
 //! Bodies, their parts, and the families that their members make.
 
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::language::{heads::MASS, is_bodily, is_body};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, is_letter, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::{Quantity, Whole};
@@ -296,15 +297,9 @@ impl Builder<'_> {
     /// Wheels of a family: "wheel `i` turns relative to B about `g_i` at the rate `\Omega_i`".
     fn read_rotors(&mut self) {
         for declaration in self.declarations {
-            let Statement::Does {
-                subjects,
-                verb: "turn",
-                slots,
-            } = &declaration.statement
+            let Some(([Term::Member { family, index }], slots)) =
+                declaration.statement.does("turn")
             else {
-                continue;
-            };
-            let [Term::Member { family, index }] = subjects.as_slice() else {
                 continue;
             };
             let Some(&family) = self.families.get(family) else {

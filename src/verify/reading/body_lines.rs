@@ -4,12 +4,11 @@ use crate::algebra::Fraction;
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::verify::language::heads::VERTICAL;
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::system::{Axis, BodyId, Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::body_ends::END;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{name_of, opposite};
 use num_traits::Zero;
 

@@ -1,10 +1,9 @@
 //! Planes, points of contact, and rolling.
 
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{name_of, told};
 use crate::verify::term::quantity::Spot;
 

@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Row;
 use crate::source::Span;
 use crate::verify::language::heads::{MASS, POSITION};
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::system::ELEMENT;
 use crate::verify::reading::names::{index_letter, name_of};
 
@@ -114,21 +114,10 @@ pub(super) fn placed_by(statement: &Statement) -> Option<(Vec<String>, String)> 
 
 /// "P is placed from O by `r`": the letter, and the point from which it is.
 pub(super) fn place_of(subjects: &[Term], statement: &Statement) -> Option<(Term, Term)> {
-    let Statement::Does {
-        verb: "place",
-        slots,
-        ..
-    } = statement
-    else {
-        return None;
-    };
-    let in_slot = |wanted: Slot| {
-        let found = slots.iter().find(|(slot, _)| *slot == wanted);
-        found.map(|(_, term)| term.clone())
-    };
-    let from = in_slot(Slot::From).or_else(|| in_slot(Slot::RelativeTo))?;
-    let by = in_slot(Slot::By).filter(|by| matches!(by, Term::Formula(_)))?;
-    (subjects.len() == 1).then_some((by, from))
+    let (_, slots) = statement.does("place")?;
+    let from = slot(slots, Slot::From).or_else(|| slot(slots, Slot::RelativeTo))?;
+    let by = slot(slots, Slot::By).filter(|by| matches!(by, Term::Formula(_)))?;
+    (subjects.len() == 1).then(|| (by.clone(), from.clone()))
 }
 
 /// "P is a point of the body."

@@ -1,7 +1,7 @@
 //! Frames, and how they turn against one another.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
@@ -376,12 +376,4 @@ impl Builder<'_> {
             _ => None,
         })
     }
-}
-
-/// The first term in a slot.
-pub(super) fn slot(slots: &[(Slot, Term)], wanted: Slot) -> Option<&Term> {
-    slots
-        .iter()
-        .find(|(slot, _)| *slot == wanted)
-        .map(|(_, term)| term)
 }

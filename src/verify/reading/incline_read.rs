@@ -1,11 +1,12 @@
 //! Inclined planes: along which axis they fall, which axis stands on them, and how the vertical lies to them.
 
 use crate::verify::language::heads::{DOWNHILL, NORMAL, UPHILL, VERTICAL};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{letter_of, name_of};
 
 /// How a plane lies in the inertial frame, by the numbers of its axes.
@@ -84,15 +85,7 @@ impl Builder<'_> {
 
     /// "The upward vertical is turned relative to y about z by the angle `\alpha`."
     fn read_turned_vertical(&mut self, declaration: &Declaration) {
-        let Statement::Does {
-            subjects,
-            verb: "turn",
-            slots,
-        } = &declaration.statement
-        else {
-            return;
-        };
-        let [Term::Phrase(vertical)] = subjects.as_slice() else {
+        let Some(([Term::Phrase(vertical)], slots)) = declaration.statement.does("turn") else {
             return;
         };
         let ground = self.reading.system.ground;

@@ -161,8 +161,7 @@ impl Builder<'_> {
             let told = told.or_else(|| self.axis_of_symmetry_told(body, declaration));
             return self.axis_of_body(body).or(told);
         }
-        let axis = self.axis_quantity(across, declaration)?;
-        self.system().value_of(&axis).ok()?.to_vector().ok()
+        self.axis_vector(across, declaration)
     }
 
     /// The axis about which a sentence says that a body is symmetric.
@@ -175,8 +174,7 @@ impl Builder<'_> {
             }
             _ => None,
         })?;
-        let axis = self.axis_quantity(axis, declaration)?;
-        self.system().value_of(&axis).ok()?.to_vector().ok()
+        self.axis_vector(axis, declaration)
     }
 
     /// The axis of another moment of the same sentence: "`$C$` is the moment about the axis along `$n$`, and `$A$` the one about
@@ -195,8 +193,7 @@ impl Builder<'_> {
             }
             _ => None,
         })?;
-        let axis = self.axis_quantity(axis, declaration)?;
-        self.system().value_of(&axis).ok()?.to_vector().ok()
+        self.axis_vector(axis, declaration)
     }
 
     /// The moment about all axes across that of a symmetric body: half of what the trace leaves.

@@ -1,9 +1,8 @@
 //! What is told of places and masses by letters that other sentences tell: premises, once all are known.
 
-use crate::verify::language::statement::{Slot, Statement};
+use crate::verify::language::statement::{Slot, Statement, slot};
 use crate::verify::reading::bodies_read::{EACH, masses_said};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::is_letter;
 use crate::verify::reading::points_read::name_of_particle;
 use crate::verify::term::quantity::{Quantity, Whole};

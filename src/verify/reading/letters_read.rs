@@ -6,12 +6,11 @@ use crate::verify::language::heads::{
     NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, UPHILL,
 };
 use crate::verify::language::statement::{
-    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::named_loads_read::{may_be_size, names_load};
 use crate::verify::reading::names::{

@@ -2,10 +2,9 @@
 
 use crate::mechanics::cross;
 use crate::verify::language::heads::{AXES, VERTICAL};
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::system::PointId;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::MASS_CENTRE;
 
 /// The axis on which something is said to lie; one that lies there at a distance is placed by it.

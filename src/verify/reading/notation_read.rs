@@ -6,10 +6,9 @@ use crate::verify::language::heads::{
     SQUARE_OF_VECTOR, TWO_DOTS,
 };
 use crate::verify::language::statement::{
-    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
 };
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, are_products, index_letter, name_of, node_of, reach_of,

@@ -14,13 +14,12 @@ impl Builder<'_> {
         points: bool,
         declaration: &Declaration,
     ) -> Option<()> {
-        let axis = self.axis_quantity(axis, declaration)?;
-        let axis = self.system().value_of(&axis).ok()?.to_vector().ok()?;
+        let axis = self.axis_vector(axis, declaration)?;
         for subject in subjects {
             let vector = self.vector(subject, declaration)?;
             let letter = self.magnitudes_of(subject).pop().filter(|_| points);
             let along = match letter {
-                Some(letter) => self.magnitude_of_letter(&letter, declaration)?,
+                Some(letter) => self.scalar_term(&letter, declaration)?,
                 None => vector.dot(&axis),
             };
             self.hold_zero(&(vector - axis.clone() * along), declaration);
@@ -103,15 +102,5 @@ impl Builder<'_> {
             _ => None,
         });
         said.flatten().cloned().collect()
-    }
-
-    fn magnitude_of_letter(
-        &mut self,
-        letter: &Term,
-        declaration: &Declaration,
-    ) -> Option<crate::algebra::Fraction> {
-        let letters = [letter.clone()];
-        let formula = formulas(&letters).next()?;
-        self.scalar(formula, declaration)
     }
 }

@@ -1,7 +1,6 @@
 //! Against what frames and bodies are said to turn.
 
-use crate::verify::language::statement::{Declaration, Slot, Statement};
-use crate::verify::reading::frames_read::slot;
+use crate::verify::language::statement::{Declaration, Slot, Statement, slot};
 use crate::verify::reading::names::{EULER_ANGLES, name_of};
 use std::collections::BTreeMap;
 

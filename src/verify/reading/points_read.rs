@@ -1,11 +1,10 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::Place;
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{MASS_CENTRE, is_marked_vector, name_of, node_of};
 use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;

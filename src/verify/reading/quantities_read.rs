@@ -7,7 +7,7 @@ use crate::verify::language::heads::{
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{FrameId, PointId, Rotors};
+use crate::verify::model::system::{FrameId, PointId, Rotors, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
@@ -269,6 +269,12 @@ impl Builder<'_> {
 
     pub(super) fn centre_of(&self, body: usize) -> PointId {
         self.reading.system.bodies[body].centre
+    }
+
+    /// A direction by its components.
+    pub(super) fn axis_vector(&mut self, term: &Term, declaration: &Declaration) -> Option<Vector> {
+        let axis = self.axis_quantity(term, declaration)?;
+        self.system().value_of(&axis).ok()?.to_vector().ok()
     }
 
     /// A direction as a quantity.

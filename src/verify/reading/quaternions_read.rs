@@ -1,10 +1,11 @@
 //! Sentences about quaternions.
 
 use crate::verify::language::heads::{CONJUGATE, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;

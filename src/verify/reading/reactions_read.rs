@@ -5,12 +5,13 @@ use crate::algebra::Fraction;
 use crate::verify::language::heads::{
     CONTACT_FORCE, DOWNHILL, FORCE, FRICTION, NORMAL_FORCE, UPHILL, WEIGHT,
 };
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::contact::Contact;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{FORCES, is_force_at, letters_of};
 use crate::verify::reading::names::{is_marked_vector, node_of};

@@ -4,11 +4,12 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::heads::{MASS, NORMAL, POSITION};
 use crate::verify::language::is_body;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::slot;
 use crate::verify::reading::names::{is_letter, letter_of, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;

@@ -1,9 +1,9 @@
 //! In which order turns are read: from the frame on whose axes all is worked out outwards, for the rate of an axis that is fixed
 //! in another frame needs the turns between.
 
-use crate::verify::language::statement::{Declaration, Slot, Statement};
+use crate::verify::language::statement::{Declaration, Slot, Statement, slot};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::frames_read::{Said, slot};
+use crate::verify::reading::frames_read::Said;
 use crate::verify::reading::names::name_of;
 
 impl Builder<'_> {
@@ -41,12 +41,7 @@ impl Builder<'_> {
     }
 
     fn read_turn(&mut self, declaration: &Declaration) {
-        let Statement::Does {
-            subjects,
-            verb: "turn",
-            slots,
-        } = &declaration.statement
-        else {
+        let Some((subjects, slots)) = declaration.statement.does("turn") else {
             return;
         };
         let relative = slot(slots, Slot::RelativeTo).and_then(name_of);

@@ -3,11 +3,11 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::heads::KEEPS_DIRECTION;
-use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
-use crate::verify::reading::frames_read::{Said, slot};
+use crate::verify::reading::frames_read::Said;
 use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, told};
 
 impl Builder<'_> {
