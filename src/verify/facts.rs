@@ -12,6 +12,9 @@ pub(crate) mod squares;
 pub(crate) mod turned;
 pub(crate) mod world;
 
+/// The name of the instant from which time is counted.
+pub(crate) const START: &str = "t=0";
+
 /// Who says that something holds.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Source {
@@ -19,8 +22,8 @@ pub(crate) enum Source {
     Line(Option<usize>, usize),
     /// A sentence by which the author declares something.
     Declared(String),
-    /// What is constant by what holds, with its value at the start.
-    Start,
+    /// What is constant by what holds, with its value at an instant.
+    Instant(String),
     /// A law of this name.
     Law(&'static str),
 }
@@ -31,7 +34,8 @@ impl Source {
         match self {
             Self::Line(_, line) => format!("line {line}"),
             Self::Declared(sentence) => format!("declared: {sentence}"),
-            Self::Start => "the initial values".to_owned(),
+            Self::Instant(name) if name == START => "the initial values".to_owned(),
+            Self::Instant(name) => format!("the values at {name}"),
             Self::Law(name) => (*name).to_owned(),
         }
     }

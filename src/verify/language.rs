@@ -19,6 +19,7 @@ mod constancy;
 pub(crate) mod cues;
 mod decide;
 mod declare;
+mod disturbed;
 mod ellipsis;
 mod entries;
 mod extent;

@@ -12,3 +12,4 @@ pub(crate) mod partial;
 pub(crate) mod points;
 pub(crate) mod sums;
 pub(crate) mod system;
+pub(crate) mod unplaced;

@@ -11,9 +11,11 @@ pub(crate) mod boxes_read;
 pub(crate) mod builder;
 pub(crate) mod components_read;
 pub(crate) mod compounds_read;
+pub(crate) mod connected;
 pub(crate) mod constants_read;
 pub(crate) mod contact_read;
 pub(crate) mod coordinates_read;
+pub(crate) mod corners_read;
 pub(crate) mod densities_read;
 pub(crate) mod elements_read;
 pub(crate) mod elements_spoken;
@@ -21,6 +23,8 @@ pub(crate) mod formulas_read;
 pub(crate) mod frames_read;
 pub(crate) mod incline_read;
 pub(crate) mod inertia_read;
+pub(crate) mod instants;
+pub(crate) mod instants_read;
 pub(crate) mod label_read;
 pub(crate) mod late_read;
 pub(crate) mod letters_read;
@@ -64,6 +68,7 @@ use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
 use crate::verify::model::system::System;
+use crate::verify::reading::instants::Instants;
 use crate::verify::reading::unused::Unused;
 use crate::verify::term::letters::{At, Letters, Reach, spelled};
 use crate::verify::term::value::Shape;
@@ -117,24 +122,9 @@ pub(crate) struct Reading {
     /// Lines that hold for a part of the document: which, and where.
     pub(crate) held: Vec<(Reach, Reach)>,
     pub(crate) sizes: Sizes,
-    pub(crate) start: Start,
+    pub(crate) instants: Instants,
     /// Sentences that nothing was made of.
     pub(crate) unused: Vec<Unused>,
-}
-
-/// What lines say of one instant, and what may be kept from it.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Start {
-    /// The lines that hold then alone.
-    pub(crate) lines: Vec<Reach>,
-    /// When that is.
-    pub(crate) instants: BTreeSet<String>,
-    /// What may be constant by the equations of motion.
-    pub(crate) candidates: Vec<Fraction>,
-    /// These vanish then.
-    pub(crate) values: Vec<Fraction>,
-    /// How often first integrals were looked for.
-    pub(crate) tries: usize,
 }
 
 /// What is said of sizes.
@@ -144,6 +134,8 @@ pub(crate) struct Sizes {
     pub(crate) orders: Vec<(Reach, Fraction)>,
     /// Lines that hold to first order in these variables.
     pub(crate) small: Vec<(Reach, Small)>,
+    /// Remainders, where they are told, as they are spelled, and what is small by them.
+    pub(crate) remainders: Vec<(Reach, String, Small)>,
     /// The letters of the state from which others are small deviations, as they are spelled.
     pub(crate) reference: BTreeSet<String>,
 }
@@ -175,6 +167,20 @@ impl Reading {
         let reaching = self.sizes.small.iter();
         let reaching = reaching.filter(|(lines, _)| lines.covers(at, 0));
         reaching.fold(Small::default(), |all, (_, small)| all.and(small))
+    }
+
+    /// What is small by the remainders that formulas write at a place.
+    pub(crate) fn small_by_remainders(&self, sides: &[Node], at: &At) -> Small {
+        fn has(node: &Node, remainder: &str) -> bool {
+            spelled(node) == remainder || node.children().any(|child| has(child, remainder))
+        }
+        let mut small = Small::default();
+        for (reach, remainder, own) in &self.sizes.remainders {
+            if reach.covers(at, 0) && sides.iter().any(|side| has(side, remainder)) {
+                small = small.and(own);
+            }
+        }
+        small
     }
 
     /// The role that is declared of a line.

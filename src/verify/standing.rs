@@ -4,6 +4,7 @@ pub(crate) mod apart;
 pub(crate) mod braces;
 pub(crate) mod chains;
 pub(crate) mod deny;
+pub(crate) mod either;
 pub(crate) mod extents;
 pub(crate) mod fewer;
 pub(crate) mod hold;

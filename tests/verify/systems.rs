@@ -2,6 +2,7 @@
 
 mod angles;
 mod incline;
+mod instants;
 mod integrals;
 mod letters;
 mod loads;
@@ -16,6 +17,7 @@ mod quaternions;
 mod reading;
 mod rods;
 mod rolling;
+mod signs_and_orders;
 mod slopes;
 mod sound;
 mod start;

@@ -104,7 +104,10 @@ impl<'t, 'a> Parser<'t, 'a> {
         // `\dot{\vec H}_{xyz}`: the axes under a dot are those that the rate is seen from.
         let seen = is_rate_of_vector(&node) && is_frame(&text::plain(tokens));
         if let Some(symbol) = indexed(&mut node).filter(|_| !seen) {
-            let parts = super::split_outside(tokens, |t| t.kind == Lexeme::Char(','));
+            let parts = match member_and_axis(tokens) {
+                Some(parts) => parts,
+                None => super::split_outside(tokens, |t| t.kind == Lexeme::Char(',')),
+            };
             symbol
                 .subscripts
                 .extend(parts.into_iter().map(text::plain).filter(|s| !s.is_empty()));
@@ -196,6 +199,21 @@ impl<'t, 'a> Parser<'t, 'a> {
     }
 }
 
+/// `x_{\alpha i}`: a Greek letter that counts members, and one that numbers axes.
+fn member_and_axis<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Vec<&'t [Token<'a>]>> {
+    let first = tokens
+        .iter()
+        .position(|t| !matches!(t.kind, Lexeme::Space(_)))?;
+    let rest = tokens.get(first + 1..)?;
+    let behind = |t: &&Token<'_>| !matches!(t.kind, Lexeme::Space(_));
+    let mut letters = rest.iter().filter(behind);
+    let axis = matches!(letters.next()?.kind, Lexeme::Letter('i'..='n'));
+    let member =
+        matches!(tokens[first].kind, Lexeme::Command(c) if super::letter::greek(c).is_some());
+    let both = member && axis && letters.next().is_none();
+    both.then(|| vec![&tokens[first..=first], rest])
+}
+
 /// The symbol that a subscript hangs on; `\omega^2_x` is the square of ω_x, and `A^T_B` is A_B transposed.
 fn indexed(node: &mut Node) -> Option<&mut Symbol> {
     let squared = matches!(&node.kind, Kind::Power(base, _) | Kind::Transpose(base)
@@ -281,6 +299,8 @@ fn is_label(kinds: &[Lexeme<'_>]) -> bool {
             !kinds.iter().any(|k| matches!(k, Lexeme::Number(_))) && is_set_in_fonts(kinds)
         }
         [Lexeme::Char('+' | '-')] => true,
+        // `\vec r^{\cdot a}`: the rate seen from a.
+        [Lexeme::Command("cdot" | "bullet"), Lexeme::Letter(_)] => true,
         [Lexeme::Letter(a), Lexeme::Char('/'), Lexeme::Letter(b)] => {
             a.is_ascii_uppercase() && b.is_ascii_uppercase()
         }

@@ -68,7 +68,10 @@ impl Facts {
         {
             return Some(value.clone());
         }
-        let of = atoms.atom(variable).rate_of?;
+        let of = atoms
+            .atom(variable)
+            .rate_of
+            .filter(|of| self.rates_are_told(*of))?;
         let value = self.told(atoms, of)?;
         Some(atoms.derivative(&value))
     }

@@ -38,6 +38,8 @@ pub(crate) struct Rule {
     pub(crate) source: Source,
     /// How many rules there were before it: it is solved by those alone.
     pub(crate) time: usize,
+    /// Whether it holds at one instant, so that it has no rate.
+    pub(super) at_instant: bool,
 }
 
 /// What became of an equation that was put in.
@@ -94,6 +96,8 @@ pub(crate) struct Facts {
     pub(super) lawless: bool,
     /// Letters whose laws were turned round: these tell other variables.
     pub(super) turned: BTreeSet<Variable>,
+    /// Whether what is put in now holds at one instant alone.
+    pub(super) at_instant: bool,
 }
 
 impl Facts {
@@ -221,6 +225,21 @@ impl Facts {
         (!rate.is_zero()).then_some(rate)
     }
 
+    /// Puts in an equation that holds at one instant: nothing is told of its rate. No more may be put in for all times.
+    pub(crate) fn put_at_instant(
+        &mut self,
+        atoms: &mut Atoms,
+        equation: &Fraction,
+        source: &Source,
+    ) {
+        self.at_instant = true;
+        match self.put(atoms, equation, source) {
+            Ok(Extended::Unsolved) => self.leave(equation, source),
+            Ok(Extended::Contradicts) | Err(OutOfBudget) => self.miss(source),
+            Ok(_) => {}
+        }
+    }
+
     /// Puts in an equation without its rates.
     pub(crate) fn put(
         &mut self,
@@ -271,7 +290,9 @@ impl Facts {
         variable: Variable,
     ) -> Result<Extended, OutOfBudget> {
         let mut again = self.squares_with(variable);
-        again.extend(self.rates_of(atoms, variable));
+        if !self.at_instant {
+            again.extend(self.rates_of(atoms, variable));
+        }
         for rule in again {
             let equation = Fraction::from(rule.equation);
             match self.put(atoms, &equation, &rule.source)? {
@@ -297,6 +318,7 @@ impl Facts {
             equation,
             source: source.clone(),
             time: self.tick(),
+            at_instant: self.at_instant,
         };
         self.rules.insert(variable, rule);
         self.forget_images_with(atoms, variable);
@@ -347,7 +369,13 @@ impl Facts {
         if atoms.atom(variable).law.is_some() && !self.turned.contains(&variable) {
             return Some(0);
         }
-        self.told_at(atoms, atoms.atom(variable).rate_of?)
+        let of = atoms.atom(variable).rate_of?;
+        self.rates_are_told(of).then(|| self.told_at(atoms, of))?
+    }
+
+    /// Whether what is told of a variable tells its rate as well.
+    pub(super) fn rates_are_told(&self, of: Variable) -> bool {
+        self.rules.get(&of).is_none_or(|rule| !rule.at_instant)
     }
 }
 

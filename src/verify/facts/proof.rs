@@ -62,6 +62,10 @@ pub(crate) fn prove(
     // A proof that divides by what vanishes is none, and neither is one to first order that divides by what is small:
     // that makes a first order of a second one.
     for condition in &argument.conditions {
+        // Nor is one that hangs on where points lie of which nobody tells it.
+        if atoms.hangs_on_places(condition) {
+            return None;
+        }
         let condition = Fraction::from(condition.clone());
         if facts
             .normal(atoms, &condition)

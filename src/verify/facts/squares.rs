@@ -69,6 +69,7 @@ impl Facts {
                 equation,
                 source,
                 time: self.tick(),
+                at_instant: self.at_instant,
             };
             self.squares.insert(variable, (told, rule));
             self.forget_images_with(atoms, variable);

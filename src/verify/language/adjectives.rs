@@ -71,7 +71,25 @@ const OF_THINGS: [&str; 46] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 29] = [
+const OF_QUANTITIES: [(&str, &[&str]); 30] = [
+    (
+        "initial",
+        &[
+            heads::ANGULAR_VELOCITY,
+            heads::VELOCITY,
+            heads::ANGULAR_MOMENTUM,
+            heads::MOMENTUM,
+            heads::KINETIC_ENERGY,
+            heads::POTENTIAL_ENERGY,
+            heads::TOTAL_ENERGY,
+            heads::HEIGHT,
+            "speed",
+            "angle",
+            "distance",
+            "rate",
+            "component",
+        ],
+    ),
     (
         "total",
         &[

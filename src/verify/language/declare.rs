@@ -5,6 +5,7 @@ use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
 use super::constancy::tell_constants;
+use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
 use super::hinges::{name_ends, tell_hinges};
@@ -110,6 +111,7 @@ fn in_plain_terms(
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
+    tell_disturbed(&mut declarations);
     tell_normals(&mut declarations);
     end_the_same(&mut declarations);
     share_owners(&mut declarations);

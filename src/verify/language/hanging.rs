@@ -1,5 +1,6 @@
 //! What hangs on nouns and verbs by prepositions.
 
+use super::heads::START_OF_MOTION;
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
@@ -182,7 +183,20 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// "at `$t = 0$`", "when `$t = 0$`".
+    /// "the start", behind "at".
+    fn start_of_motion(&mut self) -> Option<Term> {
+        let from = self.at;
+        self.take("the");
+        let noun = self.take_entry(&NOUNS);
+        if noun.is_some_and(|found| found.entry.name == START_OF_MOTION) {
+            let phrase = NounPhrase::new(START_OF_MOTION, vec![]);
+            return Some(Term::Phrase(Box::new(phrase)));
+        }
+        self.at = from;
+        None
+    }
+
+    /// "at `$t = 0$`", "when `$t = 0$`", "at the start".
     fn condition(&mut self) -> Read<Option<Term>> {
         let at = self
             .find(&[Class::Preposition])
@@ -190,6 +204,9 @@ impl<'a> Reader<'a> {
         let Some(at) = at else { return Ok(None) };
         let start = self.at;
         self.at += at.length;
+        if let Some(begin) = self.start_of_motion() {
+            return Ok(Some(begin));
+        }
         let mut formulas = self.formulas();
         if formulas.len() != 1 {
             self.at = start;

@@ -45,6 +45,16 @@ pub(crate) const NORMAL_FORCE: &str = "normal force";
 pub(crate) const FRICTION: &str = "friction";
 /// The vector of a cross-product matrix, as its operator.
 pub(crate) const INVERSE_MAP: &str = "inverse map";
+/// A point in time.
+pub(crate) const INSTANT: &str = "instant";
+/// The instant from which time is counted.
+pub(crate) const START_OF_MOTION: &str = "start";
+/// What a letter is where nothing is disturbed.
+pub(crate) const REFERENCE: &str = "reference value";
+/// By how much it is more.
+pub(crate) const DISTURBANCE: &str = "disturbance";
+/// What something is at the start.
+pub(crate) const INITIAL_VALUE: &str = "initial value";
 /// The rate of a rate.
 pub(crate) const SECOND_RATE: &str = "second rate";
 /// The mark of a second rate.

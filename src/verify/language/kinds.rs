@@ -4,7 +4,7 @@
 use super::bodies::singular;
 use super::heads::{EULER_ANGLES, POSITION};
 use super::lexicon::{Class, Lexicon};
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use super::{is_body, is_thing};
 use crate::notation::ast::Kind;
@@ -100,6 +100,24 @@ fn are_apart(declarations: &[Declaration], one: &str, other: &str) -> bool {
     };
     let mut all = declarations.iter();
     all.any(|d| speaks(d, one) && speaks(d, other) || tells(d))
+        || one == "body" && is_of_a_part(declarations, other) && {
+            let everywhere = |d: &Declaration| d.extent == Extent::Document;
+            let mut all = declarations.iter();
+            all.any(|d| everywhere(d) && speaks(d, one))
+        }
+}
+
+/// Whether sentences say of a part of the document alone what kind of thing something is.
+fn is_of_a_part(declarations: &[Declaration], thing: &str) -> bool {
+    let kinds = declarations.iter().filter(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let own = |term: &Term| name(term).is_some_and(|name| name == thing);
+            is_body(what.head) && subjects.iter().any(own)
+        }
+        _ => false,
+    });
+    let mut kinds = kinds.peekable();
+    kinds.peek().is_some() && kinds.all(|d| d.extent != Extent::Document)
 }
 
 pub(super) fn rename(term: &mut Term, from: &str, to: &str) {

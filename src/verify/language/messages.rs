@@ -20,6 +20,10 @@ pub(crate) const OPEN_RELATION: &str = "this relation is not decided";
 pub(crate) const SMALL_BY_OTHERS: &str = "what is small is told by other letters";
 pub(crate) const ONE_ELEMENT: &str =
     "something of a single element is left over, such as a density that may vary";
+pub(crate) const UNTIED: &str = "a value at an instant is not worked out";
+pub(crate) const HOLDS_AT_INSTANT: &str =
+    "it holds at an instant, and the motion from there is not worked out";
+pub(crate) const OPEN_SIGNS: &str = "more than one sign is left open";
 pub(crate) const ALWAYS_THE_SAME: &str = "both sides are always the same";
 pub(crate) const MOSTLY_THE_SAME: &str = "both sides are the same, but where something vanishes";
 

@@ -2,6 +2,7 @@
 
 mod phrases;
 
+use super::heads::INSTANT;
 use super::lexicon::{Class, Entry, Lexicon};
 use super::statement::{
     Declaration, DeclaredRole, Extent, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement,
@@ -210,6 +211,12 @@ impl Printer<'_> {
             Some((Slot::In, _)) => format!(" to first order in {}", self.terms(&terms)),
             Some((Slot::InSecondOrder, _)) => {
                 format!(" to second order in {}", self.terms(&terms))
+            }
+            Some((_, Term::Phrase(instant))) if instant.head == INSTANT => {
+                match instant.slot(Slot::Which) {
+                    Some(Term::Name(words)) => format!(" at the instant {words}"),
+                    _ => format!(" at {}", self.terms(&terms)),
+                }
             }
             Some(_) => format!(" at {}", self.terms(&terms)),
         };

@@ -1,6 +1,7 @@
 //! What sentences say of lines: their roles, and where they hold.
 
 use super::clause::as_formula;
+use super::heads::INSTANT;
 use super::lexicon::Class;
 use super::reader::{Read, Reader};
 use super::statement::{DeclaredRole, Extent, NounPhrase, Slot, Statement, Term};
@@ -130,6 +131,8 @@ impl Reader<'_> {
         let slot = if let Some((slot, length)) = order {
             self.at += length;
             slot
+        } else if let Some(instant) = self.told_instant() {
+            return Ok(vec![(Slot::At, instant)]);
         } else if self.take_any(&["at", "for", "when", "if"]) {
             Slot::At
         } else if self.take("in the section") {
@@ -144,5 +147,26 @@ impl Reader<'_> {
         };
         let terms = self.terms()?;
         Ok(terms.into_iter().map(|term| (slot, term)).collect())
+    }
+
+    /// "at the instant when the ball begins to roll": one that is told by words has these as its name.
+    fn told_instant(&mut self) -> Option<Term> {
+        let words = |from: usize| self.tokens.get(from).map_or("", |t| t.lower.as_str());
+        let instant = words(self.at) == "at"
+            && words(self.at + 1) == "the"
+            && ["instant", "moment", "time"].contains(&words(self.at + 2));
+        let told = ["when", "after", "before", "at", "in", "that", "of"];
+        if !instant || !told.contains(&words(self.at + 3)) {
+            return None;
+        }
+        let rest = self.tokens.get(self.at + 3..)?;
+        if rest.iter().any(|token| token.kind == Kind::Semicolon) {
+            return None;
+        }
+        let name: Vec<&str> = rest.iter().map(|token| token.text.as_str()).collect();
+        let which = Term::Name(name.join(" "));
+        self.at = self.tokens.len();
+        let phrase = NounPhrase::new(INSTANT, vec![(Slot::Which, which)]);
+        Some(Term::Phrase(Box::new(phrase)))
     }
 }

@@ -131,6 +131,8 @@ pub(crate) struct Atoms {
     sized: BTreeSet<Variable>,
     /// Letters that sentences say to be small.
     small: BTreeSet<Variable>,
+    /// Coordinates of points of which no sentence tells where they lie.
+    pub(super) unplaced: BTreeSet<Variable>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
 }

@@ -63,6 +63,17 @@ impl Atoms {
         fraction(self.variable(Key::of_number(PI), Place::Parameter, Motion::Constant))
     }
 
+    /// The time.
+    pub(crate) fn time(&mut self) -> Fraction {
+        let motion = Motion::Rate(Fraction::one());
+        fraction(self.variable(Key::new("t"), Place::Coordinate, motion))
+    }
+
+    /// The variable of time, where anything has it.
+    pub(crate) fn known_time(&self) -> Option<Variable> {
+        self.find(&Key::new("t"))
+    }
+
     /// The variable of π, where anything has it.
     pub(crate) fn known_pi(&self) -> Option<Variable> {
         self.find(&Key::of_number(PI))

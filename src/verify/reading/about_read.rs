@@ -1,7 +1,9 @@
 //! The points and axes that momenta, moments and energies are about.
 
-use crate::verify::language::heads::{ANGULAR_MOMENTUM, AXES, MOMENT, MOMENT_OF_INERTIA, NORMAL};
-use crate::verify::language::statement::{NounPhrase, Slot, Term};
+use crate::verify::language::heads::{
+    ANGULAR_MOMENTUM, AXES, INERTIA_TENSOR, MOMENT, MOMENT_OF_INERTIA, NORMAL,
+};
+use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{MASS_CENTRE, UNIT_VECTOR, name_of};
@@ -27,6 +29,11 @@ impl Builder<'_> {
             Term::Name(name) if self.axes.get(name).is_none() => None,
             // Through which point the axis passes is not said, where the mass centre and a pivot may be meant.
             _ if phrase.head == MOMENT_OF_INERTIA && self.has_other_pivot(of) => None,
+            Term::Name(_) | Term::Formula(_)
+                if phrase.head == MOMENT_OF_INERTIA && self.has_tensor_elsewhere(of) =>
+            {
+                None
+            }
             _ => Some(self.point_on_axis(phrase, of, centre)),
         })
     }
@@ -46,6 +53,20 @@ impl Builder<'_> {
 
     fn has_other_pivot(&self, of: &Whole) -> bool {
         matches!(of, Whole::Body(body) if self.has_pivot(*body))
+    }
+
+    /// Whether the tensor of a body about another point than its mass centre is spoken of.
+    fn has_tensor_elsewhere(&self, of: &Whole) -> bool {
+        let Whole::Body(body) = of else { return false };
+        let centre = self.centre_of(*body);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == INERTIA_TENSOR => {
+                let own = what.slot(Slot::Of).and_then(|of| self.body(of)) == Some(*body);
+                let about = what.slot(Slot::About).and_then(|about| self.point(about));
+                own && about.is_some_and(|about| about != centre)
+            }
+            _ => false,
+        })
     }
 
     /// Whether a point is fixed in a body and in space.

@@ -59,7 +59,7 @@ impl Builder<'_> {
     }
 
     /// The sides of a body by the axes of its frame: "`$a$`, `$b$`, `$c$` are the sides of the block along x, y, z".
-    fn told_sides(
+    pub(super) fn told_sides(
         &mut self,
         body: BodyId,
         frame: FrameId,

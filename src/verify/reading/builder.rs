@@ -8,6 +8,7 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::axes_read::{Bearings, NamedAxes};
 use crate::verify::reading::elements_read::with_elements;
+use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::misheard::heard_or_unread;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
@@ -56,7 +57,10 @@ pub(crate) fn build(
     let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
         .map(heard_or_unread)
-        .partition(|d| has_condition(d) && !tells_zero_of_potential(d, declarations) || denies(d));
+        .partition(|d| {
+            let then = has_condition(d) || is_of_instant(d);
+            then && !tells_zero_of_potential(d, declarations) || denies(d)
+        });
     let mut builder = Builder {
         declarations: &always,
         reading: Reading::default(),
@@ -74,7 +78,8 @@ pub(crate) fn build(
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
     builder.reading.letters.written = written;
-    conditional.iter().for_each(|d| builder.say_unused(d));
+    let others = conditional.iter().filter(|d| !is_of_instant(d));
+    others.for_each(|d| builder.say_unused(d));
     builder.name_frames();
     builder.name_bodies();
     builder.read_notation();
@@ -83,18 +88,22 @@ pub(crate) fn build(
     builder.place_points();
     builder.finish_bodies();
     builder.place_contacts();
+    builder.name_values_at_instants(&conditional);
     builder.read_letters();
     builder.hold_told_places();
     builder.hold_masses();
     builder.hold_midpoints();
+    builder.hold_corners();
     builder.hold_fixed_frames();
     builder.make_up_of_references();
     builder.read_premises();
     builder.read_obeyed();
     builder.read_roles();
+    builder.read_instants(&conditional);
     builder.read_candidates();
     builder.say_unheard();
     builder.widen_unused();
+    builder.connect_unused();
     builder.reading
 }
 
@@ -157,6 +166,12 @@ impl Builder<'_> {
         let Some(node) = node_of(formula) else {
             return;
         };
+        if let Meaning::Quantity(place @ Quantity::Position { .. }) = &meaning
+            && let Ok(place) = self.system().value_of(place)
+        {
+            let told = place.entries.iter().flat_map(Fraction::variables);
+            self.system().atoms.set_placed(told);
+        }
         if let Kind::Matrix(rows) = &node.kind
             && let [row] = rows.as_slice()
             && let [inner] = row.as_slice()

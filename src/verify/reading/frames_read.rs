@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{along_of, name_of, opposite};
+use crate::verify::reading::names::{along_of, is_letter, name_of, opposite};
 use crate::verify::reading::parents_read::{carried_by_frames, of_euler_angles, turned_against};
 use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
@@ -300,6 +300,16 @@ impl Builder<'_> {
     }
 
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
+    /// A direction that is told by numbers, with the length one: "`$(1,1,1)$`".
+    fn of_length_one(&mut self, along: Vector) -> Option<Vector> {
+        let square = along.dot(&along);
+        match square.to_rational() {
+            Some(number) if number.is_zero() => None,
+            Some(_) => Some(along / self.system().atoms.root(&square)?),
+            None => Some(along),
+        }
+    }
+
     pub(super) fn direction(
         &mut self,
         term: &Term,
@@ -324,8 +334,9 @@ impl Builder<'_> {
             }
             Term::Phrase(phrase) => self.direction_of_plane(phrase),
             Term::Formula(formula) => {
-                if self.is_told(formula, declaration) {
-                    return self.formula_value(formula, declaration)?.to_vector().ok();
+                if self.is_told(formula, declaration) || !is_letter(formula) {
+                    let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
+                    return self.of_length_one(along);
                 }
                 // An axis about which a frame turns is fixed in both.
                 let text = formula.source.clone();

@@ -2,8 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, COORDINATES, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA, NATURAL_BASE,
-    NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, UPHILL,
+    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA,
+    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, REFERENCE, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -18,9 +18,9 @@ use crate::verify::reading::names::{
     are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
+use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::reactions_read::is_reaction;
-use crate::verify::reading::references_read::{DISTURBANCE, REFERENCE};
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -215,6 +215,7 @@ impl Builder<'_> {
             }
             "entry" => self.read_entries(subjects, what, declaration),
             "value" => self.read_value(subjects, what, declaration),
+            REMAINDER => self.read_remainder(subjects, what, declaration),
             "product" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
             NATURAL_BASE => {

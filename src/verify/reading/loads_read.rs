@@ -21,7 +21,7 @@ pub(super) const FORCES: [&str; 7] = [
 const IMPULSE: &str = "impulse";
 
 /// What a body is before a blow.
-const AT_REST: &str = "at rest";
+pub(super) const AT_REST: &str = "at rest";
 
 /// The noun of the point where a force acts.
 const POINT_OF_ACTION: &str = "point of action";

@@ -7,6 +7,7 @@ use crate::verify::language::heads::{
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::{is_body, only_names};
+use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
@@ -26,7 +27,9 @@ pub(super) fn heard_or_unread(declaration: Declaration) -> Declaration {
 fn is_misheard(statement: &Statement) -> bool {
     let several = statement.subjects().len();
     let twice = |slots: &[(Slot, Term)]| is_said_twice(slots, several);
-    if !has_plain_adjectives(statement) || statement.slots().any(twice) {
+    // The edges at a corner run along several axes.
+    let corner = matches!(statement, Statement::Is { what, .. } if what.head == CORNER);
+    if !has_plain_adjectives(statement) || !corner && statement.slots().any(twice) {
         return true;
     }
     match statement {

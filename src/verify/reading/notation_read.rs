@@ -141,11 +141,7 @@ impl Builder<'_> {
                 let Some(mark) = mark_of(mark) else {
                     return self.say_unused(declaration);
                 };
-                self.reading.letters.marks.push(MarkRule {
-                    mark,
-                    effect,
-                    reach,
-                });
+                self.mark_means(mark, effect, reach);
             }
             Sign::Label { labels, on_rate } => {
                 for (place, label) in labels.iter().enumerate() {
@@ -173,12 +169,24 @@ impl Builder<'_> {
                 }
                 _ => self.say_unused(declaration),
             },
+            Sign::Custom(brackets) if hold_components(brackets, &effect) => {
+                self.mark_means(Mark::Brackets, effect, reach);
+            }
             Sign::Custom(brackets) if brackets.starts_with("square") => {
                 let customs = &mut self.reading.letters.customs;
                 customs.crossing_brackets = effect == Effect::CrossProductMatrix;
             }
             Sign::Custom(_) => {}
         }
+    }
+
+    fn mark_means(&mut self, mark: Mark, effect: Effect, reach: Reach) {
+        let rule = MarkRule {
+            mark,
+            effect,
+            reach,
+        };
+        self.reading.letters.marks.push(rule);
     }
 
     /// Each frame's name as a label says that components on it are meant.
@@ -287,6 +295,11 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         }
         _ => false,
     }
+}
+
+/// "Braces hold components on B."
+fn hold_components(brackets: &str, effect: &Effect) -> bool {
+    matches!(brackets, "braces" | "round brackets") && matches!(effect, Effect::ComponentsOn(_))
 }
 
 /// "the first two components on N": not the last ones.

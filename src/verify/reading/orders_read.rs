@@ -2,12 +2,18 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::small::Small;
+use crate::verify::language::heads::DISTURBANCE;
 use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::reach_of;
-use crate::verify::reading::references_read::DISTURBANCE;
+use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 use num_traits::Zero;
+
+/// The noun of terms that are too small to count.
+pub(super) const REMAINDER: &str = "remainder";
 
 impl Builder<'_> {
     /// Whether what is said is so of all, or needed by no line: that letters are small says nothing where it is said of lines to
@@ -18,6 +24,8 @@ impl Builder<'_> {
             DISTURBANCE => what.slots.is_empty(),
             "function" => what.slots.iter().all(|(_, of)| time(of)),
             "right-handed" => true,
+            // A sign that is left open is one of the two.
+            "sign" => formulas(subjects).all(|f| matches!(f.source.trim(), "\\pm" | "\\mp")),
             "small" => subjects.iter().all(|s| self.is_of_told_order(s)),
             _ => false,
         }
@@ -61,29 +69,54 @@ impl Builder<'_> {
                 ..declaration.clone()
             },
         };
-        let mut variables = vec![];
-        for formula in formulas(&letters) {
-            let value = self.formula_value(formula, &there);
-            let entries = value.map_or_else(Vec::new, |value| value.entries);
-            let own: Option<Vec<Variable>> = entries
-                .iter()
-                .filter(|entry| !entry.is_zero())
-                .map(Fraction::as_variable)
-                .collect();
-            match own.filter(|own| !own.is_empty()) {
-                Some(own) => variables.extend(own),
-                None => self.say_unused(declaration),
-            }
-        }
-        if variables.is_empty() {
+        let variables = self.small_letters(&letters, &there);
+        if variables.is_none() {
             self.say_unused(declaration);
         }
+        let small = Small::new(variables.unwrap_or_default(), order);
         let reach = reach_of(&there.extent);
+        self.reading.sizes.small.push((reach, small));
+        true
+    }
+
+    /// The variables of letters that are small; `None` where one of them is none.
+    fn small_letters(
+        &mut self,
+        letters: &[Term],
+        declaration: &Declaration,
+    ) -> Option<Vec<Variable>> {
+        let mut variables = vec![];
+        for formula in formulas(letters) {
+            let entries = self.formula_value(formula, declaration)?.entries;
+            let entries = entries.iter().filter(|entry| !entry.is_zero());
+            let own: Vec<Variable> = entries.map(Fraction::as_variable).collect::<Option<_>>()?;
+            variables.extend(own);
+        }
         for letter in &variables {
             self.system().atoms.set_small(*letter);
         }
-        let small = Small::new(variables, order);
-        self.reading.sizes.small.push((reach, small));
-        true
+        (!variables.is_empty()).then_some(variables)
+    }
+
+    /// "`$O(p^2)$` is a remainder of second order in `$p$`": it is left away, and where it stands the first order is meant.
+    pub(super) fn read_remainder(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let letters: Vec<Term> = what.all(Slot::Of).cloned().collect();
+        let small = Small::new(self.small_letters(&letters, declaration)?, 1);
+        for formula in formulas(subjects) {
+            let nothing = Quantity::Known(Value::scalar(Zero::zero()));
+            self.denote(formula, Meaning::Quantity(nothing), declaration);
+            let remainder = (
+                reach_of(&declaration.extent),
+                spelled(node_of(formula)?),
+                small.clone(),
+            );
+            self.reading.sizes.remainders.push(remainder);
+        }
+        Some(())
     }
 }

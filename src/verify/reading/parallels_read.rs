@@ -1,6 +1,8 @@
 //! Vectors that lie along others: "`$H$` points along Z", "`$\\omega$` is parallel to z".
 
-use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::mechanics::cross;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::lying_read::axis_of;
@@ -64,7 +66,81 @@ impl Builder<'_> {
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
             }
+            "move" | "slide" if self.are_points(subjects) => {
+                let read = self.read_moving(subjects, slots, declaration);
+                read.unwrap_or_else(|| self.say_unused(declaration));
+            }
             _ => {}
+        }
+    }
+
+    /// Whether things are points and no bodies with an extent.
+    pub(super) fn are_points(&self, things: &[Term]) -> bool {
+        things.iter().all(|thing| {
+            let body = self
+                .body(thing)
+                .map(|body| &self.reading.system.bodies[body]);
+            self.point(thing).is_some() && body.is_none_or(|body| body.frame.is_none())
+        })
+    }
+
+    /// "P moves along z relative to A", "P slides along the axis through O along z", "G moves in the plane of x and y".
+    fn read_moving(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let (relative, ways): (Vec<_>, Vec<_>) = slots
+            .iter()
+            .partition(|(slot, _)| *slot == Slot::RelativeTo);
+        let frame = match relative.as_slice() {
+            [] => self.reading.system.ground,
+            [(_, frame)] => self.frame(frame)?,
+            _ => return None,
+        };
+        let [(slot, way)] = ways.as_slice() else {
+            return None;
+        };
+        if let (Slot::Along, Term::Phrase(axis)) = (slot, way)
+            && axis.slot(Slot::Through).is_some()
+        {
+            self.read_lying(subjects, axis, declaration);
+            return Some(());
+        }
+        let points: Option<Vec<_>> = subjects.iter().map(|subject| self.point(subject)).collect();
+        match (slot, way) {
+            (Slot::Along, way) => {
+                let axis = self.axis_vector(way, declaration)?;
+                for point in points? {
+                    let velocity = self.system().velocity(point, frame);
+                    self.hold_zero(&cross(&axis, &velocity), declaration);
+                }
+            }
+            (Slot::In, Term::Phrase(plane)) => {
+                let normal = self.normal_of_plane(plane, declaration)?;
+                for point in points? {
+                    let across = self.system().velocity(point, frame).dot(&normal);
+                    self.hold(across, declaration);
+                }
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// What stands on "the plane of x and y", or on "a plane perpendicular to z".
+    fn normal_of_plane(&mut self, plane: &NounPhrase, declaration: &Declaration) -> Option<Vector> {
+        let axes: Option<Vec<Vector>> = plane
+            .slots
+            .iter()
+            .map(|(_, axis)| self.axis_vector(axis, declaration))
+            .collect();
+        let slot = |slot: Slot| plane.all(slot).count() == plane.slots.len();
+        match axes?.as_slice() {
+            [normal] if plane.head == "plane" && slot(Slot::With) => Some(normal.clone()),
+            [x, y] if plane.head == "plane" && slot(Slot::Of) => Some(cross(x, y)),
+            _ => None,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
-use crate::algebra::Place;
+use crate::algebra::{Fraction, Place};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
@@ -173,10 +173,18 @@ impl Builder<'_> {
         for &frame in fixed_in {
             let near = |p: &Point| p.fixed_in.contains(&frame) && indexed(&p.name).is_none();
             if let Some(near) = system.points.iter().position(near) {
-                return (near, system.carried_vector(&text, frame, member));
+                let way = system.carried_vector(&text, frame, member);
+                system
+                    .atoms
+                    .set_unplaced(way.iter().filter_map(Fraction::as_variable));
+                return (near, way);
             }
         }
-        (0, system.free_vector(&text, Place::Coordinate, member))
+        let way = system.free_vector(&text, Place::Coordinate, member);
+        system
+            .atoms
+            .set_unplaced(way.iter().filter_map(Fraction::as_variable));
+        (0, way)
     }
 
     /// "G lies at the distance a from O along z", "G lies on the third axis of B at the distance a from O", "P is placed from O by r".
@@ -234,7 +242,7 @@ impl Builder<'_> {
     }
 
     /// A distance of which no rate is written is constant.
-    pub(super) fn make_constant(&mut self, value: &crate::algebra::Fraction) {
+    pub(super) fn make_constant(&mut self, value: &Fraction) {
         use crate::verify::model::atoms::Motion;
         for variable in value.variables() {
             let atom = self.reading.system.atoms.atom_mut(variable);

@@ -4,6 +4,7 @@ use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::names::{MASS_CENTRE, name_of, reach_of};
 use crate::verify::reading::points_read::name_of_particle;
 use crate::verify::term::letters::Reach;
@@ -35,7 +36,7 @@ impl Builder<'_> {
                 Statement::Is { subjects, what }
                     if matches!(
                         what.head,
-                        "point" | MASS_CENTRE | "fixed" | "origin" | END | APEX
+                        "point" | MASS_CENTRE | "fixed" | "origin" | END | APEX | CORNER
                     ) =>
                 {
                     for name in subjects.iter().filter_map(name_of) {

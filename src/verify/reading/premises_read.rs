@@ -221,16 +221,7 @@ impl Builder<'_> {
             Extent::Document => reach_of(&declaration.extent),
             lines => reach_of(lines),
         };
-        let instant = slots.iter().find_map(|(slot, term)| match term {
-            Term::Formula(when) if *slot == Slot::At => Some(when.source.replace(' ', "")),
-            _ => None,
-        });
-        if let Some(when) = instant {
-            self.reading.start.lines.push(lines.clone());
-            self.reading.start.instants.insert(when);
-            self.reading
-                .roles
-                .push(LineRole::new(lines, Some(Role::Given)));
+        if self.lines_hold_at(&lines, slots).is_some() {
             return;
         }
         match section {
@@ -284,9 +275,10 @@ impl Builder<'_> {
 
     /// Energies and components of momenta, which the equations of motion may keep constant.
     pub(super) fn read_candidates(&mut self) {
-        if self.reading.start.lines.is_empty() {
+        if self.reading.instants.all.is_empty() {
             return;
         }
+        self.begin_time();
         let ground = self.reading.system.ground;
         for body in 0..self.reading.system.bodies.len() {
             let energy = self.system().kinetic_energy(body, ground, false);
@@ -294,7 +286,7 @@ impl Builder<'_> {
             let potential = potential.and_then(|v| self.system().value_of(&v).ok());
             let potential = potential.and_then(|v| v.to_scalar().ok());
             let sum = energy + potential.unwrap_or_else(Zero::zero);
-            self.reading.start.candidates.push(sum);
+            self.reading.instants.candidates.push(sum);
             let centre = self.centre_of(body);
             let points = &self.reading.system.points;
             let about = points.iter().enumerate();
@@ -306,7 +298,7 @@ impl Builder<'_> {
                 for frame in 0..self.reading.system.frames.len() {
                     for axis in 0..3 {
                         let along = self.system().axis(frame, axis).dot(&momentum);
-                        self.reading.start.candidates.push(along);
+                        self.reading.instants.candidates.push(along);
                     }
                 }
             }

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Polynomial, Variable, compose};
 use crate::verify::facts::premises::Facts;
+use crate::verify::language::heads::{DISTURBANCE, REFERENCE};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Atoms, Law};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
@@ -11,9 +12,6 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use num_traits::Zero;
-
-pub(super) const REFERENCE: &str = "reference value";
-pub(super) const DISTURBANCE: &str = "disturbance";
 
 impl Builder<'_> {
     /// "`P_0` is the reference value of `P`, and `p` its small disturbance": both are letters of their own.

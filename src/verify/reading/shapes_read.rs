@@ -159,7 +159,7 @@ impl<'a> Builder<'a> {
         let mass = self.reading.system.bodies[body].mass.clone();
         let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
-        let round_all_over = matches!(shape.name(), "sphere" | "shell");
+        let round_all_over = matches!(shape.name(), "sphere" | "shell" | "cube");
         let line = self.reading.system.bodies[body].line.map(|(axis, _)| axis);
         let axis = match line.or_else(|| self.told_axis_of_shape(body)) {
             Some(axis) => axis,

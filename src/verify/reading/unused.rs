@@ -21,8 +21,11 @@ pub(crate) struct Unused {
     /// What it says makes the model larger than what is worked out.
     pub(crate) beyond: bool,
     pub(crate) reach: Reach,
-    /// The letters that it says something of, without marks and labels, where it says no more than what these are.
+    /// The letters that it says something of, where it says no more than what these are: without marks, and of a sentence that
+    /// was not understood without labels.
     pub(crate) letters: Option<BTreeSet<String>>,
+    /// The letters that are connected with what it names.
+    pub(crate) connected: Option<BTreeSet<String>>,
     pub(crate) touches: Touches,
 }
 
@@ -68,7 +71,7 @@ impl Unused {
     }
 
     fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
-        let own = self.letters.as_ref();
+        let own = self.letters.as_ref().or(self.connected.as_ref());
         own.is_none_or(|own| !own.is_disjoint(letters))
     }
 }

@@ -9,9 +9,10 @@ use crate::verify::language::statement::{
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
+use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
-use crate::verify::term::letters::{letter_names, spelled};
+use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
 use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
@@ -61,6 +62,11 @@ impl Builder<'_> {
                     let letter = matches!(subject, Term::Formula(_));
                     line.is_some() || letter || self.is_force(subject)
                 }),
+                Statement::Does {
+                    subjects,
+                    verb: "move" | "slide",
+                    ..
+                } if self.are_points(subjects) => true,
                 Statement::Does {
                     subjects,
                     verb: "swing" | "move" | "fall",
@@ -113,6 +119,8 @@ impl Builder<'_> {
             || lost
             || of_loads;
         let unplaced = UNPLACED.contains(&what.head) && !self.is_end_placed(what);
+        let unplaced =
+            unplaced && !(what.head == CORNER && subjects.iter().all(|s| self.is_corner_placed(s)));
         !(of_body && unplaced || rim || one || nothing)
     }
 
@@ -130,13 +138,19 @@ impl Builder<'_> {
         let known = |u: &Unused| u.sentence == sentence && u.reach == reach;
         if !self.reading.unused.iter().any(known) {
             let named = letters_named_by(&declaration.statement);
-            let letters = named.map(|nodes| nodes.into_iter().flat_map(letter_names).collect());
+            let understood = !declaration.is_unread();
+            let own = |node: &Node| match understood {
+                true => letters_in_node(node),
+                false => letter_names(node),
+            };
+            let letters = named.map(|nodes| nodes.into_iter().flat_map(own).collect());
             self.reading.unused.push(Unused {
                 sentence,
-                understood: !declaration.is_unread(),
+                understood,
                 beyond: false,
                 reach,
                 letters,
+                connected: None,
                 touches: touched_by(&declaration.statement, self.declarations),
             });
         }
@@ -267,6 +281,19 @@ fn sides_of(formula: &Formula) -> &[Node] {
         Row::Expression(node) => std::slice::from_ref(node),
         Row::Line(line) => &line.sides,
         Row::Unreadable { .. } => &[],
+    }
+}
+
+/// The letters of a formula, those with labels as they are written.
+pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
+    sides_of(formula).iter().flat_map(letters_in_node).collect()
+}
+
+fn letters_in_node(node: &Node) -> BTreeSet<String> {
+    match labelled_letter(node) {
+        Some(letter) => BTreeSet::from([letter]),
+        None if matches!(node.kind, Kind::Symbol(_)) => letter_names(node),
+        None => node.children().flat_map(letters_in_node).collect(),
     }
 }
 

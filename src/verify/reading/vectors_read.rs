@@ -12,7 +12,7 @@ use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, letter_of, node_of, reach_of, told,
+    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, is_letter, letter_of, node_of, reach_of, told,
 };
 use crate::verify::term::letters::{Effect, Mark, MarkRule, Meaning, Operator, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
@@ -165,7 +165,8 @@ impl Builder<'_> {
 
     pub(super) fn read_positive(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {
-            let value = self.formula_value(&formula.clone(), declaration);
+            // That it is positive does not say what a letter is.
+            let value = self.mentioned_value(&formula.clone(), declaration);
             for entry in value.into_iter().flat_map(|value| value.entries) {
                 self.system().atoms.set_positive(&entry);
             }
@@ -277,7 +278,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let tensor = match what.slot(Slot::Of) {
-            Some(Term::Formula(formula)) if self.quantity_of(formula, declaration).is_none() => {
+            Some(Term::Formula(formula))
+                if is_letter(formula) && self.quantity_of(formula, declaration).is_none() =>
+            {
                 return self.read_moments_of_letter(formula);
             }
             Some(Term::Formula(formula)) => {

@@ -7,6 +7,7 @@ use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::kept::moves;
 use crate::verify::standing::shown::shown;
 use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
@@ -59,7 +60,7 @@ impl Judge<'_> {
 
     /// Shows numbers in which a link fails, or tells why there are none.
     fn deny_by_world(&mut self, held: &mut Held, residuals: &[Fraction]) {
-        let small = self.reading.small_at(&self.at);
+        let small = self.small_here();
         let atoms = &self.reading.system.atoms;
         if small
             .variables()
@@ -69,9 +70,18 @@ impl Judge<'_> {
             held.doubt = Some(messages::SMALL_BY_OTHERS.into());
             return;
         }
-        if self.may_hold_from_start(&held.sides) {
-            held.doubt =
-                Some("it holds at the start, and the motion from there is not worked out".into());
+        if moves(&mut self.reading.system.atoms, residuals) && self.may_hold_in_motion(&held.sides)
+        {
+            held.doubt = Some(messages::HOLDS_AT_INSTANT.into());
+            return;
+        }
+        let untied = &self.reading.instants.untied;
+        if residuals
+            .iter()
+            .flat_map(Fraction::variables)
+            .any(|v| untied.contains(&v))
+        {
+            held.doubt = Some(messages::UNTIED.into());
             return;
         }
         let told = |v: &Variable| self.facts.rule(*v).is_some();

@@ -114,7 +114,7 @@ impl Judge<'_> {
     /// A proof by the facts that each pair is equal.
     fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
         let residuals = self.residuals(sides).ok()?;
-        let small = self.reading.small_at(&self.at);
+        let small = self.small_here();
         let atoms = &mut self.reading.system.atoms;
         let follows = residuals.iter().all(Zero::is_zero);
         follows.then(|| prove(&mut self.facts, atoms, sides, &small))?

@@ -181,6 +181,9 @@ impl Judge<'_> {
             }
             return held;
         }
+        if let Some(held) = self.hold_either(link) {
+            return held;
+        }
         match self.sides(link, &BTreeSet::new()) {
             Err((Trouble::IllTyped(_), _)) if !self.doubled(link).is_empty() => {
                 self.hold_by_types(link)
@@ -215,7 +218,7 @@ impl Judge<'_> {
         symbols.into_iter().filter(has).collect()
     }
 
-    fn hold_sides(&mut self, link: &Link, sides: WorkedOut) -> Held {
+    pub(super) fn hold_sides(&mut self, link: &Link, sides: WorkedOut) -> Held {
         match sides {
             Ok(sides) => self.weigh(link, sides),
             Err((Trouble::IllTyped(message), unknown))
@@ -276,7 +279,7 @@ impl Judge<'_> {
         &mut self,
         sides: &[(Fraction, Fraction)],
     ) -> Result<Vec<Fraction>, OutOfBudget> {
-        let small = self.reading.small_at(&self.at);
+        let small = self.small_here();
         let mut residuals = vec![];
         for (left, right) in sides {
             let difference = left.clone() - right.clone();
@@ -291,7 +294,7 @@ impl Judge<'_> {
     }
 
     /// What a link is worth whose sides are worked out.
-    fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+    pub(super) fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
         if self.facts.are_too_many
             && let Some(held) = self.weigh_by_needed(link, &worked_out)
         {
@@ -330,7 +333,7 @@ impl Judge<'_> {
             unknown,
             settles,
         } = worked_out;
-        let small = self.reading.small_at(&self.at);
+        let small = self.small_here();
         let alone = self.has_new_letter_alone(link, &unknown);
         let atoms = &mut self.reading.system.atoms;
         let mut held = Held {

@@ -7,6 +7,7 @@ use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
+use crate::verify::facts::small::Small;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::{Chain, Link, may_define};
 use crate::verify::standing::hold::Held;
@@ -60,6 +61,8 @@ pub(super) struct Written {
     pub(super) bounds: BTreeMap<String, String>,
     /// The text of a line that is tried and does not stand in the document.
     pub(super) trial: Option<source::Source>,
+    /// What the remainders on the line say to be small.
+    pub(super) small: Small,
 }
 
 /// The words before a line.
@@ -115,6 +118,7 @@ impl<'a> Judge<'a> {
             written: Written {
                 bounds: bounds_of_sums(document),
                 trial: None,
+                small: Small::default(),
             },
             chain: Chain::default(),
             at: At::default(),
@@ -232,7 +236,7 @@ impl<'a> Judge<'a> {
         }
         self.take_premises();
         self.enter_space();
-        self.keep_from_start();
+        self.keep_from_instants();
         let purpose = self.purpose_of(line, &links, display);
         let held = self.hold_line(line, &links);
         if named && held.iter().any(|h| h.standing != Standing::Entailed) {
@@ -284,9 +288,15 @@ impl<'a> Judge<'a> {
 
     /// What the links of a line are worth, and its braces that do not hold.
     fn hold_line(&mut self, line: &Line, links: &[Link]) -> Vec<Held> {
+        self.written.small = self.reading.small_by_remainders(&line.sides, &self.at);
         let mut held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
         held.extend(self.failing_braces(line));
         held
+    }
+
+    /// What is small on the line that is looked at.
+    pub(super) fn small_here(&self) -> Small {
+        self.reading.small_at(&self.at).and(&self.written.small)
     }
 
     /// Looks once more at lines that waited for what later lines of their paragraph, or of the next, define.
@@ -305,7 +315,7 @@ impl<'a> Judge<'a> {
             let own = self.source();
             self.take_premises_but(Some(&own));
             self.enter_space();
-            self.keep_from_start();
+            self.keep_from_instants();
             let held = self.hold_line(line, links);
             // What would only be a definition may be one by a later line.
             let told = |h: &Held| match h.standing {

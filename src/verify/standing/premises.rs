@@ -3,9 +3,11 @@
 use crate::algebra::Fraction;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
+use crate::verify::model::atoms::fraction;
 use crate::verify::reading::Premise;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::kept::angle_at_instant;
 use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::letters::Reach;
 
@@ -22,14 +24,36 @@ impl Judge<'_> {
         let settled: Vec<usize> = (0..self.reading.settled.len())
             .filter(|&i| reaching(&self.reading.settled[i]))
             .collect();
-        if active == self.reading.taken && settled == self.settled_taken {
+        let instants = &self.reading.instants;
+        let instant = instants.at(&self.at);
+        let instant = instant.map(|at| (at, instants.all[at].values.len()));
+        let same = active == self.reading.taken && settled == self.settled_taken;
+        if same && instant == instants.taken {
             return;
         }
         self.reading.taken = active;
         self.settled_taken = settled;
+        self.reading.instants.taken = instant;
         let all = self.premises();
         self.facts = Facts::default();
         self.facts.extend_all(&mut self.reading.system.atoms, all);
+        if let Some((at, _)) = instant {
+            self.take_values_at(at, own);
+        }
+    }
+
+    /// Puts in what is told of the instant at which the line holds.
+    fn take_values_at(&mut self, instant: usize, own: Option<&Source>) {
+        let values = &self.reading.instants.all[instant].values;
+        let values = values.iter().filter(|(_, source)| Some(source) != own);
+        for (value, source) in values.cloned().collect::<Vec<_>>() {
+            let atoms = &mut self.reading.system.atoms;
+            self.facts.put_at_instant(atoms, &value, &source);
+            for (variable, image) in angle_at_instant(atoms, &value).unwrap_or_default() {
+                let equation = fraction(variable) - image;
+                self.facts.put_at_instant(atoms, &equation, &source);
+            }
+        }
     }
 
     /// What is declared or was accepted, and is in force.
@@ -43,21 +67,16 @@ impl Judge<'_> {
     /// Takes what an accepted line says into the facts.
     pub(super) fn settle(&mut self, held: &Held, source: &Source) -> Answer {
         // What holds at one instant tells nothing of the others.
-        let instant = self
-            .reading
-            .start
-            .lines
-            .iter()
-            .any(|lines| lines.covers(&self.at, 0));
-        if instant {
+        let instant = self.reading.instants.at(&self.at);
+        if let Some(at) = instant {
             let values = held.sides.iter();
-            let values = values.map(|(left, right)| left.clone() - right.clone());
-            self.reading.start.values.extend(values);
+            let values = values.map(|(left, right)| (left.clone() - right.clone(), source.clone()));
+            self.reading.instants.all[at].values.extend(values);
         } else if let Some((letter, left, _)) = &held.settles {
             self.known.shapes.insert(letter.clone(), left.shape());
         }
         let elsewhere = !self.is_own() && held.standing != Standing::Settles;
-        if instant
+        if instant.is_some()
             || elsewhere
             || matches!(
                 held.standing,

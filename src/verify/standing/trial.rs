@@ -59,7 +59,7 @@ impl Judge<'_> {
         if !holds || self.vanishes(&sides) {
             return false;
         }
-        let small = self.reading.small_at(&self.at);
+        let small = self.small_here();
         let atoms = &mut self.reading.system.atoms;
         prove(&mut self.facts, atoms, &sides, &small).is_some()
     }

@@ -7,7 +7,7 @@ use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::Purpose;
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::term::letters::letter_names;
+use crate::verify::term::letters::letters_and_names;
 use std::collections::BTreeSet;
 
 impl Judge<'_> {
@@ -48,5 +48,5 @@ impl Judge<'_> {
 }
 
 fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
-    nodes.into_iter().flat_map(letter_names).collect()
+    nodes.into_iter().flat_map(letters_and_names).collect()
 }

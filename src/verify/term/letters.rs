@@ -167,6 +167,8 @@ pub(crate) enum Mark {
     Leibniz,
     /// ∂/∂t.
     Partial,
+    /// The brackets around a list.
+    Brackets,
 }
 
 /// A rule for a mark.
@@ -384,6 +386,26 @@ pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
         word.push('\'');
     }
     word
+}
+
+/// The same with those that carry labels as they are written.
+pub(crate) fn letters_and_names(node: &Node) -> BTreeSet<String> {
+    let mut names = letter_names(node);
+    if let Some(labelled) = labelled_letter(node) {
+        names.insert(labelled);
+    }
+    names.extend(node.children().flat_map(letters_and_names));
+    names
+}
+
+/// A letter with labels, as it is written without marks.
+pub(crate) fn labelled_letter(node: &Node) -> Option<String> {
+    match &node.kind {
+        Kind::Symbol(s) if !s.subscripts.is_empty() || !s.superscripts.is_empty() => {
+            Some(loosely(node))
+        }
+        _ => None,
+    }
 }
 
 /// The letters of a formula without marks and labels.

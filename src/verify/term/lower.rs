@@ -71,6 +71,9 @@ impl<'a> Lowering<'a> {
 
     /// The frame of lists that say no other.
     pub(crate) fn custom(&self) -> usize {
+        if let Some(Effect::ComponentsOn(frame)) = self.letters.mark(Mark::Brackets, self.at) {
+            return *frame;
+        }
         match self.frames_seen.len() {
             1 => self
                 .frames_seen

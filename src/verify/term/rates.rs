@@ -97,7 +97,7 @@ impl Lowering<'_> {
             return beyond("a derivative of higher order in something other than time");
         };
         let by = self.value(variable)?;
-        if partial && by == Value::scalar(self.time()) {
+        if partial && by == Value::scalar(self.system.atoms.time()) {
             // What is held fixed is for the author to say.
             if self.letters.mark(Mark::Partial, self.at).is_none() {
                 return beyond("a partial derivative in time");

@@ -1,15 +1,12 @@
 //! What a symbol stands for: its own sentence first, then its labels and marks, then custom.
 
-use crate::algebra::{Fraction, Place};
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
-use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued};
-use num_traits::One;
 
 /// Labels that number the axes of whatever frame is meant.
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
@@ -70,7 +67,7 @@ impl Lowering<'_> {
                 Ok(self.without_label(value?, symbol))
             }
             Meaning::Same(node) => self.deeper(|lowering| lowering.value(node)),
-            Meaning::Time => Ok(Value::scalar(self.time())),
+            Meaning::Time => Ok(Value::scalar(self.system.atoms.time())),
             Meaning::Operator(_) => Err(Trouble::Beyond(format!(
                 "`{}` stands without what it acts on",
                 letter.latex
@@ -89,15 +86,6 @@ impl Lowering<'_> {
             Some(Effect::ComponentsOn(frame)) => on(value, *frame),
             _ => value,
         }
-    }
-
-    pub(super) fn time(&mut self) -> Fraction {
-        let motion = Motion::Rate(Fraction::one());
-        fraction(
-            self.system
-                .atoms
-                .variable(Key::new("t"), Place::Coordinate, motion),
-        )
     }
 
     /// A symbol of a member, by the letter of another member: what is told of m_i holds for m_j.

@@ -78,3 +78,65 @@ fn axes_that_are_not_those_of_the_label_tell_no_product() {
     );
     assert_eq!(judged(&sentences, ROLL), "uu");
 }
+
+const CUBE: &str = "N is an inertial frame.
+The cube is a uniform solid cube of mass $M$ and side $a$.
+B is a frame fixed in the cube.
+x, y, z are the axes of B.
+$J$ is the inertia tensor of the cube about O in components on B.
+$I_p$ is the moment of inertia of the cube about the axis through O along $(1,1,1)$.
+";
+
+/// The edges at a corner lie on the positive sides of their axes; a direction by numbers has no length.
+#[test]
+fn a_corner_is_where_the_edges_meet() {
+    let text = r"
+$$ J_{11} = \frac23Ma^2 $$
+$$ J_{12} = -\frac14Ma^2 $$
+$$ J_{12} = \frac14Ma^2 $$
+$$ I_p = \frac16Ma^2 $$
+$$ I_p = \frac12Ma^2 $$
+";
+    for said in [
+        "The edges of the cube at O lie along x, y and z.",
+        "O is the corner of the cube from which its edges run along x, y and z.",
+    ] {
+        assert_eq!(judged(&format!("{CUBE}{said}\n"), text), "pprpr", "{said}");
+    }
+}
+
+#[test]
+fn a_box_has_corners_where_its_sides_are_told() {
+    let sentences = "N is an inertial frame.
+The block is a uniform box of mass $M$.
+B is a frame fixed in the block.
+x, y, z are the axes of B.
+$a$, $b$, $c$ are the sides of the block along x, y, z.
+The edges of the block at O lie along x, y and z.
+$J$ is the inertia tensor of the block about O in components on B.
+";
+    let text = r"
+$$ J_{11} = \frac13M(b^2+c^2) $$
+$$ J_{23} = -\frac14Mbc $$
+$$ J_{23} = -\frac14Mab $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn principal_moments_may_be_those_of_a_sum() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$J$ is the inertia tensor of the body about G.
+$K$ is the inertia tensor of the body about G.
+$A$, $D$, $C$ are the principal moments of $J+K$ on B.
+$\\omega$ is the angular velocity of B relative to N.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of $\\omega$ on B.
+";
+    let text = r"
+$$ \omega\cdot(J\omega) = \frac12(A\omega_1^2+D\omega_2^2+C\omega_3^2) $$
+$$ \omega\cdot(J\omega) = A\omega_1^2+D\omega_2^2+C\omega_3^2 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}

@@ -1,0 +1,33 @@
+//! "`$0$` and `$n$` are the reference values of `$p$` and `$r$`, and `$u$` and `$w$` their small disturbances": of which letters.
+
+use super::heads::{DISTURBANCE, REFERENCE};
+use super::statement::{Declaration, Slot, Statement, Term};
+
+/// A disturbance is that of the letter whose reference value its sentence names, each of its own: numbers may be alike.
+pub(crate) fn tell_disturbed(declarations: &mut [Declaration]) {
+    let mut line = None;
+    let mut waiting: Vec<(Term, Term)> = vec![];
+    for declaration in declarations {
+        if line != Some(declaration.line) {
+            line = Some(declaration.line);
+            waiting.clear();
+        }
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        if let (REFERENCE, [value], Some(of)) =
+            (what.head, subjects.as_slice(), what.slot(Slot::Of))
+        {
+            waiting.push((value.clone(), of.clone()));
+            continue;
+        }
+        if what.head != DISTURBANCE {
+            continue;
+        }
+        let own = what.slots.iter_mut().find(|(slot, _)| *slot == Slot::Of);
+        let Some((_, of)) = own else { continue };
+        if let Some(at) = waiting.iter().position(|(value, _)| value == of) {
+            *of = waiting.remove(at).1;
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Coordinates of points of which no sentence tells where they lie.
+
+use crate::algebra::{Polynomial, Variable};
+use crate::verify::model::atoms::Atoms;
+
+impl Atoms {
+    /// Says that these are coordinates of a point of which no sentence tells where it lies.
+    pub(crate) fn set_unplaced(&mut self, coordinates: impl IntoIterator<Item = Variable>) {
+        self.unplaced.extend(coordinates);
+    }
+
+    /// A letter tells where the point lies.
+    pub(crate) fn set_placed(&mut self, coordinates: impl IntoIterator<Item = Variable>) {
+        for coordinate in coordinates {
+            self.unplaced.remove(&coordinate);
+        }
+    }
+
+    /// Whether of some point no sentence tells where it lies.
+    pub(crate) fn has_unplaced(&self) -> bool {
+        !self.unplaced.is_empty()
+    }
+
+    /// Whether something may vanish where points happen to lie of which no sentence tells it: a sum of squares does not.
+    pub(crate) fn hangs_on_places(&self, of: &Polynomial) -> bool {
+        if self.unplaced.is_empty() {
+            return false;
+        }
+        let hidden = of
+            .variables()
+            .into_iter()
+            .any(|v| self.unplaced.contains(&v));
+        hidden && !self.is_sum_of_squares(of)
+    }
+
+    /// Whether all terms have one sign, and odd powers have only what is positive.
+    fn is_sum_of_squares(&self, of: &Polynomial) -> bool {
+        let mut signs = of.terms().iter().map(|(_, c)| c.is_negative());
+        let first = signs.next();
+        let mut powers = of
+            .terms()
+            .iter()
+            .flat_map(|(monomial, _)| monomial.factors());
+        signs.all(|sign| Some(sign) == first)
+            && powers.all(|(v, power)| power % 2 == 0 || self.atom(v).positive)
+    }
+}

@@ -1,0 +1,101 @@
+//! What a sentence of which nothing was made may bear on: what other sentences connect with the things that it names.
+
+use crate::verify::language::is_body;
+use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::reading::unused::Unused;
+use crate::verify::reading::unused_read::letters_of;
+use crate::verify::term::letters::spelled;
+use std::collections::{BTreeSet, HashMap};
+
+/// What sentences name: things by their names, letters as they are spelled.
+type Named = BTreeSet<String>;
+
+impl Builder<'_> {
+    /// Keeps sentences that were understood, and of which nothing was made, to the letters that are connected with them.
+    pub(super) fn connect_unused(&mut self) {
+        let waits = |u: &Unused| u.understood && !u.beyond && u.letters.is_none();
+        if !self.reading.unused.iter().any(waits) {
+            return;
+        }
+        let named: Vec<Named> = self.declarations.iter().map(|d| self.named_in(d)).collect();
+        let letters = self.letters_by_component(&named);
+        for (declaration, named) in self.declarations.iter().zip(&named) {
+            let sentence = declaration.text.trim_end_matches('.');
+            let own = named.iter().find_map(|name| letters.get(name)).cloned();
+            let unused = self.reading.unused.iter_mut();
+            for unused in unused.filter(|u| waits(u) && u.sentence == sentence) {
+                unused.connected.clone_from(&own);
+            }
+        }
+    }
+
+    /// The things and letters of a sentence. All things are connected with the inertial frame, so it connects none.
+    fn named_in(&self, declaration: &Declaration) -> Named {
+        let ground = self.reading.system.ground;
+        let is_ground = |name: &str| {
+            let axis = self
+                .axes
+                .get(name)
+                .is_some_and(|&(frame, _)| frame == ground);
+            axis || self.frames.get(name) == Some(&ground)
+        };
+        let statement = &declaration.statement;
+        let terms = statement.terms().into_iter();
+        let name = |term: &Term| match term {
+            Term::Member { family, .. } => Some(family.clone()),
+            // A kind of body is one as well: "the body is a cube" says it of the cube.
+            Term::Phrase(phrase) => is_body(phrase.head).then(|| phrase.head.to_owned()),
+            term => name_of(term),
+        };
+        let mut all: Vec<String> = terms.filter_map(name).collect();
+        if let Statement::Is { what, .. } | Statement::Premise(what) = statement
+            && is_body(what.head)
+        {
+            all.push(what.head.to_owned());
+        }
+        let one = |name: &String| name.strip_suffix('s').map(str::to_owned);
+        all.extend(all.iter().filter_map(one).collect::<Vec<_>>());
+        let mut named: Named = all.into_iter().filter(|n| !is_ground(n)).collect();
+        if let Statement::Holds(formula)
+        | Statement::Means {
+            meaning: formula, ..
+        } = statement
+        {
+            named.extend(letters_of(formula));
+        }
+        for term in statement.terms() {
+            if let Term::Formula(formula) = term {
+                named.extend(letters_of(formula).into_iter().filter(|l| !is_ground(l)));
+                named.extend(node_of(formula).map(spelled).filter(|l| !is_ground(l)));
+            }
+        }
+        named
+    }
+
+    /// The letters with which each name is connected through sentences.
+    fn letters_by_component(&self, named: &[Named]) -> HashMap<String, BTreeSet<String>> {
+        let mut component: HashMap<&str, usize> = HashMap::new();
+        let mut members: Vec<BTreeSet<&str>> = vec![];
+        for names in named {
+            let found: BTreeSet<usize> = names
+                .iter()
+                .filter_map(|name| component.get(name.as_str()).copied())
+                .collect();
+            let mut all: BTreeSet<&str> = names.iter().map(String::as_str).collect();
+            for old in found {
+                all.extend(std::mem::take(&mut members[old]));
+            }
+            for name in &all {
+                component.insert(name, members.len());
+            }
+            members.push(all);
+        }
+        let owned = |at: usize| members[at].iter().map(|n| (*n).to_owned()).collect();
+        component
+            .iter()
+            .map(|(name, &at)| ((*name).to_owned(), owned(at)))
+            .collect()
+    }
+}

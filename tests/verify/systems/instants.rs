@@ -1,0 +1,144 @@
+//! Values at instants, what the motion keeps from there, and lines that hold at one instant alone.
+
+use super::judged;
+
+const FALLING: &str = "N is an inertial frame.
+z is the upward vertical.
+P is a particle of mass $m$.
+P moves along z.
+The weight is the only load on P.
+$g$ is the acceleration of gravity.
+$v$ is the velocity of P relative to N along z.
+$t$ is the time.
+";
+
+#[test]
+fn what_changes_evenly_does_so_from_its_value_at_the_start() {
+    let text = r"
+$$ v = v_0 - g t $$
+$$ v = v_0 + g t $$
+$$ \dot v = -g $$
+";
+    for said in [
+        "$v_0$ is the value of $v$ at $t=0$.",
+        "$v_0$ is the initial value of $v$.",
+        "$v_0$ is the value of $v$ at the start.",
+        "$v_0$ is the initial velocity of P relative to N along z.",
+        "$v_0$ is the velocity of P relative to N along z at $t=0$.",
+    ] {
+        assert_eq!(judged(&format!("{FALLING}{said}\n"), text), "prp", "{said}");
+    }
+}
+
+const FREE: &str = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.
+$\\omega_1$, $\\omega_2$, $\\omega_3$ are the components of the angular velocity of B relative to N on B.
+No moment acts on the body about G.
+";
+
+#[test]
+fn values_at_one_instant_tell_each_other() {
+    let sentences = format!(
+        "{FREE}$T$ is the kinetic energy of rotation of the body relative to N.
+$T_0$ is the value of $T$ at the start.
+$a$, $b$ and $c$ are the values of $\\omega_1$, $\\omega_2$ and $\\omega_3$ at the start.\n"
+    );
+    let text = r"
+$$ T_0 = \frac12(I_1a^2+I_2b^2+I_3c^2) $$
+$$ T_0 = \frac12(I_1a^2+I_2b^2-I_3c^2) $$
+$$ T = T_0 $$
+$$ I_1\omega_1^2+I_2\omega_2^2+I_3\omega_3^2 = I_1a^2+I_2b^2+I_3c^2 $$
+";
+    assert_eq!(judged(&sentences, text), "prpp");
+}
+
+#[test]
+fn a_value_of_which_nothing_can_be_made_denies_nothing() {
+    let sentences = format!(
+        "{FREE}$T$ is the kinetic energy of rotation of the body relative to N.
+$T_0$ is the value of $T$ at the start.\n"
+    );
+    let text = r"
+$$ T_0 = \frac12I_1\omega_1^2 $$
+$$ \omega_1 = 0 $$
+";
+    assert!(!judged(&sentences, text).contains('p'));
+}
+
+#[test]
+fn what_starts_from_rest_keeps_its_energy() {
+    let sentences = "N is an inertial frame.
+$Z$ is the upward vertical.
+B turns relative to N about x by the angle $\\theta$.
+$\\vec i$, $\\vec j$, $\\vec k$ are the axes of B.
+B is a frame fixed in the pendulum.
+The pendulum is a rigid body of mass $m$.
+O is a point fixed in N and in B.
+G is the mass centre of the pendulum.
+G lies at the distance $-a$ from O along $\\vec k$.
+$A$, $D$, $C$ are the principal moments of the pendulum about O on B.
+$g$ is the acceleration of gravity.
+The weight and the force at O are the only loads on the pendulum.
+The pendulum is released from rest.
+$\\alpha$ is the value of $\\theta$ at the start.
+";
+    let text = r"
+$$ A\dot\theta^2 = 2 m g a(\cos\theta-\cos\alpha) $$
+$$ A\dot\theta^2 = m g a(\cos\theta-\cos\alpha) $$
+$$ \theta = \alpha $$
+";
+    let verdicts = judged(sentences, text);
+    assert!(
+        verdicts.starts_with('p') && !verdicts[1..].contains('p'),
+        "{verdicts}"
+    );
+}
+
+/// A ball slides on a table, and begins to roll.
+#[test]
+fn what_holds_at_an_instant_has_no_rate() {
+    let sentences = "N is an inertial frame.
+$x$, $y$, $z$ are the axes of N.
+$z$ is the upward vertical.
+B is a frame fixed in the ball.
+The ball is a uniform solid sphere of mass $M$ and radius $R$.
+G is the mass centre of the ball.
+The table is a horizontal plane fixed in N.
+C is the point where the ball touches the table.
+G moves along $x$.
+B turns relative to N about $y$ at the rate $\\omega$.
+The weight and the force of the table at C are the only loads on the ball.
+$g$ is the acceleration of gravity.
+$t$ is the time.
+$v$ is the velocity of G relative to N along $x$.
+$F_N$ is the force of the table on the ball along $z$.
+$F_F$ is the force of the table on the ball along $-x$.
+$\\mu$ is constant.
+$F_F=\\mu F_N$.
+$v_0$ is the value of $v$ at $t=0$.
+$\\omega$ is zero at $t=0$.
+Lines 4 to 7 hold at the instant when the ball begins to roll on the table without slipping.
+";
+    let text = r"
+$$ \dot v = -\mu g $$
+$$ \omega = \frac{5\mu g}{2R}t $$
+We assume $v = R\omega$.
+$$ v_0 = \frac72\mu g t $$
+$$ v_0 = \frac52\mu g t $$
+$$ \dot v = R\dot\omega $$
+";
+    let verdicts = judged(sentences, text);
+    assert_eq!(&verdicts[..2], "pp");
+    assert_eq!(&verdicts[verdicts.len() - 3..], "prr", "{verdicts}");
+}
+
+#[test]
+fn a_value_where_something_vanishes_is_worked_out() {
+    let sentences = "$a$ and $b$ are constant.
+$x$ is any number.
+$f_0$ is the value of $f$ at $x=0$.
+";
+    assert!(!judged(sentences, "$$ f_0 = a $$\n").contains('p'));
+}

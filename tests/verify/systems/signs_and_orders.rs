@@ -1,0 +1,54 @@
+//! Signs that are left open, and terms that are left away.
+
+use super::judged;
+
+const TOP: &str = "N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$A$, $B$, $C$ are the principal moments of the body about G on B.
+$p$, $q$, $r$ are the components of the angular velocity of B relative to N on B.
+No moment acts on the body about G.
+";
+
+#[test]
+fn one_of_the_two_signs_is_meant() {
+    let sentences = "$a$, $b$ and $c$ are constant.
+$a x^2 + b x + c = 0$.
+$\\pm$ means one of the two signs.
+";
+    let text = r"
+$$ x = \frac{-b\pm\sqrt{b^2-4ac}}{2a} $$
+$$ x = \frac{-b\pm\sqrt{b^2+4ac}}{2a} $$
+$$ x = \frac{b\pm\sqrt{b^2-4ac}}{2a} $$
+";
+    let verdicts = judged(sentences, text);
+    assert!(
+        verdicts.starts_with('p') && !verdicts[1..].contains('p'),
+        "{verdicts}"
+    );
+}
+
+#[test]
+fn where_a_remainder_stands_the_first_order_is_meant() {
+    for said in [
+        "$O(\\epsilon^2)$ means terms of second order in $u$, $v$ and $w$.",
+        "$O(\\epsilon^2)$ is a sum of terms of second order in $u$, $v$, $w$.",
+        "$O(\\epsilon^2)$ stands for terms of second and higher order in $u$, $v$, $w$.",
+    ] {
+        let sentences = format!(
+            "{TOP}$0$, $0$ and $n$ are the reference values of $p$, $q$ and $r$, and $u$, $v$ and $w$ their small disturbances.
+$n$ is constant.
+{said}\n"
+        );
+        let text = r"
+$$ A\dot u = (B-C)nv + O(\epsilon^2) $$
+$$ A\dot u = (C-B)nv + O(\epsilon^2) $$
+$$ A\dot u = (B-C)nv $$
+";
+        let verdicts = judged(&sentences, text);
+        assert!(
+            verdicts.starts_with("pr") && !verdicts.ends_with('p'),
+            "{said}: {verdicts}"
+        );
+    }
+}
