@@ -11,6 +11,35 @@ use crate::notation::token::{Lexeme, Token};
 use differential::{Differential, above, script, total, total_mark, trim};
 pub(super) use differential::{mark, order, turning};
 
+/// `(dt^B)^2`: what stands in the brackets, and how often.
+fn raised_group<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<(&'t [Token<'a>], usize)> {
+    let [open, inside @ .., close, raised, power] = tokens else {
+        return None;
+    };
+    let kinds = (open.kind, close.kind, raised.kind);
+    let brackets = (Lexeme::Char('('), Lexeme::Char(')'), Lexeme::Superscript);
+    match power.kind {
+        Lexeme::Number("2") if kinds == brackets => Some((inside, 2)),
+        _ => None,
+    }
+}
+
+/// `dt^B`: the frame from which the rate is seen.
+fn frame_of_time(variables: &[Node]) -> Option<FrameLabel> {
+    let first = variables.first()?;
+    let Kind::Symbol(symbol) = &first.kind else {
+        return None;
+    };
+    let [label] = symbol.superscripts.as_slice() else {
+        return None;
+    };
+    let same = |v: &Node| matches!(&v.kind, Kind::Symbol(s) if s == symbol);
+    (symbol.name == "t" && variables.iter().all(same)).then(|| FrameLabel {
+        text: label.clone(),
+        span: first.span,
+    })
+}
+
 impl<'t, 'a> Parser<'t, 'a> {
     /// `\frac{a}{b}`: a derivative if differentials stand above and below, a quotient otherwise.
     pub(super) fn fraction(&mut self, start: usize) -> Node {
@@ -37,6 +66,10 @@ impl<'t, 'a> Parser<'t, 'a> {
     /// The variables of a denominator: `dt^2`, `\partial x\,\partial y`.
     fn variables(&self, tokens: &'t [Token<'a>]) -> Option<Vec<Node>> {
         let mut rest = trim(tokens);
+        if let Some((inside, times)) = raised_group(rest) {
+            let variables = self.variables(inside)?;
+            return Some(std::iter::repeat_n(variables, times).flatten().collect());
+        }
         let mut variables = vec![];
         while !rest.is_empty() {
             let (length, _) = mark(rest)?;
@@ -74,7 +107,7 @@ impl<'t, 'a> Parser<'t, 'a> {
         } else {
             self.inside(above.rest).whole()
         };
-        let frame = above.frame;
+        let frame = above.frame.or_else(|| frame_of_time(&variables));
         let time = variables.iter().all(
             |v| matches!(&v.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty()),
         );

@@ -75,9 +75,29 @@ pub(crate) fn denies_assumption(sentence: &str) -> bool {
     DENIALS.iter().any(|denial| sentence.contains(denial))
 }
 
+/// A sentence without what stands in round brackets that are closed: it is not said of the formulas behind it.
+fn without_remarks(sentence: &str) -> String {
+    let mut open: Vec<usize> = vec![];
+    let mut kept = String::with_capacity(sentence.len());
+    for c in sentence.chars() {
+        match c {
+            '(' => open.push(kept.len()),
+            ')' => {
+                if let Some(from) = open.pop() {
+                    kept.truncate(from);
+                    continue;
+                }
+            }
+            _ => {}
+        }
+        kept.push(c);
+    }
+    kept
+}
+
 /// The cues of a sentence in their order.
 pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
-    let words: Vec<String> = sentence
+    let words: Vec<String> = without_remarks(sentence)
         .split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'')
         .filter(|word| !word.is_empty())
         .map(str::to_lowercase)
@@ -100,4 +120,20 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
         }
     }
     cues
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cue, cues};
+
+    #[test]
+    fn a_remark_in_brackets_gives_no_role() {
+        assert_eq!(
+            cues("We find (assuming that it is constant)"),
+            [Cue::Derive]
+        );
+        assert_eq!(cues("It is small (assuming"), [Cue::Assume]);
+        assert_eq!(cues("We take the derivative of it"), [Cue::Derive]);
+        assert_eq!(cues("We take"), [Cue::Assume]);
+    }
 }

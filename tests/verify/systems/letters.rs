@@ -167,3 +167,23 @@ On line 9 and in the first formula of line 1 $p$ is the foot of G.
 ";
     assert_eq!(verdicts(sentences, "$$ p = q $$\n").0, "u");
 }
+
+/// `\frac{d v}{dt^B}`: the frame may stand above the time.
+#[test]
+fn a_frame_may_be_written_at_the_time() {
+    let sentences = "N is an inertial frame.
+B is a frame that turns relative to N.
+O is a point fixed in N and in B.
+$r$ is the position of P from O.
+$\\omega$ is the angular velocity of B relative to N.
+$\\omega$ is constant.
+$\\frac{d}{dt^N}$ is the rate seen from N.
+$\\frac{d}{dt^B}$ is the rate seen from B.
+";
+    let text = r"
+$$ \frac{dr}{dt^N} = \frac{dr}{dt^B} + \omega\times r $$
+$$ \frac{dr}{dt^N} = \frac{dr}{dt^B} - \omega\times r $$
+$$ \frac{d^2r}{(dt^N)^2} = \frac{d^2r}{(dt^B)^2} + 2\omega\times\frac{dr}{dt^B} + \omega\times(\omega\times r) $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
