@@ -20,6 +20,9 @@ const MOST_PREMISES: usize = 400;
 /// How much is worked out to put in the premises of one place: terms times the terms that are put in for letters.
 const MOST_WORK: usize = 2_000_000;
 
+/// So many rates of a premise are put in.
+const MOST_RATES: u8 = 2;
+
 /// Rates of premises of more terms than this are not put in.
 const MOST_OF_RATE: usize = 400;
 
@@ -197,7 +200,7 @@ impl Facts {
         match self.put(atoms, &equation, &source) {
             Ok(Extended::Unsolved) => self.leave(&equation, &source),
             Ok(Extended::Contradicts) | Err(OutOfBudget) => self.miss(&source),
-            Ok(put) if order < 2 => {
+            Ok(put) if order < MOST_RATES => {
                 if let Some(rate) = self.new_rate(atoms, put, &equation, &source) {
                     waiting.push((rate, source, order + 1));
                 }
@@ -233,11 +236,8 @@ impl Facts {
         source: &Source,
     ) {
         self.at_instant = true;
-        match self.put(atoms, equation, source) {
-            Ok(Extended::Unsolved) => self.leave(equation, source),
-            Ok(Extended::Contradicts) | Err(OutOfBudget) => self.miss(source),
-            Ok(_) => {}
-        }
+        let (equation, source) = (equation.clone(), source.clone());
+        self.put_with_rate(atoms, equation, source, MOST_RATES, &mut vec![]);
     }
 
     /// Puts in an equation without its rates.

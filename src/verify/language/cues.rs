@@ -106,7 +106,7 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
     for (at, first) in words.iter().enumerate() {
         let behind = &words[at + 1..];
         let fits = |(rest, _): &&Phrase| {
-            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| a == b)
+            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| *a == "*" || a == b)
         };
         let phrases = PHRASES.get(first.as_str()).into_iter().flatten();
         // A longer phrase hides the words in it; of two kinds with one phrase the first counts.
@@ -134,6 +134,7 @@ mod tests {
         );
         assert_eq!(cues("It is small (assuming"), [Cue::Assume]);
         assert_eq!(cues("We take the derivative of it"), [Cue::Derive]);
+        assert_eq!(cues("We take the body-frame derivative"), [Cue::Derive]);
         assert_eq!(cues("We take"), [Cue::Assume]);
     }
 }

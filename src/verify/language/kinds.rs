@@ -98,13 +98,14 @@ fn are_apart(declarations: &[Declaration], one: &str, other: &str) -> bool {
         }
         _ => false,
     };
+    // What only a part of the document speaks of is no body of the whole.
+    let of_a_part = one == "body" && is_of_a_part(declarations, other);
+    let everywhere = |d: &Declaration| d.extent == Extent::Document;
     let mut all = declarations.iter();
-    all.any(|d| speaks(d, one) && speaks(d, other) || tells(d))
-        || one == "body" && is_of_a_part(declarations, other) && {
-            let everywhere = |d: &Declaration| d.extent == Extent::Document;
-            let mut all = declarations.iter();
-            all.any(|d| everywhere(d) && speaks(d, one))
-        }
+    all.any(|d| {
+        let both = speaks(d, other) || of_a_part && everywhere(d);
+        both && speaks(d, one) || tells(d)
+    })
 }
 
 /// Whether sentences say of a part of the document alone what kind of thing something is.

@@ -170,21 +170,17 @@ impl Builder<'_> {
         let indexed = |name: &str| Some(system.index_in(name.split_once('_')?.1)?.1);
         let member = of_each.or_else(|| indexed(&spoken.name));
         let member = member.as_deref();
-        for &frame in fixed_in {
+        let near = fixed_in.iter().find_map(|&frame| {
             let near = |p: &Point| p.fixed_in.contains(&frame) && indexed(&p.name).is_none();
-            if let Some(near) = system.points.iter().position(near) {
-                let way = system.carried_vector(&text, frame, member);
-                system
-                    .atoms
-                    .set_unplaced(way.iter().filter_map(Fraction::as_variable));
-                return (near, way);
-            }
-        }
-        let way = system.free_vector(&text, Place::Coordinate, member);
-        system
-            .atoms
-            .set_unplaced(way.iter().filter_map(Fraction::as_variable));
-        (0, way)
+            Some((system.points.iter().position(near)?, frame))
+        });
+        let (from, way) = match near {
+            Some((near, frame)) => (near, system.carried_vector(&text, frame, member)),
+            None => (0, system.free_vector(&text, Place::Coordinate, member)),
+        };
+        let coordinates = way.iter().filter_map(Fraction::as_variable);
+        system.atoms.set_unplaced(coordinates);
+        (from, way)
     }
 
     /// "G lies at the distance a from O along z", "G lies on the third axis of B at the distance a from O", "P is placed from O by r".

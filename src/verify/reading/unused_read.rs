@@ -118,9 +118,11 @@ impl Builder<'_> {
             || resting
             || lost
             || of_loads;
-        let unplaced = UNPLACED.contains(&what.head) && !self.is_end_placed(what);
-        let unplaced =
-            unplaced && !(what.head == CORNER && subjects.iter().all(|s| self.is_corner_placed(s)));
+        let placed = match what.head {
+            CORNER => subjects.iter().all(|s| self.is_corner_placed(s)),
+            _ => self.is_end_placed(what),
+        };
+        let unplaced = UNPLACED.contains(&what.head) && !placed;
         !(of_body && unplaced || rim || one || nothing)
     }
 

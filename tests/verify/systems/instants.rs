@@ -1,6 +1,7 @@
 //! Values at instants, what the motion keeps from there, and lines that hold at one instant alone.
 
 use super::judged;
+use super::start::PENDULUM;
 
 const FALLING: &str = "N is an inertial frame.
 z is the upward vertical.
@@ -69,27 +70,16 @@ $$ \omega_1 = 0 $$
 
 #[test]
 fn what_starts_from_rest_keeps_its_energy() {
-    let sentences = "N is an inertial frame.
-$Z$ is the upward vertical.
-B turns relative to N about x by the angle $\\theta$.
-$\\vec i$, $\\vec j$, $\\vec k$ are the axes of B.
-B is a frame fixed in the pendulum.
-The pendulum is a rigid body of mass $m$.
-O is a point fixed in N and in B.
-G is the mass centre of the pendulum.
-G lies at the distance $-a$ from O along $\\vec k$.
-$A$, $D$, $C$ are the principal moments of the pendulum about O on B.
-$g$ is the acceleration of gravity.
-The weight and the force at O are the only loads on the pendulum.
-The pendulum is released from rest.
-$\\alpha$ is the value of $\\theta$ at the start.
-";
+    let sentences = format!(
+        "{PENDULUM}The pendulum is released from rest.
+$\\alpha$ is the value of $\\theta$ at the start.\n"
+    );
     let text = r"
 $$ A\dot\theta^2 = 2 m g a(\cos\theta-\cos\alpha) $$
 $$ A\dot\theta^2 = m g a(\cos\theta-\cos\alpha) $$
 $$ \theta = \alpha $$
 ";
-    let verdicts = judged(sentences, text);
+    let verdicts = judged(&sentences, text);
     assert!(
         verdicts.starts_with('p') && !verdicts[1..].contains('p'),
         "{verdicts}"

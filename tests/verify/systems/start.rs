@@ -2,7 +2,7 @@
 
 use super::judged;
 
-const PENDULUM: &str = "N is an inertial frame.
+pub(super) const PENDULUM: &str = "N is an inertial frame.
 $Z$ is the upward vertical.
 B turns relative to N about x by the angle $\\theta$.
 $\\vec i$, $\\vec j$, $\\vec k$ are the axes of B.
