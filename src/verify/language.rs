@@ -16,6 +16,7 @@ mod bodies;
 mod body_axes;
 mod clause;
 mod constancy;
+mod counted;
 pub(crate) mod cues;
 mod decide;
 mod declare;
@@ -25,11 +26,13 @@ mod entries;
 mod extent;
 mod forms;
 mod gaps;
+mod gyration;
 mod hanging;
 pub(crate) mod heads;
 mod hinges;
 mod implied;
 mod in_turn;
+mod inclinations;
 mod introduce;
 mod kept;
 mod kinds;
@@ -38,11 +41,17 @@ mod manual;
 mod members;
 pub(crate) mod messages;
 mod mounted;
+mod on_lines;
+mod on_rings;
 mod owners;
 mod phrase;
+mod placed_points;
 mod places;
 mod plain_letters;
 mod plain_things;
+mod planar;
+mod planar_axes;
+mod planar_lines;
 mod possessions;
 mod predicate;
 mod print;
@@ -55,6 +64,7 @@ mod sentence_parts;
 mod sign;
 pub mod statement;
 mod subjects;
+mod suspended;
 mod terms;
 mod together;
 mod told_apart;
@@ -79,6 +89,12 @@ pub(crate) fn is_body(noun: &str) -> bool {
     Lexicon::shared()
         .entry(noun, &[lexicon::Class::Thing])
         .is_some()
+}
+
+/// The first form of the noun of a body.
+pub(crate) fn body_noun(noun: &str) -> Option<&'static str> {
+    let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Thing]);
+    entry.map(|entry| entry.name)
 }
 
 /// Whether a noun means a thing of the system: a frame, a point, a body.

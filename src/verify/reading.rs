@@ -3,6 +3,7 @@
 pub(crate) mod about_read;
 pub(crate) mod any_read;
 pub(crate) mod axes_read;
+mod axis_names;
 pub(crate) mod bases_read;
 pub(crate) mod bodies_read;
 pub(crate) mod body_ends;

@@ -13,6 +13,7 @@ mod members;
 mod named_loads;
 mod own_words;
 mod parts;
+mod planes;
 mod quaternions;
 mod reading;
 mod rods;

@@ -129,6 +129,7 @@ impl<'a> Reader<'a> {
         self.at += verb.length;
         phrase.adjectives.insert(0, "no");
         self.slots(noun, &mut phrase.slots)?;
+        self.tail(noun, &mut phrase.slots)?;
         for (slot, _) in &mut phrase.slots {
             if *slot == Slot::Upon {
                 *slot = Slot::Of;

@@ -5,9 +5,11 @@ use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
 use super::constancy::tell_constants;
+use super::counted::number_counted;
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
+use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
@@ -18,18 +20,25 @@ use super::kinds::{
 };
 use super::lexicon::Lexicon;
 use super::mounted::mount_wheels;
+use super::on_lines::place_on_lines;
+use super::on_rings::place_on_rings;
 use super::owners::{give_to_bodies, say_of_loads};
+use super::placed_points::name_placed_points;
 use super::places::{tell_places, tell_reach, tell_sides};
 use super::plain_letters::write_letters;
-use super::plain_things::{hang_on_quantities, name_plainly, say_of_things, tell_named_things};
+use super::plain_things::{
+    hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
+};
+use super::planar::turn_in_planes;
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
     without_ranges,
 };
 use super::rewrite::plainly;
-use super::same::{name_by_formulas, share_owners, tell_columns, tell_the_same};
+use super::same::{name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same};
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
+use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
 use super::turns::{tell_turning, turn_by_aircraft_angles, turn_in_order};
@@ -118,9 +127,13 @@ fn in_plain_terms(
     tell_the_same(&mut declarations);
     tell_columns(&mut declarations);
     name_by_formulas(&mut declarations);
+    tell_relations(&mut declarations);
     tell_turning(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
+    tell_upright_axes(&mut declarations);
+    number_counted(&mut declarations);
+    name_placed_points(&mut declarations);
     tell_named_things(&mut declarations);
     tell_places(&mut declarations);
     tell_reach(&mut declarations);
@@ -137,6 +150,11 @@ fn in_plain_terms(
     tell_axes(&mut declarations);
     tell_hinges(&mut declarations);
     name_ends(&mut declarations);
+    place_on_lines(&mut declarations);
+    place_on_rings(&mut declarations);
+    tell_suspended(&mut declarations, macros);
+    turn_in_planes(&mut declarations, macros);
+    tell_gyration(&mut declarations, macros);
     fix_frames(&mut declarations);
     shape_by_name(&mut declarations, lexicon);
     centre_shapes(&mut declarations);

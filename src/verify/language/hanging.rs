@@ -1,6 +1,6 @@
 //! What hangs on nouns and verbs by prepositions.
 
-use super::heads::START_OF_MOTION;
+use super::heads::{START_OF_MOTION, VERTICAL};
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
@@ -60,15 +60,17 @@ impl<'a> Reader<'a> {
             let again =
                 last.filter(|(before, _)| *before == name || before.ends_with(&format!(" {name}")));
             // "relative to E and relative to S" says it of two in turn.
-            if !(and && again.is_some()) {
+            let in_plane = entry.class == Class::Verb && name == "in";
+            if !(and && again.is_some() || in_plane) {
                 about_first(entry, name, slots);
             }
             let slot = match again {
                 Some((_, slot)) if and || comma => Some(slot),
                 _ if and => None,
-                _ => entry.slot(name).and_then(|slot| free(slot, slots)),
+                _ => entry.slot(name).and_then(|slot| free(slot, name, slots)),
             };
-            let Some(slot) = slot else {
+            let of_verb = entry.class == Class::Place && slot == Some(Slot::At) && self.at_rate();
+            let Some(slot) = slot.filter(|_| !of_verb) else {
                 self.at = start;
                 break;
             };
@@ -125,11 +127,37 @@ impl<'a> Reader<'a> {
     fn measure(&mut self) -> Option<Term> {
         let start = self.at;
         if self.kind() == Some(Kind::Word)
-            && let Ok((phrase, entry)) = self.named()
+            && let Ok((mut phrase, entry)) = self.named()
             && entry.class == Class::Noun
             && phrase.slot(Slot::Which).is_some()
         {
+            phrase.slots.extend(self.reckoned_from_vertical());
             return Some(Term::Phrase(Box::new(phrase)));
+        }
+        self.at = start;
+        None
+    }
+
+    /// Whether the rate of a turn comes next: it hangs on what turns, and on no axis.
+    fn at_rate(&mut self) -> bool {
+        let start = self.at;
+        let measure = self.measure();
+        self.at = start;
+        matches!(measure, Some(Term::Phrase(rate)) if rate.head == "rate")
+    }
+
+    /// "from the downward vertical", behind an angle: what else something turns from hangs on the verb.
+    fn reckoned_from_vertical(&mut self) -> Option<(Slot, Term)> {
+        let start = self.at;
+        if self.take("from")
+            && let Ok(terms) = self.deeper(Self::terms_alike)
+            && let [Term::Phrase(vertical)] = terms.as_slice()
+            && vertical.head == VERTICAL
+        {
+            return terms
+                .into_iter()
+                .next()
+                .map(|term| (Slot::RelativeTo, term));
         }
         self.at = start;
         None
@@ -251,11 +279,13 @@ impl<'a> Reader<'a> {
 }
 
 /// The slot that a preposition fills if another term stands in its own: "the moment on the body about G, on B".
-fn free(slot: Slot, slots: &[(Slot, Term)]) -> Option<Slot> {
+fn free(slot: Slot, preposition: &str, slots: &[(Slot, Term)]) -> Option<Slot> {
     let taken = |slot: Slot| slots.iter().any(|(s, _)| *s == slot);
     match slot {
         _ if !taken(slot) => Some(slot),
         Slot::Upon if !taken(Slot::On) => Some(Slot::On),
+        // "it turns relative to N in a vertical plane"
+        Slot::RelativeTo if preposition == "in" && !taken(Slot::In) => Some(Slot::In),
         _ => None,
     }
 }

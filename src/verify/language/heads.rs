@@ -2,6 +2,10 @@
 
 pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
 pub(crate) const POSITION: &str = "position";
+/// The adverb of what moves smoothly.
+pub(crate) const WITHOUT_FRICTION: &str = "without friction";
+/// A vector of length one.
+pub(crate) const UNIT_VECTOR: &str = "unit vector";
 pub(crate) const VELOCITY: &str = "velocity";
 pub(crate) const ACCELERATION: &str = "acceleration";
 pub(crate) const MASS: &str = "mass";

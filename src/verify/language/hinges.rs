@@ -1,6 +1,6 @@
 //! Hinges: the point of a hinge is fixed in each of the bodies that it joins, and an end by which a body is hinged is there.
 
-use super::heads::{ACCELERATION, VELOCITY};
+use super::heads::{ACCELERATION, FORCE, VELOCITY};
 use super::kinds::{name, rename};
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
@@ -87,13 +87,48 @@ pub(crate) fn tell_hinges(declarations: &mut Vec<Declaration>) {
             None => told.push(declaration.clone()),
         }
     }
-    if let [Term::Name(point)] = points.as_slice() {
-        let terms = told.iter_mut().flat_map(|d| d.statement.terms_mut());
-        terms.for_each(|term| {
-            CALLED.iter().for_each(|noun| rename(term, noun, point));
-        });
+    if let [point] = points.as_slice() {
+        name_joint(&mut told, point);
     }
     *declarations = told;
+}
+
+/// Puts the point of the only joint in the place of that: forces of the joint act there.
+pub(super) fn name_joint(declarations: &mut [Declaration], point: &Term) {
+    let Some(called) = name(point) else { return };
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &mut declaration.statement {
+            act_at(what, point);
+        }
+        for term in declaration.statement.terms_mut() {
+            if let Term::Phrase(phrase) = term {
+                act_at(phrase, point);
+            }
+            CALLED.iter().for_each(|noun| rename(term, noun, &called));
+        }
+    }
+}
+
+/// "the force of the hinge on the rod": the force at it.
+fn act_at(phrase: &mut NounPhrase, point: &Term) {
+    let of_joint = |(slot, of): &(Slot, Term)| {
+        let called = match of {
+            Term::Phrase(joint) if joint.slots.is_empty() => Some(joint.head.to_owned()),
+            _ => name(of),
+        };
+        *slot == Slot::Of && called.is_some_and(|called| CALLED.contains(&called.as_str()))
+    };
+    if phrase.head == FORCE && phrase.slots.iter().any(of_joint) {
+        phrase.slots.retain(|said| !of_joint(said));
+        if phrase.slot(Slot::At).is_none() {
+            phrase.slots.push((Slot::At, point.clone()));
+        }
+    }
+    for (_, inner) in &mut phrase.slots {
+        if let Term::Phrase(inner) = inner {
+            act_at(inner, point);
+        }
+    }
 }
 
 fn hinge(statement: &Statement, declarations: &[Declaration]) -> Option<Hinge> {

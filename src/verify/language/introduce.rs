@@ -1,9 +1,9 @@
 //! Names that no sentence introduces, by what is said of them: what turns or has Euler angles is a frame, and what has a
 //! velocity is a point.
 
-use super::heads::{ACCELERATION, POSITION, VELOCITY};
+use super::heads::{ACCELERATION, POSITION, UNIT_VECTOR, VELOCITY};
 use super::kinds::{frames_shown, name};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use std::collections::BTreeSet;
 
 /// Adds "B is a frame" and "P is a point" for the names that sentences use so, where none says what they are.
@@ -20,6 +20,11 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
             .map(|name| (name, "frame"));
         let points = moving_points(&declaration.statement).into_iter();
         let kinds = kinds.chain(points.map(|name| (name, "point")));
+        if let Some((point, what)) = point_of_axis(&declaration.statement)
+            && name(point).is_some_and(|name| may_be_introduced(&name) && told.insert(name))
+        {
+            added.push(declaration.saying(Statement::one_is(point.clone(), what)));
+        }
         for (name, kind) in kinds {
             if may_be_introduced(&name) && told.insert(name.clone()) {
                 let what = NounPhrase::new(kind, vec![]);
@@ -27,7 +32,23 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
             }
         }
     }
+    // "O and P are fixed in B": points that are.
+    let points: BTreeSet<String> = added.iter().filter_map(introduced_point).collect();
+    for declaration in declarations.iter_mut() {
+        let own = |subject: &Term| name(subject).is_some_and(|name| points.contains(&name));
+        if declaration.statement.subjects().iter().all(own) {
+            declaration.statement.is_of(Some("point"));
+        }
+    }
     declarations.extend(added);
+}
+
+/// The name of what is introduced as a point.
+fn introduced_point(declaration: &Declaration) -> Option<String> {
+    match &declaration.statement {
+        Statement::Is { subjects, what } if what.head == "point" => name(subjects.first()?),
+        _ => None,
+    }
 }
 
 /// The names of which a sentence says what they are, or that stand for others.
@@ -40,6 +61,10 @@ fn told_in(declaration: &Declaration) -> Vec<String> {
     };
     let subjects = match statement {
         Statement::Does { verb: "turn", .. } => &[],
+        Statement::Is { subjects, what } if what.head == "fixed" => match subjects.as_slice() {
+            [_] => &[],
+            several => several,
+        },
         statement => statement.subjects(),
     };
     let which = statement.slots().flatten();
@@ -69,9 +94,33 @@ fn turning(statement: &Statement) -> Vec<String> {
     subjects.iter().chain(against).filter_map(name).collect()
 }
 
+/// "A turns relative to N about the axis through O": O is a point of both.
+fn point_of_axis(statement: &Statement) -> Option<(&Term, NounPhrase)> {
+    let (subjects, slots) = statement.does("turn")?;
+    let Some(Term::Phrase(axis)) = slot(slots, Slot::About) else {
+        return None;
+    };
+    let against = slot(slots, Slot::RelativeTo);
+    let both = subjects.iter().chain(against);
+    let fixed_in = both.map(|thing| (Slot::FixedIn, thing.clone())).collect();
+    let mut point = NounPhrase::new("point", fixed_in);
+    if against.is_none() {
+        point.adjectives.push("fixed");
+    }
+    Some((axis.slot(Slot::Through)?, point))
+}
+
 /// The points of whose motion a sentence speaks.
 fn moving_points(statement: &Statement) -> Vec<String> {
     match statement {
+        // "the unit vector from E to G"
+        Statement::Is { what, .. } if [UNIT_VECTOR, "vector"].contains(&what.head) => {
+            let ends = [Slot::From, Slot::To];
+            ends.iter()
+                .flat_map(|slot| what.all(*slot))
+                .filter_map(name)
+                .collect()
+        }
         Statement::Is { what, .. } if [POSITION, VELOCITY, ACCELERATION].contains(&what.head) => {
             what.all(Slot::Of).filter_map(name).collect()
         }

@@ -149,8 +149,13 @@ pub(crate) fn tell_mass_centres(declarations: &mut Vec<Declaration>) {
         .collect();
     let mut found: Vec<Declaration> = vec![];
     for declaration in declarations.iter() {
-        let mentioned = declaration.statement.terms();
-        for centre in mentioned.into_iter().filter_map(named_centre) {
+        let mentioned = declaration.statement.terms().into_iter();
+        let mentioned = mentioned.filter_map(as_phrase);
+        let premise = match &declaration.statement {
+            Statement::Premise(premise) => Some(premise),
+            _ => None,
+        };
+        for centre in mentioned.chain(premise).filter_map(named_centre) {
             let new = subject_name(&centre).is_some_and(|name| !told.contains(&name));
             if new && !found.iter().any(|known| known.statement == centre) {
                 found.push(declaration.saying(centre));
@@ -318,10 +323,7 @@ pub(crate) fn fix_frames(declarations: &mut [Declaration]) {
 }
 
 /// "The mass centre G of the body", "the body with its mass centre at G": the statement that G is it.
-fn named_centre(term: &Term) -> Option<Statement> {
-    let Term::Phrase(phrase) = term else {
-        return None;
-    };
+fn named_centre(phrase: &NounPhrase) -> Option<Statement> {
     let called = phrase.slot(Slot::Which).or(phrase.slot(Slot::At))?;
     let of = phrase
         .slot(Slot::Of)
@@ -331,6 +333,13 @@ fn named_centre(term: &Term) -> Option<Statement> {
         subjects: vec![called.clone()],
         what: NounPhrase::new(phrase.head, vec![(Slot::Of, of.clone())]),
     })
+}
+
+fn as_phrase(term: &Term) -> Option<&NounPhrase> {
+    match term {
+        Term::Phrase(phrase) => Some(phrase),
+        _ => None,
+    }
 }
 
 /// The frames that a phrase shows: what has axes, from where a rate is seen, on what components are taken.

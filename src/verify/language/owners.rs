@@ -100,6 +100,7 @@ pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
             .rev()
             .find(|(_, t)| matches!(t, Term::Formula(_)));
         letter = named.map(|(_, about)| (declaration.text.clone(), about.clone()));
+        take_directions(what);
         let of_forces = match what.slot(Slot::Of) {
             Some(Term::Phrase(forces)) if what.head == MOMENT && is_all_forces(forces) => {
                 forces.slots.clone()
@@ -109,6 +110,27 @@ pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
         what.slots.retain(|(slot, _)| *slot != Slot::Of);
         what.slots.extend(of_forces);
     }
+}
+
+/// "the components of the force on the body along n and t": the components are along these.
+fn take_directions(what: &mut NounPhrase) {
+    let told = [Slot::Along, Slot::On]
+        .iter()
+        .any(|slot| what.slot(*slot).is_some());
+    if what.head != "component" || told {
+        return;
+    }
+    let mut along = vec![];
+    for (_, of) in &mut what.slots {
+        if let Term::Phrase(load) = of
+            && load.head == FORCE
+        {
+            let directions = load.slots.iter().filter(|(slot, _)| *slot == Slot::Along);
+            along.extend(directions.cloned());
+            load.slots.retain(|(slot, _)| *slot != Slot::Along);
+        }
+    }
+    what.slots.extend(along);
 }
 
 /// "the external forces on the body"

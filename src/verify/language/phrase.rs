@@ -200,7 +200,10 @@ impl<'a> Reader<'a> {
                 named.clone()
             }
             [(Slot::Which, named @ (Term::Name(_) | Term::Formula(_)))]
-                if article && self.hangs() && self.is_named(&phrase)
+                if article
+                    && self.hangs()
+                    && self.is_named(&phrase)
+                    && !is_fixed_point(&phrase)
                     || NAMED.contains(&phrase.head) && phrase.adjectives.is_empty() =>
             {
                 named.clone()
@@ -381,4 +384,9 @@ impl<'a> Reader<'a> {
             Some(Kind::Formula | Kind::Plain | Kind::Number)
         ) || self.at_name()
     }
+}
+
+/// "the fixed point O" says more than the name does.
+fn is_fixed_point(phrase: &NounPhrase) -> bool {
+    phrase.head == "point" && phrase.is("fixed")
 }

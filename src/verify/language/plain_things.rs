@@ -1,6 +1,7 @@
 //! Things by their plain names: "the rigid body" is the body, and "an inertial frame" the one that a sentence names.
 
 use super::body_axes::is_thing_with_sizes;
+use super::heads::{UNIT_VECTOR, VERTICAL};
 use super::is_body;
 use super::kinds::{name, rename};
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
@@ -30,6 +31,7 @@ pub(crate) fn name_plainly(declarations: &mut Vec<Declaration>) {
     let mut unnamed = None;
     for declaration in declarations.iter_mut() {
         let before = declaration.clone();
+        turn_about(&mut declaration.statement);
         let mut used = false;
         for term in declaration.statement.terms_mut() {
             used |= plain(term, &ground);
@@ -48,6 +50,30 @@ pub(crate) fn name_plainly(declarations: &mut Vec<Declaration>) {
         },
         ..sentence
     }));
+}
+
+/// "It turns relative to an inertial frame about z": what turns does so about z.
+fn turn_about(statement: &mut Statement) {
+    let Statement::Does {
+        verb: "turn",
+        slots,
+        ..
+    } = statement
+    else {
+        return;
+    };
+    let mut about = vec![];
+    for (slot, term) in slots.iter_mut() {
+        if let (Slot::RelativeTo, Term::Phrase(frame)) = (&slot, term)
+            && frame.head == "frame"
+            && frame.is("inertial")
+        {
+            let own = frame.slots.iter().filter(|(slot, _)| *slot == Slot::About);
+            about.extend(own.cloned());
+            frame.slots.retain(|(slot, _)| *slot != Slot::About);
+        }
+    }
+    slots.extend(about);
 }
 
 /// The inertial frame that sentences name.
@@ -79,6 +105,7 @@ pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
                 slots: slots.clone(),
             };
         }
+        hold_always(&mut declaration.statement);
         let Statement::Premise(premise) = &declaration.statement else {
             continue;
         };
@@ -92,6 +119,19 @@ pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
                 what: NounPhrase::new(said, premise.slots.clone()),
             };
         }
+    }
+}
+
+/// "`$a = b$` at every instant" says no more than the formula.
+fn hold_always(statement: &mut Statement) {
+    let every = |(slot, at): &(Slot, Term)| {
+        let instant = |at: &NounPhrase| matches!(at.head, "instant" | "time") && at.is("any");
+        *slot == Slot::At && matches!(at, Term::Phrase(at) if instant(at))
+    };
+    if let Some(([Term::Formula(formula)], slots)) = statement.does("hold")
+        && slots.iter().all(every)
+    {
+        *statement = Statement::Holds(formula.clone());
     }
 }
 
@@ -137,6 +177,19 @@ fn plain(term: &mut Term, ground: &str) -> bool {
         *term = Term::Name(phrase.head.to_owned());
         return false;
     }
+    if phrase.head == "diameter" && phrase.is("vertical") {
+        *term = Term::Phrase(Box::new(NounPhrase::new(VERTICAL, vec![])));
+        return false;
+    }
+    if matches!(phrase.head, "axis" | "line")
+        && phrase.is("vertical")
+        && phrase.slot(Slot::Along).is_none()
+    {
+        phrase.adjectives.retain(|said| *said != "vertical");
+        let vertical = NounPhrase::new(VERTICAL, vec![]);
+        let along = Term::Phrase(Box::new(vertical));
+        phrase.slots.push((Slot::Along, along));
+    }
     // "its axis `$a$`"
     if let (Some(letter @ Term::Formula(_)), "axis") = (phrase.slot(Slot::Which), phrase.head)
         && phrase
@@ -165,8 +218,10 @@ fn plain(term: &mut Term, ground: &str) -> bool {
 pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
     let before = declarations.len();
     say_besides(declarations, |statement| {
+        // "It consists of the particles P and Q" says it of all of them.
+        let listed = statement.does("consist").is_some();
         let terms = statement.terms_mut().into_iter();
-        terms.flat_map(named_things).collect()
+        terms.flat_map(|term| named_things(term, listed)).collect()
     });
     let told = declarations.split_off(before);
     // "the inner gimbal" is the one that has got a name.
@@ -179,6 +234,43 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(told);
+}
+
+/// "about the vertical axis through O along `$k$`": k is vertical; and what turns about it in a horizontal plane only turns.
+pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Does {
+            verb: "turn",
+            slots,
+            ..
+        } = statement
+        else {
+            return vec![];
+        };
+        let mut told = vec![];
+        let mut upright = false;
+        for (slot, term) in slots.iter_mut() {
+            let Term::Phrase(axis) = term else { continue };
+            if *slot != Slot::About || axis.head != "axis" {
+                continue;
+            }
+            let along = axis.slot(Slot::Along).cloned();
+            upright |= matches!(&along, Some(Term::Phrase(p)) if p.head == VERTICAL);
+            if let (Some(along @ Term::Formula(_)), true) = (along, axis.is("vertical")) {
+                axis.adjectives.retain(|said| *said != "vertical");
+                let up = NounPhrase {
+                    adjectives: vec!["upward"],
+                    ..NounPhrase::new(VERTICAL, vec![])
+                };
+                let up = vec![(Slot::Along, Term::Phrase(Box::new(up)))];
+                told.push(Statement::one_is(along, NounPhrase::new(UNIT_VECTOR, up)));
+                upright = true;
+            }
+        }
+        let level = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "plane" && p.adjectives == ["horizontal"] && p.slots.is_empty());
+        slots.retain(|(_, term)| !(upright && level(term)));
+        told
+    });
 }
 
 /// The nouns by which only one thing is called, each with the name of that.
@@ -203,14 +295,19 @@ fn is_point(noun: &str) -> bool {
     matches!(noun, "particle" | "element" | "bob" | "bead")
 }
 
+/// Whether a thing has a name of its own, and no number.
+fn is_proper(term: &Term) -> bool {
+    name(term).is_some_and(|name| name.starts_with(char::is_uppercase))
+}
+
 /// Puts the name of a thing in the place of its phrase, and gives what the phrases say.
-fn named_things(term: &mut Term) -> Vec<Statement> {
+fn named_things(term: &mut Term, listed: bool) -> Vec<Statement> {
     let Term::Phrase(phrase) = term else {
         return vec![];
     };
     let mut told = vec![];
     for (_, inner) in &mut phrase.slots {
-        told.extend(named_things(inner));
+        told.extend(named_things(inner, listed));
     }
     // "A uniform rod of mass `$m$` goes from O to P"
     if is_thing_with_sizes(phrase) && !is_point(phrase.head) {
@@ -233,7 +330,12 @@ fn named_things(term: &mut Term) -> Vec<Statement> {
         return told;
     }
     let called: Vec<&Term> = phrase.all(Slot::Which).collect();
-    let thing = phrase.head == "frame" || is_body(phrase.head) && !is_point(phrase.head);
+    let alone = phrase.slots.len() == 1;
+    let particle =
+        alone && !listed && is_point(phrase.head) && called.iter().all(|called| is_proper(called));
+    let point = alone && phrase.head == "point" && phrase.is("fixed");
+    let body = is_body(phrase.head) && !is_point(phrase.head);
+    let thing = phrase.head == "frame" || body || particle || point;
     if let (true, [called @ Term::Name(_)]) = (thing, called.as_slice()) {
         let called = (*called).clone();
         phrase.slots.retain(|(slot, _)| *slot != Slot::Which);

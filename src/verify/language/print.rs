@@ -318,10 +318,12 @@ impl Printer<'_> {
             noun.adjectives.retain(|a| *a != "no");
             let slots = std::mem::take(&mut noun.slots);
             let act = self.lexicon.entry("act", &[Class::Verb]);
+            let except = withs.iter().filter_map(|(_, term)| self.adverb(term));
             return format!(
-                "no {} acts{}",
+                "no {} acts{}{}",
                 self.bare(&noun, false),
-                self.slots(act, &slots, false)
+                self.slots(act, &slots, false),
+                except.collect::<String>()
             );
         }
         if !withs.is_empty() {

@@ -2,7 +2,8 @@
 
 use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, VELOCITY};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::notation::ast::Kind;
+use super::terms::say_besides;
+use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 
 /// Nouns of quantities of which a list may say once whose they are.
@@ -116,6 +117,37 @@ pub(crate) fn name_by_formulas(declarations: &mut [Declaration]) {
             };
         }
     }
+}
+
+/// "`$M = c$` is the moment on the body": M is it, and the relation holds.
+pub(crate) fn tell_relations(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, .. } = statement else {
+            return vec![];
+        };
+        let [Term::Formula(relation)] = subjects.as_slice() else {
+            return vec![];
+        };
+        let Row::Line(line) = &relation.row else {
+            return vec![];
+        };
+        let letter = match line.sides.as_slice() {
+            [letter, value] if !has_list(value) => Formula::of(letter),
+            _ => return vec![],
+        };
+        if !is_letter(&letter) {
+            return vec![];
+        }
+        let holds = Statement::Holds(relation.clone());
+        *subjects = vec![Term::Formula(letter)];
+        vec![holds]
+    });
+}
+
+/// Whether numbers stand in a list: what they are may be said of each.
+fn has_list(node: &Node) -> bool {
+    let own = matches!(node.kind, Kind::Tuple(_) | Kind::Matrix(_));
+    own || node.children().any(has_list)
 }
 
 fn is_letter(formula: &Formula) -> bool {

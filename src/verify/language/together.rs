@@ -25,10 +25,12 @@ const OF_WHOLES: [&str; 10] = [
 /// Names the bodies of which sentences speak together.
 pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
     let mut joined: Vec<Declaration> = vec![];
+    let things: Vec<(String, &'static str)> = things(declarations);
     for declaration in declarations.iter_mut() {
         let Statement::Is { subjects, what } = &mut declaration.statement else {
             continue;
         };
+        name_each(what, &things);
         // "the mass of P and of Q" may be that of each.
         let of_each = what.head == MASS && !what.is("total");
         if subjects.len() != 1 || !OF_WHOLES.contains(&what.head) || of_each {
@@ -47,6 +49,55 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(joined);
+}
+
+/// The things that sentences tell what they are, or that have a number: "particle 1".
+fn things(declarations: &[Declaration]) -> Vec<(String, &'static str)> {
+    let mut things: Vec<(String, &'static str)> = vec![];
+    for declaration in declarations {
+        let what = match &declaration.statement {
+            Statement::Is { what, .. } if super::is_body(what.head) => Some(what.head),
+            _ => None,
+        };
+        for subject in declaration.statement.subjects().iter().filter_map(called) {
+            let numbered = subject
+                .split_once(' ')
+                .filter(|(_, number)| number.chars().all(|c| c.is_ascii_digit()));
+            let noun = numbered
+                .and_then(|(noun, _)| super::body_noun(noun))
+                .or(what);
+            let new = things.iter().all(|(known, _)| *known != subject);
+            things.extend(noun.filter(|_| new).map(|noun| (subject.clone(), noun)));
+        }
+    }
+    things
+}
+
+/// A thing by its name, or by its number.
+fn called(thing: &Term) -> Option<String> {
+    match thing {
+        Term::Member { family, index } => Some(format!("{family} {}", index.source)),
+        thing => name(thing),
+    }
+}
+
+/// "the kinetic energy of the two particles": of each by its name.
+fn name_each(what: &mut NounPhrase, things: &[(String, &'static str)]) {
+    let Some(at) = what.slots.iter().position(|(slot, term)| {
+        *slot == Slot::Of && matches!(term, Term::Phrase(all) if all.adjectives == ["two"] && all.slots.is_empty())
+    }) else {
+        return;
+    };
+    let Term::Phrase(all) = &what.slots[at].1 else {
+        return;
+    };
+    let own = things.iter().filter(|(_, noun)| *noun == all.head);
+    let names: Vec<(Slot, Term)> = own
+        .map(|(name, _)| (Slot::Of, Term::Name(name.clone())))
+        .collect();
+    if names.len() == 2 {
+        what.slots.splice(at..=at, names);
+    }
 }
 
 /// Puts the whole in the place of its parts, and gives both.

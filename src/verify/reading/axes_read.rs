@@ -1,16 +1,15 @@
 //! The letters of axes, and the frame that components are worked with on.
 
-use crate::notation::ast::{Kind, Node, Style};
-use crate::notation::document::Row;
+use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
-    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
+    Declaration, Extent, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
 
@@ -123,8 +122,17 @@ impl Builder<'_> {
         let axis = what
             .slot(Slot::Which)
             .and_then(|term| self.number_of_axis(term));
-        if let (Some(frame), Some(axis), [subject]) = (frame, axis, subjects) {
-            self.name_axis(subject, frame, axis, declaration);
+        let on = what.slot(Slot::On).and_then(|on| self.frame(on));
+        match (frame, axis, subjects, on) {
+            // "in components on B"
+            (Some(frame), Some(axis), [Term::Formula(letter)], Some(on)) => {
+                let column = Quantity::On(Quantity::Axis(frame, axis).boxed(), on);
+                self.denote(letter, Meaning::Quantity(column), declaration);
+            }
+            (Some(frame), Some(axis), [subject], None) => {
+                self.name_axis(subject, frame, axis, declaration);
+            }
+            _ => {}
         }
     }
 
@@ -135,6 +143,13 @@ impl Builder<'_> {
             axis: 2,
             points_down: false,
         })
+    }
+
+    /// Whether it is told which axis is vertical; of axes without names it is the third.
+    pub(super) fn tells_vertical(&self) -> bool {
+        let ground = self.reading.system.ground;
+        let unnamed = self.axes.iter().all(|(_, (frame, _))| *frame != ground);
+        self.bearings.vertical.is_some() || unnamed
     }
 
     /// The unit vector that points up.
@@ -164,35 +179,6 @@ impl Builder<'_> {
         self.name_axis(subject, ground, axis, declaration);
     }
 
-    /// The letters of a formula that only name axes, with the unit vectors along these.
-    pub(super) fn names_of_axes(
-        &self,
-        node: &Node,
-        declaration: &Declaration,
-    ) -> Vec<(Formula, (FrameId, usize))> {
-        let mut found = vec![];
-        for child in node.children() {
-            let letter = match &child.kind {
-                Kind::Symbol(symbol) if symbol.style == Style::default() => Formula {
-                    source: symbol.name.clone(),
-                    row: Row::Expression(child.clone()),
-                },
-                _ => {
-                    found.extend(self.names_of_axes(child, declaration));
-                    continue;
-                }
-            };
-            let axis = self.axes.get(&letter.source).copied();
-            let plain = spelled(child) == letter.source;
-            if let Some(axis) = axis.filter(|_| plain)
-                && self.quantity_of(&letter, declaration).is_none()
-            {
-                found.push((letter, axis));
-            }
-        }
-        found
-    }
-
     pub(super) fn name_axis(
         &mut self,
         subject: &Term,
@@ -218,7 +204,8 @@ impl Builder<'_> {
         frame: FrameId,
         relative: FrameId,
     ) -> Option<usize> {
-        let Some(name) = name_of(about) else {
+        let vertical = matches!(about, Term::Phrase(phrase) if phrase.head == VERTICAL);
+        let Some(name) = name_of(about).filter(|_| !vertical) else {
             if let Some(own) = self.own_axis_of_shape(about, frame) {
                 return Some(own);
             }
@@ -361,6 +348,12 @@ impl Builder<'_> {
                     // "the z axis"
                     None => self.axes.get(&name_of(which)?).copied(),
                 }
+            }
+            Term::Phrase(phrase) if phrase.head == VERTICAL => {
+                let vertical = self.vertical();
+                let upward = !phrase.is("downward") && !vertical.points_down;
+                let told = upward && phrase.slots.is_empty() && self.tells_vertical();
+                told.then_some((vertical.frame, vertical.axis))
             }
             _ => self.axes.get(&name_of(term)?).copied(),
         }

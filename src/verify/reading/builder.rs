@@ -103,7 +103,7 @@ pub(crate) fn build(
     builder.read_candidates();
     builder.say_unheard();
     builder.widen_unused();
-    builder.connect_unused();
+    builder.connect_unused(&conditional);
     builder.reading
 }
 
@@ -164,7 +164,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let Some(node) = node_of(formula) else {
-            return;
+            return self.say_unused(declaration);
         };
         if let Meaning::Quantity(place @ Quantity::Position { .. }) = &meaning
             && let Ok(place) = self.system().value_of(place)

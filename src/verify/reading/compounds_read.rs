@@ -2,9 +2,9 @@
 
 use crate::notation::ast::{Factor, Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, Term};
-use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, name_of_formula, node_of};
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::builder::{Builder, place_in};
+use crate::verify::reading::names::{name_of, name_of_formula, node_of, reach_of};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 
@@ -94,16 +94,43 @@ impl Builder<'_> {
         formula: &Formula,
         declaration: &Declaration,
     ) -> Option<Value> {
+        self.reading
+            .letters
+            .keep_apart(std::slice::from_ref(node_of(formula)?));
+        self.tell_letters_of_place(formula, declaration)?;
+        self.formula_value(formula, declaration)
+    }
+
+    /// The letters of a place or a size of which nothing is said are numbers, and constant where no rate of them is written.
+    pub(super) fn tell_letters_of_place(
+        &mut self,
+        formula: &Formula,
+        declaration: &Declaration,
+    ) -> Option<()> {
         let node = node_of(formula)?.clone();
         for letter in symbols_in(&node) {
-            if !self.is_told(&letter, declaration)
-                && !self.has_rate(&Term::Formula(letter.clone()))
-                && let Some(size) = self.scalar(&letter, declaration)
-            {
+            if self.is_told_by_itself(&letter, declaration) {
+                continue;
+            }
+            let size = self.scalar(&letter, declaration);
+            if let Some(size) = size.filter(|_| !self.has_rate(&Term::Formula(letter))) {
                 self.make_constant(&size);
             }
         }
-        self.formula_value(formula, declaration)
+        Some(())
+    }
+
+    /// Whether a letter is told, and not only another one that is written with a mark: x beside a unit vector x.
+    fn is_told_by_itself(&mut self, letter: &Formula, declaration: &Declaration) -> bool {
+        let at = place_in(&reach_of(&declaration.extent));
+        let node = node_of(letter);
+        let names = node.map(|node| (spelled(node), loosely(node)));
+        let other = names.is_some_and(|(spelled, loose)| {
+            let letters = &self.reading.letters;
+            let found = letters.find(&spelled, &loose, &at, 1);
+            found.is_some() && letters.find_lone(&spelled, &loose, &at, 1).is_none()
+        });
+        !other && self.is_told(letter, declaration)
     }
 }
 

@@ -13,21 +13,27 @@ use std::collections::{BTreeSet, HashMap};
 type Named = BTreeSet<String>;
 
 impl Builder<'_> {
-    /// Keeps sentences that were understood, and of which nothing was made, to the letters that are connected with them.
-    pub(super) fn connect_unused(&mut self) {
+    /// Keeps sentences that were understood, and of which nothing was made, to the letters that are connected with them;
+    /// `conditional` are those that hold under a condition.
+    pub(super) fn connect_unused(&mut self, conditional: &[Declaration]) {
         let waits = |u: &Unused| u.understood && !u.beyond && u.letters.is_none();
         if !self.reading.unused.iter().any(waits) {
             return;
         }
-        let named: Vec<Named> = self.declarations.iter().map(|d| self.named_in(d)).collect();
+        let all = || self.declarations.iter().chain(conditional);
+        let named: Vec<Named> = all().map(|d| self.named_in(d)).collect();
         let letters = self.letters_by_component(&named);
-        for (declaration, named) in self.declarations.iter().zip(&named) {
+        // A sentence that says several things bears on what any of them names.
+        let mut of_sentence: HashMap<&str, BTreeSet<String>> = HashMap::new();
+        for (declaration, named) in all().zip(&named) {
             let sentence = declaration.text.trim_end_matches('.');
-            let own = named.iter().find_map(|name| letters.get(name)).cloned();
-            let unused = self.reading.unused.iter_mut();
-            for unused in unused.filter(|u| waits(u) && u.sentence == sentence) {
-                unused.connected.clone_from(&own);
-            }
+            let own = named.iter().filter_map(|name| letters.get(name));
+            let known = of_sentence.entry(sentence).or_default();
+            known.extend(own.flatten().cloned());
+        }
+        for unused in self.reading.unused.iter_mut().filter(|u| waits(u)) {
+            let own = of_sentence.get(unused.sentence.as_str());
+            unused.connected = own.filter(|own| !own.is_empty()).cloned();
         }
     }
 

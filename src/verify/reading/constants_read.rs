@@ -1,11 +1,10 @@
 //! What does not change: letters, quantities, gravity.
 
-use crate::algebra::Fraction;
 use crate::verify::language::heads::OF_BEARINGS;
-use crate::verify::language::statement::{Declaration, NounPhrase, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::is_marked_vector;
+use crate::verify::reading::names::{is_marked_vector, tells_gravity};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 
@@ -57,6 +56,21 @@ impl Builder<'_> {
         }
     }
 
+    /// "`$k$` is a scalar": a number of its own that may change, where nothing else tells what it is.
+    pub(super) fn read_scalars(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            if self.quantity_of(formula, declaration).is_none()
+                && !self.is_told(formula, declaration)
+            {
+                let quantity = Quantity::Scalar {
+                    text: formula.source.clone(),
+                    constant: false,
+                };
+                self.denote(formula, Meaning::Quantity(quantity), declaration);
+            }
+        }
+    }
+
     /// g: a vector that does not change in space, or its size along the vertical.
     pub(super) fn read_gravity(&mut self, subjects: &[Term], declaration: &Declaration) {
         let Some(formula) = formulas(subjects).next().cloned() else {
@@ -78,30 +92,42 @@ impl Builder<'_> {
             constant: true,
         };
         self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+        self.gravity = self.along_vertical(&quantity);
+    }
+
+    /// The acceleration of gravity; where weights are spoken of and no sentence tells its letter, it has one of its own.
+    pub(super) fn gravity(&mut self) -> Option<Quantity> {
+        let mut said = self.declarations.iter();
+        let told =
+            said.any(|d| matches!(&d.statement, Statement::Is { what, .. } if tells_gravity(what)));
+        if self.gravity.is_none() && !told {
+            let own = Quantity::Scalar {
+                text: "\\text{gravity}".into(),
+                constant: true,
+            };
+            self.gravity = self.along_vertical(&own);
+        }
+        self.gravity.clone()
+    }
+
+    /// How great gravity is, in the direction in which things fall.
+    fn along_vertical(&mut self, size: &Quantity) -> Option<Quantity> {
         // Where a sentence on it was not understood, nothing else tells where up is.
         let mut all = self.declarations.iter();
         if self.bearings.vertical.is_none() && all.any(|d| d.may_speak_of(&OF_BEARINGS)) {
-            return;
+            return None;
         }
-        let size = self
-            .system()
-            .value_of(&quantity)
-            .ok()
-            .and_then(|v| v.to_scalar().ok());
+        let size = self.system().value_of(size).ok()?.to_scalar().ok()?;
         let vertical = self.vertical();
         let axis = match self.has_plane_anyhow() {
             true => Quantity::UnitVector {
                 text: "\\text{up}".into(),
-                carried: Some(ground),
+                carried: Some(self.reading.system.ground),
             },
             false => Quantity::Axis(vertical.frame, vertical.axis),
-        }
-        .boxed();
-        // How great it is, in the direction in which things fall.
-        if let Some(g) = &size {
-            self.system().atoms.set_positive(g);
-        }
-        let along = |g: Fraction| if vertical.points_down { g } else { -g };
-        self.gravity = size.map(|g| Quantity::Scaled(axis, along(g)));
+        };
+        self.system().atoms.set_positive(&size);
+        let along = if vertical.points_down { size } else { -size };
+        Some(Quantity::Scaled(axis.boxed(), along))
     }
 }

@@ -147,9 +147,8 @@ impl Builder<'_> {
     /// "down the slope", "along the uphill direction of the ramp", "along the normal of the floor".
     pub(super) fn direction_of_plane(&mut self, phrase: &NounPhrase) -> Option<Vector> {
         if phrase.head == VERTICAL {
-            // Which way it points is told by the sentence that says which axis it is.
-            let told = self.bearings.vertical.is_some() && phrase.slots.is_empty();
             let down = phrase.is("downward");
+            let told = self.tells_vertical() && phrase.slots.is_empty();
             let upward = told.then(|| self.upward())?;
             return Some(if down { -upward } else { upward });
         }

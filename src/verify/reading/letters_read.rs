@@ -172,6 +172,7 @@ impl Builder<'_> {
             _ if tells_gravity(what) => self.read_gravity(subjects, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
+            "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
@@ -240,7 +241,8 @@ impl Builder<'_> {
         {
             return;
         }
-        if names_load(what) && subjects.iter().any(|subject| may_be_size(subject, what)) {
+        let named = names_load(what) || self.agent_outside(what, None).is_some();
+        if named && subjects.iter().any(|subject| may_be_size(subject, what)) {
             return self.say_unused(declaration);
         }
         let Some(quantity) = self.quantity(what, declaration) else {

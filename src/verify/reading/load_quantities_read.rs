@@ -15,6 +15,9 @@ impl Builder<'_> {
         if let Some(reaction) = self.reaction(phrase) {
             return Some(reaction);
         }
+        if self.agent_outside(phrase, None).is_some() {
+            return self.named_force(phrase);
+        }
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
         }
@@ -77,6 +80,9 @@ impl Builder<'_> {
         {
             return Some(self.drive(&rotors, body));
         }
+        if self.agent_outside(phrase, None).is_some() {
+            return self.moment_from_outside(phrase);
+        }
         if is_one_of_several(phrase) {
             return None;
         }
@@ -119,6 +125,15 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// "the moment of the motor on the wheel"
+    fn moment_from_outside(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let about = match phrase.slot(Slot::About) {
+            Some(about) => self.point(about)?,
+            None => self.centre_of(self.body(phrase.slot(Slot::Upon)?)?),
+        };
+        self.named_moment(phrase, about)
     }
 
     /// "the Coriolis force on P in A".
@@ -165,7 +180,7 @@ impl Builder<'_> {
     pub(super) fn weight(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
         let body = self.body_of(phrase)?;
         let mass = self.reading.system.mass(body);
-        let gravity = self.gravity.clone()?;
+        let gravity = self.gravity()?;
         Some(Quantity::Scaled(gravity.boxed(), mass))
     }
 }

@@ -7,7 +7,7 @@ use crate::verify::language::statement::{
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{is_letter, node_of};
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -169,6 +169,11 @@ impl Builder<'_> {
 
     /// A letter that is told already, the size of a load along an axis, or a vector by its letter.
     fn value_of_load(&mut self, acting: &Acting<'_>, declaration: &Declaration) -> Option<Vector> {
+        if !is_letter(acting.letter) {
+            self.tell_letters_of_place(acting.letter, declaration)?;
+            let value = self.formula_value(acting.letter, declaration)?;
+            return value.to_vector().ok();
+        }
         let known = self.quantity_of(acting.letter, declaration);
         let text = acting.letter.source.clone();
         let quantity = known.clone().unwrap_or(match acting.along {

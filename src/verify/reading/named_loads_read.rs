@@ -1,6 +1,6 @@
 //! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
 
-use crate::verify::language::heads::{FORCES_OF_A_KIND, MOMENTS_OF_A_KIND};
+use crate::verify::language::heads::{FORCE, FORCES_OF_A_KIND, MOMENT, MOMENTS_OF_A_KIND};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId};
@@ -31,25 +31,51 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
-        if !names_load(phrase) {
+        let agent = self.agent_outside(phrase, on);
+        if !names_load(phrase) && agent.is_none() {
             return None;
         }
-        let body = match phrase.slot(Slot::Of) {
-            Some(_) => self.body_of(phrase)?,
-            None => on.or_else(|| self.body_of(phrase))?,
+        let body = match (&agent, phrase.slot(Slot::Of)) {
+            (Some(_), _) => match phrase.slot(Slot::Upon) {
+                Some(upon) => self.body(upon)?,
+                None => on?,
+            },
+            (None, Some(_)) => self.body_of(phrase)?,
+            (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
-        let noun = [phrase.adjectives.as_slice(), &[phrase.head]]
-            .concat()
-            .join(" ");
+        let noun = [phrase.adjectives.as_slice(), &[phrase.head]].concat();
+        let noun = noun.join(" ") + &agent.map_or_else(String::new, |agent| format!(" of {agent}"));
         let called = Called::Noun(noun, body);
         if self.loads_called(&called).is_empty() {
-            if FORCES_OF_A_KIND.contains(&phrase.head) {
+            if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
                 let centre = self.centre_of(body);
                 self.push_named_load(&called, &format!("F_{{{}}}", phrase.head), Some(centre))?;
             }
-            self.push_named_load(&called, &format!("M_{{{}}}", phrase.head), None)?;
+            let particle = self.reading.system.bodies[body].frame.is_none();
+            if !particle || phrase.head != FORCE {
+                self.push_named_load(&called, &format!("M_{{{}}}", phrase.head), None)?;
+            }
         }
         Some(self.loads_called(&called))
+    }
+
+    /// What acts on a body from outside: "the force of the air on the aircraft", where no sentence tells what the air is, or
+    /// "the force of the rod on the particle".
+    pub(super) fn agent_outside(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<String> {
+        let agent = phrase.slot(Slot::Of)?;
+        let name = match agent {
+            Term::Name(name) if name.starts_with(char::is_lowercase) => name,
+            _ => return None,
+        };
+        let known = self.whole(agent).is_some()
+            || self.point(agent).is_some()
+            || self.plane(Some(agent)).is_some()
+            || self.frames.contains_key(name);
+        let upon = phrase.slot(Slot::Upon).and_then(|upon| self.body(upon));
+        let upon = upon.or(on).map(|body| &self.reading.system.bodies[body]);
+        let particle = upon.is_some_and(|body| body.frame.is_none() && body.parts.is_empty());
+        let load = matches!(phrase.head, FORCE | MOMENT) && phrase.slot(Slot::At).is_none();
+        (load && (!known || particle)).then(|| name.clone())
     }
 
     fn loads_called(&self, called: &Called) -> Vec<Load> {

@@ -34,8 +34,7 @@ pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
 /// The noun of the matrix that a cross product is.
 pub(crate) const CROSS_PRODUCT_MATRIX: &str = "cross-product matrix";
 
-/// The noun of a vector of length one.
-pub(crate) const UNIT_VECTOR: &str = "unit vector";
+pub(crate) use crate::verify::language::heads::UNIT_VECTOR;
 
 /// The noun of the energy that a body has by its place.
 pub(crate) const POTENTIAL: &str = "potential energy";

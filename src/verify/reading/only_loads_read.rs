@@ -1,8 +1,9 @@
 //! "The weight and the force at O are the only loads on the top": what the loads on a body come to.
 
+use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::{FORCES, lasting_of, letters_of, rests_before};
 use crate::verify::term::letters::Meaning;
@@ -41,6 +42,10 @@ impl Builder<'_> {
                 Term::Formula(letter) => {
                     self.list_letter(letter, premise, &mut listed, declaration)?
                 }
+                // "the forces": all that have been told.
+                Term::Phrase(all) if is_all(all) => {
+                    listed.loads.extend(self.told_forces(listed.lasting))
+                }
                 // A force along an axis is not told by its letter alone.
                 Term::Phrase(load) if load.slot(Slot::Along).is_some() => return None,
                 Term::Phrase(load) => self.list_load(load, premise, &mut listed, declaration)?,
@@ -49,6 +54,16 @@ impl Builder<'_> {
         }
         self.hold_loads(&listed, premise.head == "force", declaration);
         Some(())
+    }
+
+    /// The forces of which sentences tell where they act.
+    fn told_forces(&self, lasting: Lasting) -> Vec<Load> {
+        let loads = self.reading.system.loads.iter();
+        let told = loads.filter(|load| {
+            let letter = matches!(load.called, Called::Letter(_));
+            letter && !load.part && load.lasting == lasting && load.at.is_some()
+        });
+        told.cloned().collect()
     }
 
     fn list_letter(
@@ -130,7 +145,7 @@ impl Builder<'_> {
     }
 
     /// The weight, a load by its noun, or loads by letters that other sentences tell.
-    fn told_loads(
+    pub(super) fn told_loads(
         &mut self,
         load: &NounPhrase,
         premise: &NounPhrase,
@@ -177,12 +192,31 @@ impl Builder<'_> {
         // The moment first: proofs come out where its variables have the lower numbers.
         if !only_forces {
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
-            self.hold_zero(&moment, declaration);
+            match self.hinge_of(*body) {
+                Some(axis) => self.hold(moment.dot(&axis), declaration),
+                None => self.hold_zero(&moment, declaration),
+            }
         }
         if open.is_none() {
             let rest = self.system().rest_of_load(*body, loads, *lasting);
             self.hold_zero(&rest, declaration);
         }
+    }
+
+    /// The axis about which alone a body turns of whose tensor nobody tells that no hinge is needed to keep it there.
+    fn hinge_of(&mut self, body: BodyId) -> Option<Vector> {
+        let known = &self.reading.system.bodies[body];
+        let frame = known.frame?;
+        let turned = &self.reading.system.frames[frame];
+        let axis = match &turned.turn {
+            Turn::Angle(axis, _) if turned.parent == Some(self.reading.system.ground) => *axis,
+            _ => return None,
+        };
+        let tensor = known.inertia.iter().flat_map(|tensor| tensor.iter());
+        let variables = tensor.flat_map(Fraction::variables);
+        let atoms = &self.reading.system.atoms;
+        let told = known.inertia.is_some() && variables.into_iter().all(|v| !atoms.is_unknown(v));
+        (!told).then(|| self.system().axis(frame, axis))
     }
 
     /// "The rod is at rest before the impulse."
@@ -195,4 +229,9 @@ impl Builder<'_> {
             _ => false,
         })
     }
+}
+
+/// "the forces", with nothing that tells them from others.
+fn is_all(loads: &NounPhrase) -> bool {
+    loads.head == "force" && loads.slots.is_empty() && loads.adjectives.is_empty()
 }

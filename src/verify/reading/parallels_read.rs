@@ -1,6 +1,7 @@
 //! Vectors that lie along others: "`$H$` points along Z", "`$\\omega$` is parallel to z".
 
 use crate::mechanics::cross;
+use crate::verify::language::heads::{POSITION, WITHOUT_FRICTION};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
@@ -84,6 +85,21 @@ impl Builder<'_> {
         })
     }
 
+    /// Whether a sentence tells where a point is.
+    fn is_position_told(&self, point: &Term) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == POSITION => {
+                what.slot(Slot::Of) == Some(point)
+            }
+            Statement::Does {
+                subjects,
+                verb: "lie" | "place",
+                ..
+            } => subjects.contains(point),
+            _ => false,
+        })
+    }
+
     /// "P moves along z relative to A", "P slides along the axis through O along z", "G moves in the plane of x and y".
     fn read_moving(
         &mut self,
@@ -99,6 +115,11 @@ impl Builder<'_> {
             [(_, frame)] => self.frame(frame)?,
             _ => return None,
         };
+        let counted = self.lists_loads();
+        let ways: Vec<_> = ways
+            .into_iter()
+            .filter(|(_, term)| !(counted && is_smooth(term)))
+            .collect();
         let [(slot, way)] = ways.as_slice() else {
             return None;
         };
@@ -106,6 +127,16 @@ impl Builder<'_> {
             && axis.slot(Slot::Through).is_some()
         {
             self.read_lying(subjects, axis, declaration);
+            return Some(());
+        }
+        // "P moves on the turntable": where it is is told by its position.
+        let thing = self.frame(way).or(self.body(way)).is_some()
+            && matches!(slot, Slot::On | Slot::In | Slot::Along);
+        if thing
+            && subjects
+                .iter()
+                .all(|subject| self.is_position_told(subject))
+        {
             return Some(());
         }
         let points: Option<Vec<_>> = subjects.iter().map(|subject| self.point(subject)).collect();
@@ -179,4 +210,9 @@ impl Builder<'_> {
         });
         said.flatten().cloned().collect()
     }
+}
+
+/// That there is no friction is told with the loads.
+fn is_smooth(manner: &Term) -> bool {
+    matches!(manner, Term::Phrase(how) if how.head == WITHOUT_FRICTION)
 }

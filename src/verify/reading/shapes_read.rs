@@ -221,6 +221,7 @@ impl<'a> Builder<'a> {
         declaration: &Declaration,
     ) -> Option<Fraction> {
         if !is_letter(formula) {
+            self.tell_letters_of_place(formula, declaration)?;
             return self.formula_value(formula, declaration)?.to_scalar().ok();
         }
         let quantity = Quantity::Scalar {
@@ -253,7 +254,9 @@ impl<'a> Builder<'a> {
         let name = |term: &Term| self.axis_of_frame(term);
         let rod = self.is_rod(body);
         let told = self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "axis" => {
+            Statement::Is { subjects, what }
+                if what.head == "axis" && what.slot(Slot::Which).is_none() =>
+            {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term));
                 subjects.first().and_then(name).filter(|_| of == Some(body))
             }

@@ -1,6 +1,6 @@
 //! Forces at points, blows, and the forces that a turning frame adds.
 
-use super::judged;
+use super::{judged, verdicts};
 
 /// Mahony, Kumar and Corke, Multirotor aerial vehicles, IEEE Robotics & Automation Magazine 19 (2012), equations 1 and 4,
 /// with arms along the axes and z up.
@@ -181,4 +181,60 @@ $$ \sum_i \vec C_i = 2\vec p\times\vec\Omega $$
 $$ \sum_i \vec C_i = \vec p\times\vec\Omega $$
 ";
     assert_eq!(judged(&sentences, text), "pr");
+}
+
+#[test]
+fn what_acts_from_outside_needs_no_sentence_of_its_own() {
+    let sentences = "\
+N is an inertial frame whose third axis points vertically down.
+B is a frame fixed in the glider.
+$\\phi$ is the roll angle of B relative to N.
+G is the mass centre of the glider, and $m$ is the mass of the glider.
+$\\vec v$ is the velocity of G relative to N.
+$\\vec F$ is the force of the air on the glider.
+The force of the air and the weight are the only forces on the glider.
+$\\vec g$ is the acceleration of gravity.
+A dot means the rate seen from N.
+";
+    let text = r"
+$$ m\dot{\vec v}=\vec F+m\vec g $$
+$$ m\dot{\vec v}=\vec F-m\vec g $$
+";
+    assert_eq!(verdicts(sentences, text).0, "pr");
+}
+
+#[test]
+fn forces_act_at_points_that_are_only_placed() {
+    let sentences = "\
+N is an inertial frame.
+$\\hat x$, $\\hat y$, $\\hat z$ are the axes of B, a frame fixed in the drone.
+G is the mass centre of the drone.
+The forces $f\\hat z$ and $h\\hat z$ act at the points $a\\hat x$ and $-a\\hat x$ from G, respectively.
+These forces and the weight are the only loads on the drone.
+$A$, $B_2$, $C$ are the principal moments of the drone about G on B.
+$p$, $q$, $r$ are the components on B of the angular velocity of B relative to N.
+";
+    let text = r"
+$$ B_2\dot q=(C-A)rp-a(f-h) $$
+$$ B_2\dot q=(C-A)rp+a(f-h) $$
+";
+    assert_eq!(verdicts(sentences, text).0, "pr");
+}
+
+#[test]
+fn about_an_axis_only_its_component_vanishes() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the rotor with the axes x, y, z.
+G is a point fixed in N, and the mass centre of the rotor.
+No moment acts on the rotor about the axis through G along z.
+$\\vec H$ is the angular momentum of the rotor about G relative to N.
+A dot means the rate seen from N.
+";
+    let text = r"
+$$ \dot{\vec H}\cdot\hat z=0 $$
+$$ \dot{\vec H}=0 $$
+";
+    let got = verdicts(sentences, text).0;
+    assert!(!got[1..].contains('p'), "{got}");
 }

@@ -1,6 +1,6 @@
 //! Where points and bodies are, told before or after the letters that tell it.
 
-use super::{judged, judged_in_any_order};
+use super::{judged, judged_in_any_order, verdicts};
 
 #[test]
 fn points_are_placed_by_letters_that_other_sentences_tell() {
@@ -72,4 +72,77 @@ $m$ is the mass of P and of Q.
 $p$ is the momentum of P relative to N, and $v$ is the velocity of P relative to N.
 ";
     assert_eq!(judged(sentences, "$$ p = m v $$\n"), "u");
+}
+
+#[test]
+fn a_letter_and_its_unit_vector_are_two() {
+    let sentences = "\
+N is an inertial frame.
+A is a frame that turns relative to N about $\\hat z$ at the constant rate $w$.
+$\\hat x$, $\\hat y$, $\\hat z$ are the axes of A.
+O is a point fixed in N and in A.
+P is a particle of mass $m$.
+$x\\,\\hat x+y\\,\\hat y$ is the position of P from O.
+No force in the plane of $\\hat x$ and $\\hat y$ acts on P.
+";
+    let text = r"
+$$ \ddot x-2w\dot y-w^2x=0 $$
+$$ \ddot y-2w\dot x-w^2y=0 $$
+";
+    assert_eq!(verdicts(sentences, text).0, "pr");
+}
+
+#[test]
+fn the_letters_of_a_size_do_not_change() {
+    let sentences = "\
+N is an inertial frame.
+The third axis of N is the upward vertical.
+O is a point fixed in N and in the rod.
+The rod is a uniform thin rod of mass $m$ and length $2a$.
+O is an end of the rod.
+The rod turns relative to N about the second axis of N by the angle $\\theta$.
+At $\\theta=0$ the rod points along the third axis of N.
+$g$ is the acceleration of gravity.
+$\\vec F$ is the force on the rod at O.
+The weight and $\\vec F$ are the only loads on the rod.
+";
+    assert_eq!(
+        verdicts(sentences, r"$$ \ddot\theta=\frac{3g}{4a}\sin\theta $$").0,
+        "p"
+    );
+}
+
+#[test]
+fn particles_that_are_counted_have_numbers() {
+    let sentences = "\
+N is an inertial frame.
+O is a point fixed in N and in B.
+B is a frame that turns relative to N about the third axis of B at the rate $w$.
+The rotor consists of two particles of mass $m$, fixed in B.
+$(a,0,b)$ and $(-a,0,-b)$ are the positions of the particles from O in components on B.
+$T$ is the kinetic energy of the rotor relative to N.
+";
+    let text = r"
+$$ T=ma^2w^2 $$
+$$ T=mb^2w^2 $$
+";
+    assert_eq!(verdicts(sentences, text).0, "pr");
+}
+
+#[test]
+fn a_relation_tells_what_its_letter_is() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the satellite.
+G is the mass centre of the satellite.
+$\\hat o$ is the unit vector from the point E, which is fixed in N, to G.
+$I_1$, $I_2$, $I_3$ are the principal moments of the satellite about G on B.
+$I$ is the inertia tensor of the satellite about G.
+$\\vec M=k\\,\\hat o\\times(I\\hat o)$ is the total moment on the satellite about G, where $k$ is a scalar.
+";
+    let text = r"
+$$ \hat o\cdot\vec M=0 $$
+$$ \vec M=-k\,\hat o\times(I\hat o) $$
+";
+    assert_eq!(verdicts(sentences, text).0, "pr");
 }

@@ -284,7 +284,7 @@ impl Printer<'_> {
     }
 
     /// The words of an adverb with what it needs, a space before them.
-    fn adverb(&self, term: &Term) -> Option<String> {
+    pub(super) fn adverb(&self, term: &Term) -> Option<String> {
         let Term::Phrase(phrase) = term else {
             return None;
         };
