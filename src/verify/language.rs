@@ -68,6 +68,7 @@ mod suspended;
 mod terms;
 mod together;
 mod told_apart;
+mod turned_lines;
 mod turns;
 mod unread;
 mod weights;

@@ -36,11 +36,14 @@ use super::reorder::{
     without_ranges,
 };
 use super::rewrite::plainly;
-use super::same::{name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same};
+use super::same::{
+    leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
+};
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
+use super::turned_lines::turn_lines;
 use super::turns::{tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::{tell_gravity, tell_zeros};
 use super::words::{Token, tokens, wrong};
@@ -126,6 +129,7 @@ fn in_plain_terms(
     share_owners(&mut declarations);
     tell_the_same(&mut declarations);
     tell_columns(&mut declarations);
+    leave_long_names(&mut declarations);
     name_by_formulas(&mut declarations);
     tell_relations(&mut declarations);
     tell_turning(&mut declarations);
@@ -153,6 +157,7 @@ fn in_plain_terms(
     place_on_lines(&mut declarations);
     place_on_rings(&mut declarations);
     tell_suspended(&mut declarations, macros);
+    turn_lines(&mut declarations, macros);
     turn_in_planes(&mut declarations, macros);
     tell_gyration(&mut declarations, macros);
     fix_frames(&mut declarations);

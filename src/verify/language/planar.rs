@@ -35,9 +35,9 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
         let declaration = declarations[inclination.at].clone();
         let turn = turn(&line, &inclination, base.as_ref(), macros);
         told.extend(turn.map(|turn| declaration.saying(turn)));
-        let besides = line.besides().into_iter();
+        let besides = line.besides(UPRIGHT).into_iter();
         told.extend(besides.map(|besides| declaration.saying(besides)));
-        place_along(&line, declarations);
+        place_along(&line, UPRIGHT, declarations);
         name_directions(&line, &inclination, declarations);
         shown.get_or_insert(line.turning().clone());
         used.extend([inclination.at].into_iter().chain(inclination.zero));

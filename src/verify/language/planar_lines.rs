@@ -3,7 +3,7 @@
 use super::heads::UNIT_VECTOR;
 use super::inclinations::Inclination;
 use super::kinds::name;
-use super::planar_axes::{UPRIGHT, axis, tells_distance};
+use super::planar_axes::{axis, tells_distance};
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// A line, and what turns with it.
@@ -32,12 +32,12 @@ impl Line {
     }
 
     /// Along which of its axes a body lies, and what the frame is that turns where no sentence speaks of it.
-    pub(super) fn besides(&self) -> Option<Statement> {
+    pub(super) fn besides(&self, number: usize) -> Option<Statement> {
         match self {
             Self::Body(body) => Some(Statement::Does {
                 subjects: vec![body.clone()],
                 verb: "point",
-                slots: vec![(Slot::Along, axis(UPRIGHT, Some(body)))],
+                slots: vec![(Slot::Along, axis(number, Some(body)))],
             }),
             Self::Way(way) => way.new.then(|| {
                 let frame = NounPhrase::new("frame", vec![]);
@@ -63,7 +63,7 @@ impl Line {
 /// The line whose angle a sentence tells.
 pub(super) fn resolve(inclination: &Inclination, declarations: &[Declaration]) -> Option<Line> {
     match &inclination.line {
-        Term::Phrase(way) if way.head == "axis" => between(way, declarations),
+        Term::Phrase(way) if way.head == "axis" => line_between(way, declarations),
         body @ Term::Name(_) => Some(Line::Body(body.clone())),
         letter @ Term::Formula(_) => declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what }
@@ -71,7 +71,7 @@ pub(super) fn resolve(inclination: &Inclination, declarations: &[Declaration]) -
             {
                 match what.slot(Slot::Along) {
                     Some(body @ Term::Name(_)) => Some(Line::Body(body.clone())),
-                    _ => between(what, declarations),
+                    _ => line_between(what, declarations),
                 }
             }
             _ => None,
@@ -81,7 +81,7 @@ pub(super) fn resolve(inclination: &Inclination, declarations: &[Declaration]) -
 }
 
 /// "the line from O to G"
-fn between(way: &NounPhrase, declarations: &[Declaration]) -> Option<Line> {
+pub(super) fn line_between(way: &NounPhrase, declarations: &[Declaration]) -> Option<Line> {
     let (from, to) = (way.slot(Slot::From)?, way.slot(Slot::To)?);
     let body = declarations.iter().find_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "mass centre" && subjects.contains(to) => {
@@ -112,7 +112,7 @@ pub(super) fn way_name(from: &Term, to: &Term) -> Option<Term> {
 }
 
 /// "G lies at the distance a from O": along the line.
-pub(super) fn place_along(line: &Line, declarations: &mut [Declaration]) {
+pub(super) fn place_along(line: &Line, number: usize, declarations: &mut [Declaration]) {
     let Line::Way(way) = line else { return };
     let Way {
         from, to, turning, ..
@@ -127,7 +127,7 @@ pub(super) fn place_along(line: &Line, declarations: &mut [Declaration]) {
         let slots = vec![
             (Slot::At, distance.clone()),
             (Slot::From, from.clone()),
-            (Slot::Along, axis(UPRIGHT, Some(turning))),
+            (Slot::Along, axis(number, Some(turning))),
         ];
         declaration.statement = Statement::Does {
             subjects: vec![to.clone()],

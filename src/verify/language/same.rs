@@ -119,6 +119,29 @@ pub(crate) fn name_by_formulas(declarations: &mut [Declaration]) {
     }
 }
 
+/// "`$td1$` is the same as `$\\dot\\theta_1$`" names a letter of several signs, which formulas read as a product: nothing can be
+/// made of it.
+pub(crate) fn leave_long_names(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let subjects = declaration.statement.subjects();
+        let long = |subject: &Term| match subject {
+            Term::Formula(formula) => !is_letter(formula) && is_long_name(&formula.source),
+            _ => false,
+        };
+        if subjects.iter().any(long) {
+            *declaration = declaration.clone().not_understood();
+        }
+    }
+}
+
+/// Letters and then digits, with nothing between them.
+fn is_long_name(source: &str) -> bool {
+    let name = source.trim();
+    let digits = name.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    let own = digits.len() < name.len() && !digits.is_empty();
+    own && digits.chars().all(|c| c.is_ascii_digit())
+}
+
 /// "`$M = c$` is the moment on the body": M is it, and the relation holds.
 pub(crate) fn tell_relations(declarations: &mut Vec<Declaration>) {
     say_besides(declarations, |statement| {

@@ -140,3 +140,39 @@ $w$ is the angular velocity of the rod relative to N along z.
 ";
     assert_eq!(verdicts(sentences, r"$$ w=\dot\alpha $$").0, "u");
 }
+
+#[test]
+fn an_angle_from_an_axis_grows_towards_another() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N, and y is the upward vertical.
+O is a point fixed in N.
+P is a particle of mass $m$.
+$c$ is the distance of P from O, and $c$ is constant.
+$\\alpha$ is the angle from the downward vertical to the line from O to P, positive towards x.
+$u$ and $v$ are the components of the position of P from O along x and y.
+";
+    let text = r"
+$$ u=c\sin\alpha $$
+$$ v=-c\cos\alpha $$
+$$ \dot u=-c\dot\alpha\cos\alpha $$
+";
+    assert_eq!(verdicts(sentences, text).0, "ppr");
+    let other = sentences.replace("downward vertical", "axis y");
+    assert_ne!(verdicts(&other, r"$$ v=-c\cos\alpha $$").0, "p");
+}
+
+#[test]
+fn a_component_along_an_axis_may_vanish() {
+    let sentences = "\
+N is an inertial frame with the axes x, y, z.
+O is a point fixed in N.
+$\\vec r$ is the position of P from O.
+The component of $\\vec r$ along z is zero.
+$a$ and $b$ are the components of $\\vec r$ along x and y.
+";
+    assert_eq!(
+        verdicts(sentences, r"$$ \vec r\cdot\vec r=a^2+b^2 $$").0,
+        "p"
+    );
+}

@@ -472,3 +472,20 @@ $\\cos\\alpha = \\cos\\beta$.
     let text = "$$ 3\\cos\\alpha = 3\\cos\\beta $$\n\n$$ \\cos^2\\alpha = 1 - \\sin^2\\beta $$\n";
     assert!(!verdicts(said, text).0.contains('r'));
 }
+
+#[test]
+fn a_name_of_several_signs_is_no_product() {
+    let sentences = "\
+N is an inertial frame.
+A turns relative to N about z by the angle $\\alpha$.
+B turns relative to A about z by the angle $\\beta$.
+$td1$, $td2$ are the same as $\\dot\\alpha$, $\\dot\\beta$.
+$w$ is the angular velocity of B relative to N along z.
+";
+    let text = r"
+$$ w=3\dot\alpha $$
+$$ w=\dot\alpha+\dot\beta $$
+";
+    let got = verdicts(sentences, text).0;
+    assert!(!got.starts_with('p'), "{got}");
+}

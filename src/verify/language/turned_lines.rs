@@ -1,0 +1,120 @@
+//! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
+
+use super::heads::VERTICAL;
+use super::kinds::name;
+use super::planar_axes::axis;
+use super::planar_lines::{Line, line_between, place_along};
+use super::reader::rows;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+
+/// Words of the sense in which an angle grows.
+const SENSES: [&str; 2] = ["towards", "positive towards"];
+
+/// An axis of a frame, from 1, and whether a direction goes against it.
+struct Direction {
+    frame: Term,
+    number: usize,
+    reversed: bool,
+}
+
+/// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
+pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let mut at = 0;
+    while at < declarations.len() {
+        let turned = turned(&declarations[at].statement, declarations, macros);
+        match turned {
+            Some((line, number, turn)) => {
+                let said = declarations.remove(at);
+                place_along(&line, number, declarations);
+                let told = [Some(turn), line.besides(number)].into_iter().flatten();
+                declarations.extend(told.map(|statement| said.saying(statement)));
+            }
+            None => at += 1,
+        }
+    }
+}
+
+/// The line of an angle, the axis along which it lies in what turns with it, and how that turns.
+fn turned(
+    statement: &Statement,
+    declarations: &[Declaration],
+    macros: &Macros,
+) -> Option<(Line, usize, Statement)> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(letter)], "angle") = (subjects.as_slice(), what.head) else {
+        return None;
+    };
+    let towards = what.all(Slot::With).find_map(|with| match with {
+        Term::Phrase(sense) if SENSES.contains(&sense.head) => sense.slot(Slot::Of),
+        _ => None,
+    })?;
+    let from = direction(what.slot(Slot::RelativeTo)?, declarations)?;
+    let towards = direction(towards, declarations)?;
+    if towards.reversed || towards.frame != from.frame || towards.number == from.number {
+        return None;
+    }
+    let line = match what.slot(Slot::To).or_else(|| what.slot(Slot::Of))? {
+        Term::Phrase(way) if way.head == "axis" => line_between(way, declarations)?,
+        body @ Term::Name(_) => Line::Body(body.clone()),
+        _ => return None,
+    };
+    // About the third axis the first one turns towards the second.
+    let about = 6 - from.number - towards.number;
+    let forwards = towards.number == from.number % 3 + 1;
+    let source = match (from.reversed, forwards) {
+        (false, true) => letter.source.clone(),
+        (false, false) => format!("-{}", letter.source),
+        (true, true) => format!("\\pi-{}", letter.source),
+        (true, false) => format!("{}-\\pi", letter.source),
+    };
+    let row = rows(&source, false, macros).into_iter().next()?;
+    let angle = Term::Formula(Formula { source, row });
+    let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
+    let turn = Statement::Does {
+        subjects: vec![line.turning().clone()],
+        verb: "turn",
+        slots: vec![
+            (Slot::RelativeTo, from.frame.clone()),
+            (Slot::About, axis(about, Some(&from.frame))),
+            (Slot::By, Term::Phrase(Box::new(by))),
+        ],
+    };
+    Some((line, from.number, turn))
+}
+
+/// An axis by its name, or the vertical where that is one of the axes.
+fn direction(term: &Term, declarations: &[Declaration]) -> Option<Direction> {
+    if let Term::Phrase(vertical) = term
+        && vertical.head == VERTICAL
+    {
+        let down = vertical.is("downward");
+        let (own, points_down) = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == VERTICAL => {
+                Some((subjects.first()?, what.is("downward")))
+            }
+            _ => None,
+        })?;
+        let own = direction(own, declarations)?;
+        let reversed = own.reversed != (down != points_down);
+        return (down || vertical.is("upward")).then_some(Direction { reversed, ..own });
+    }
+    let called = name(term)?;
+    let (called, reversed) = match called.strip_prefix('-') {
+        Some(opposite) => (opposite.to_owned(), true),
+        None => (called, false),
+    };
+    declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "axes" => {
+            let mut names = subjects.iter().filter_map(name);
+            Some(Direction {
+                number: names.position(|own| own == called)? + 1,
+                frame: what.slot(Slot::Of)?.clone(),
+                reversed,
+            })
+        }
+        _ => None,
+    })
+}
