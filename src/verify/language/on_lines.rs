@@ -15,7 +15,12 @@ pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
     let sliding: Vec<(Term, Term)> = declarations.iter().filter_map(sliding).collect();
     for (bead, rail) in sliding {
         let pivot = declarations.iter().find_map(|d| pivot(&d.statement, &rail));
-        let Some(pivot) = pivot else { continue };
+        let level = declarations
+            .iter()
+            .position(|d| is_level(&d.statement, &rail));
+        let (Some(pivot), Some(level)) = (pivot, level) else {
+            continue;
+        };
         let along = axis(LONG, Some(&rail));
         let place = declarations.iter_mut().find_map(|declaration| {
             let (one, other, distance) = tells_distance(&declaration.statement)?;
@@ -57,6 +62,7 @@ pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
             slots: vec![(Slot::Along, along)],
         }));
         point_along(declarations, &pivot, &bead, &rail);
+        declarations.remove(level);
     }
 }
 
@@ -80,7 +86,15 @@ fn sliding(declaration: &Declaration) -> Option<(Term, Term)> {
     Some((bead.clone(), rail.clone()))
 }
 
-/// The point about which a body turns about an axis that is vertical: its line may be any across that.
+/// "The rod is horizontal": what turns about the vertical then lies across it.
+fn is_level(statement: &Statement, rail: &Term) -> bool {
+    match statement {
+        Statement::Is { subjects, what } => what.head == "horizontal" && subjects.contains(rail),
+        _ => false,
+    }
+}
+
+/// The point about which a body turns.
 fn pivot(statement: &Statement, rail: &Term) -> Option<Term> {
     let (subjects, slots) = statement.does("turn")?;
     let about = slots.iter().find(|(slot, _)| *slot == Slot::About);

@@ -88,6 +88,19 @@ fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
         let turn = d.statement.does("turn");
         turn.is_some_and(|(subjects, _)| subjects.contains(&ring))
     });
+    let upright = declarations.iter().any(|d| match &d.statement {
+        Statement::Is {
+            subjects,
+            what: said,
+        } => match subjects.as_slice() {
+            [Term::Phrase(plane)] => said.head == "vertical" && plane.slot(Slot::Of) == Some(&ring),
+            _ => false,
+        },
+        _ => false,
+    });
+    if !(upright || turns || what.is("vertical")) {
+        return None;
+    }
     let base = what.slot(Slot::FixedIn).cloned();
     let base = base.or_else(|| turns.then(|| ring.clone()));
     let unnamed = || Term::Name("centre of the ring".to_owned());

@@ -240,9 +240,9 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
 pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {
     say_besides(declarations, |statement| {
         let Statement::Does {
+            subjects,
             verb: "turn",
             slots,
-            ..
         } = statement
         else {
             return vec![];
@@ -268,7 +268,12 @@ pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {
             }
         }
         let level = |term: &Term| matches!(term, Term::Phrase(p) if p.head == "plane" && p.adjectives == ["horizontal"] && p.slots.is_empty());
+        let before = slots.len();
         slots.retain(|(_, term)| !(upright && level(term)));
+        if let ([mover], true) = (subjects.as_slice(), slots.len() < before) {
+            let level = NounPhrase::new("horizontal", vec![]);
+            told.push(Statement::one_is(mover.clone(), level));
+        }
         told
     });
 }

@@ -8,6 +8,7 @@ use super::hinges::name_joint;
 use super::inclinations::{
     Inclination, Motion, inclinations, incline_in_turn, is_level_axis, motions, name_planes,
 };
+use super::is_body;
 use super::kinds::name;
 use super::planar_axes::{ACROSS, TOWARDS, UPRIGHT, axis};
 use super::planar_lines::{Line, place_along, resolve};
@@ -33,6 +34,13 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
             continue;
         };
         let declaration = declarations[inclination.at].clone();
+        let moves = |motion: &Motion| {
+            let there = declarations[motion.at].extent == declaration.extent;
+            there && concerns(motion, &line, declarations)
+        };
+        if !motions.iter().any(moves) {
+            continue;
+        }
         let turn = turn(&line, &inclination, base.as_ref(), macros);
         told.extend(turn.map(|turn| declaration.saying(turn)));
         let besides = line.besides(UPRIGHT).into_iter();
@@ -66,6 +74,22 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
         !used.contains(&(at - 1))
     });
     declarations.extend(told);
+}
+
+/// Whether what moves in a plane is what turns there, or a whole of which nobody says what kind of body it is.
+fn concerns(motion: &Motion, line: &Line, declarations: &[Declaration]) -> bool {
+    let Some(mover) = &motion.mover else {
+        return true;
+    };
+    let is_one = |thing: &Term| {
+        declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => is_body(what.head) && subjects.contains(thing),
+            _ => false,
+        })
+    };
+    // "the rod" may be another name of the pendulum that moves.
+    let other_name = line.is_of_body() && !is_one(line.turning());
+    !is_one(mover) || line.is_of(mover) || other_name
 }
 
 /// "about a horizontal axis through O": O is fixed in what turns, and where the plane is.

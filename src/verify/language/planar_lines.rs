@@ -31,6 +31,19 @@ impl Line {
         }
     }
 
+    /// Whether it is that of a body that is long.
+    pub(super) fn is_of_body(&self) -> bool {
+        matches!(self, Self::Body(_))
+    }
+
+    /// Whether it is the line of a thing, or leads from or to it.
+    pub(super) fn is_of(&self, thing: &Term) -> bool {
+        match self {
+            Self::Body(body) => body == thing,
+            Self::Way(way) => [&way.from, &way.to, &way.turning].contains(&thing),
+        }
+    }
+
     /// Along which of its axes a body lies, and what the frame is that turns where no sentence speaks of it.
     pub(super) fn besides(&self, number: usize) -> Option<Statement> {
         match self {

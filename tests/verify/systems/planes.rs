@@ -176,3 +176,33 @@ $a$ and $b$ are the components of $\\vec r$ along x and y.
         "p"
     );
 }
+
+#[test]
+fn the_motion_of_one_thing_says_nothing_of_another() {
+    let sentences = "\
+N is an inertial frame.
+O is a point fixed in N.
+P and Q are particles of mass $m$.
+P moves in a vertical plane.
+$c$ is the distance of Q from O, and $c$ is constant.
+$\\alpha$ is the angle from the downward vertical to the line from O to Q.
+$T$ is the kinetic energy of Q relative to N.
+";
+    assert_ne!(
+        verdicts(sentences, r"$$ T=\tfrac12mc^2\dot\alpha^2 $$").0,
+        "p"
+    );
+}
+
+#[test]
+fn a_rod_that_may_be_inclined_is_not_taken_as_level() {
+    let sentences = "\
+N is an inertial frame.
+O is a point fixed in N.
+The rod turns relative to N about the vertical axis through O at the constant rate $w$.
+The bead is a particle of mass $m$ that slides along the rod without friction.
+$s$ is the distance of the bead from O.
+The weight and the force of the rod are the only loads on the bead.
+";
+    assert_ne!(verdicts(sentences, r"$$ \ddot s=w^2s $$").0, "p");
+}
