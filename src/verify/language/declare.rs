@@ -154,11 +154,7 @@ fn in_plain_terms(
     tell_axes(&mut declarations);
     tell_hinges(&mut declarations);
     name_ends(&mut declarations);
-    place_on_lines(&mut declarations);
-    place_on_rings(&mut declarations);
-    tell_suspended(&mut declarations, macros);
-    turn_lines(&mut declarations, macros);
-    turn_in_planes(&mut declarations, macros);
+    move_along_lines(&mut declarations, macros);
     tell_gyration(&mut declarations, macros);
     fix_frames(&mut declarations);
     shape_by_name(&mut declarations, lexicon);
@@ -173,6 +169,15 @@ fn in_plain_terms(
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
     declarations
+}
+
+/// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
+fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    place_on_lines(declarations);
+    place_on_rings(declarations);
+    tell_suspended(declarations, macros);
+    turn_lines(declarations, macros);
+    turn_in_planes(declarations, macros);
 }
 
 /// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.

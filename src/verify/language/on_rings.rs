@@ -79,26 +79,11 @@ fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
         Term::Phrase(size) if size.head == "radius" => size.slot(Slot::Which),
         _ => None,
     })?;
-    let centre = declarations.iter().find_map(|d| match &d.statement {
-        Statement::Premise(centre) if centre.head == "centre" => centre.slot(Slot::Which).cloned(),
-        Statement::Is { subjects, what } if what.head == "centre" => subjects.first().cloned(),
-        _ => None,
-    });
     let turns = declarations.iter().any(|d| {
         let turn = d.statement.does("turn");
         turn.is_some_and(|(subjects, _)| subjects.contains(&ring))
     });
-    let upright = declarations.iter().any(|d| match &d.statement {
-        Statement::Is {
-            subjects,
-            what: said,
-        } => match subjects.as_slice() {
-            [Term::Phrase(plane)] => said.head == "vertical" && plane.slot(Slot::Of) == Some(&ring),
-            _ => false,
-        },
-        _ => false,
-    });
-    if !(upright || turns || what.is("vertical")) {
+    if !(is_upright(&ring, declarations) || turns || what.is("vertical")) {
         return None;
     }
     let base = what.slot(Slot::FixedIn).cloned();
@@ -108,7 +93,7 @@ fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
         at,
         Ring {
             radius: radius.clone(),
-            centre: centre.unwrap_or_else(unnamed),
+            centre: centre(declarations).unwrap_or_else(unnamed),
             name: ring,
             base,
             bead: match bead {
@@ -117,6 +102,29 @@ fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
             },
         },
     ))
+}
+
+/// The centre of the ring, if it has a name.
+fn centre(declarations: &[Declaration]) -> Option<Term> {
+    declarations.iter().find_map(|d| match &d.statement {
+        Statement::Premise(centre) if centre.head == "centre" => centre.slot(Slot::Which).cloned(),
+        Statement::Is { subjects, what } if what.head == "centre" => subjects.first().cloned(),
+        _ => None,
+    })
+}
+
+/// "The plane of the hoop is vertical."
+fn is_upright(ring: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is {
+            subjects,
+            what: said,
+        } => match subjects.as_slice() {
+            [Term::Phrase(plane)] => said.head == "vertical" && plane.slot(Slot::Of) == Some(ring),
+            _ => false,
+        },
+        _ => false,
+    })
 }
 
 /// Whether a statement says only what the ring is, and that something moves along it.
