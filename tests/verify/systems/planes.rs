@@ -107,7 +107,7 @@ $$ \ddot s=w^2s $$
 $$ T=\tfrac12m\left(\dot s^2+w^2s^2\right) $$
 $$ \ddot s=-w^2s $$
 ";
-    assert_eq!(verdicts(sentences, text).0, "ppu");
+    assert_eq!(verdicts(sentences, text).0, "ppr");
 }
 
 #[test]
