@@ -44,9 +44,9 @@ pub(super) fn name_planes(declarations: &mut Vec<Declaration>) {
         else {
             continue;
         };
-        let upright = slots.iter().any(|(slot, about)| {
-            *slot == Slot::About && matches!(about, Term::Phrase(axis) if axis.head == VERTICAL)
-        });
+        let upright = slots
+            .iter()
+            .any(|(slot, about)| *slot == Slot::About && about.is_noun(VERTICAL));
         let plane = matches!(subjects.as_slice(), [Term::Phrase(plane)] if is_upright_plane(plane));
         if plane && upright {
             let frame = Term::Name("vertical plane".to_owned());
@@ -72,9 +72,9 @@ pub(super) fn incline_in_turn(declarations: &mut Vec<Declaration>) {
         let Statement::Is { subjects, what } = &declaration.statement else {
             return true;
         };
-        let (vertical, lines): (Vec<_>, Vec<_>) = what.slots.iter().partition(
-            |(_, term)| matches!(term, Term::Phrase(vertical) if vertical.head == VERTICAL),
-        );
+        let ends = what.slots.iter();
+        let (vertical, lines): (Vec<_>, Vec<_>) =
+            ends.partition(|(_, term)| term.is_noun(VERTICAL));
         let ([vertical], "angle") = (vertical.as_slice(), what.head) else {
             return true;
         };

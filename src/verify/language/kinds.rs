@@ -361,6 +361,14 @@ fn seen_in(phrase: &NounPhrase, frames: &mut BTreeSet<String>) {
     }
 }
 
+/// Whether a sentence says what kind of body a thing is.
+pub(super) fn is_said_to_be_body(thing: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => is_body(what.head) && subjects.contains(thing),
+        _ => false,
+    })
+}
+
 /// A thing by its name, plain or between dollar signs.
 pub(super) fn name(term: &Term) -> Option<String> {
     match term {

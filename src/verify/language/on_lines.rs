@@ -12,8 +12,10 @@ const RAILS: [&str; 5] = ["rod", "tube", "pole", "track", "arm"];
 
 /// "The bead slides along the rod; `$r$` is its distance from O": it lies at r from O along the rod, which turns about O.
 pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
-    let sliding: Vec<(Term, Term)> = declarations.iter().filter_map(sliding).collect();
-    for (bead, rail) in sliding {
+    let long = |slot, name: &str| slot == Slot::Along && RAILS.contains(&name);
+    let said = declarations.iter();
+    let said: Vec<(Term, Term)> = said.filter_map(|d| sliding(&d.statement, long)).collect();
+    for (bead, rail) in said {
         let pivot = declarations.iter().find_map(|d| pivot(&d.statement, &rail));
         let level = declarations
             .iter()
@@ -66,13 +68,16 @@ pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
     }
 }
 
-/// What slides along which body.
-fn sliding(declaration: &Declaration) -> Option<(Term, Term)> {
+/// What slides or moves, and along what, if that is such a thing.
+pub(super) fn sliding(
+    statement: &Statement,
+    is_rail: impl Fn(Slot, &str) -> bool,
+) -> Option<(Term, Term)> {
     let Statement::Does {
         subjects,
         verb: "slide" | "move",
         slots,
-    } = &declaration.statement
+    } = statement
     else {
         return None;
     };
@@ -80,7 +85,7 @@ fn sliding(declaration: &Declaration) -> Option<(Term, Term)> {
         return None;
     };
     let rail = slots.iter().find_map(|(slot, rail)| match rail {
-        Term::Name(name) if *slot == Slot::Along && RAILS.contains(&name.as_str()) => Some(rail),
+        Term::Name(name) if is_rail(*slot, name) => Some(rail),
         _ => None,
     })?;
     Some((bead.clone(), rail.clone()))
@@ -122,7 +127,7 @@ fn point_along(declarations: &mut [Declaration], from: &Term, to: &Term, rail: &
 
 /// Whether a sentence says that something slides without friction.
 pub(super) fn slides_smoothly(bead: &Term, declarations: &[Declaration]) -> bool {
-    let smooth = |term: &Term| matches!(term, Term::Phrase(how) if how.head == WITHOUT_FRICTION);
+    let smooth = |how: &Term| how.is_noun(WITHOUT_FRICTION);
     declarations.iter().any(|d| match &d.statement {
         Statement::Does {
             subjects, slots, ..
@@ -149,12 +154,11 @@ pub(super) fn has_other_loads(rail: &Term, declarations: &[Declaration]) -> bool
 
 /// That a thing moves without friction is said of its motion.
 pub(super) fn leave_manner(thing: &Term, declarations: &mut [Declaration]) {
-    let smooth = |term: &Term| matches!(term, Term::Phrase(how) if how.head == WITHOUT_FRICTION);
     for declaration in declarations {
         if let Statement::Is { subjects, what } = &mut declaration.statement
             && subjects.contains(thing)
         {
-            what.slots.retain(|(_, how)| !smooth(how));
+            what.slots.retain(|(_, how)| !how.is_noun(WITHOUT_FRICTION));
         }
     }
 }

@@ -1,8 +1,7 @@
 //! What moves along a ring that stands upright: it stays at the radius from the centre of the ring, in its plane.
 
 use super::heads::CONSTANT;
-use super::kinds::name;
-use super::on_lines::{has_other_loads, leave_manner, no_force_along, slides_smoothly};
+use super::on_lines::{has_other_loads, leave_manner, no_force_along, slides_smoothly, sliding};
 use super::planar_axes::{TOWARDS, axis};
 use super::planar_lines::way_name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -52,22 +51,9 @@ pub(crate) fn place_on_rings(declarations: &mut Vec<Declaration>) {
 /// The ring along which something moves, and which sentence says so.
 fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
     let mut all = declarations.iter().enumerate();
-    let (at, ring, bead) = all.find_map(|(at, d)| {
-        let Statement::Does {
-            subjects,
-            verb: "slide" | "move",
-            slots,
-        } = &d.statement
-        else {
-            return None;
-        };
-        let [bead] = subjects.as_slice() else {
-            return None;
-        };
-        let ring = slots.iter().find(|(slot, term)| {
-            matches!(slot, Slot::Along | Slot::On) && name(term).is_some_and(|name| name == RING)
-        })?;
-        Some((at, ring.1.clone(), bead.clone()))
+    let (at, (bead, ring)) = all.find_map(|(at, d)| {
+        let round = |slot, name: &str| matches!(slot, Slot::Along | Slot::On) && name == RING;
+        Some((at, sliding(&d.statement, round)?))
     })?;
     let what = declarations.iter().find_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == RING && subjects.contains(&ring) => {
@@ -75,10 +61,7 @@ fn ring(declarations: &[Declaration]) -> Option<(usize, Ring)> {
         }
         _ => None,
     })?;
-    let radius = what.all(Slot::Of).find_map(|of| match of {
-        Term::Phrase(size) if size.head == "radius" => size.slot(Slot::Which),
-        _ => None,
-    })?;
+    let radius = what.size("radius")?;
     let turns = declarations.iter().any(|d| {
         let turn = d.statement.does("turn");
         turn.is_some_and(|(subjects, _)| subjects.contains(&ring))

@@ -2,20 +2,18 @@
 
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use std::collections::BTreeSet;
 
 /// Gives these points names, and says where each is.
 pub(crate) fn name_placed_points(declarations: &mut Vec<Declaration>) {
     act_in_turn(declarations);
-    let mut known = BTreeSet::new();
-    let mut told = vec![];
+    let mut told: Vec<Declaration> = vec![];
     for declaration in declarations.iter_mut() {
         let mut placed = vec![];
         for term in declaration.statement.terms_mut() {
             name_point(term, &mut placed);
         }
         for statement in placed {
-            if known.insert(format!("{:?}", statement.subjects())) {
+            if told.iter().all(|known| known.statement != statement) {
                 told.push(declaration.saying(statement));
             }
         }

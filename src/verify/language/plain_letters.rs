@@ -1,8 +1,8 @@
 //! Letters that stand in a sentence as they are, without the signs of a formula: "m is the mass of the disc".
 
 use super::lexicon::{Class, Lexicon};
-use super::reader::rows;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::reader::formula;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
 
@@ -72,11 +72,8 @@ fn name(term: &Term) -> Option<String> {
 fn write(term: &mut Term, letters: &BTreeSet<String>, macros: &Macros) {
     match term {
         Term::Name(letter) if letters.contains(letter) => {
-            if let Some(row) = rows(letter, true, macros).into_iter().next() {
-                *term = Term::Formula(Formula {
-                    source: letter.clone(),
-                    row,
-                });
+            if let Some(formula) = formula(letter, true, macros) {
+                *term = Term::Formula(formula);
             }
         }
         Term::Phrase(phrase) => {

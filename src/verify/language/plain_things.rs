@@ -255,7 +255,7 @@ pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {
                 continue;
             }
             let along = axis.slot(Slot::Along).cloned();
-            upright |= matches!(&along, Some(Term::Phrase(p)) if p.head == VERTICAL);
+            upright |= along.as_ref().is_some_and(|along| along.is_noun(VERTICAL));
             if let (Some(along @ Term::Formula(_)), true) = (along, axis.is("vertical")) {
                 axis.adjectives.retain(|said| *said != "vertical");
                 let up = NounPhrase {

@@ -8,11 +8,10 @@ use super::hinges::name_joint;
 use super::inclinations::{
     Inclination, Motion, inclinations, incline_in_turn, is_level_axis, motions, name_planes,
 };
-use super::is_body;
-use super::kinds::name;
+use super::kinds::{is_said_to_be_body, name};
 use super::planar_axes::{ACROSS, TOWARDS, UPRIGHT, axis};
 use super::planar_lines::{Line, place_along, resolve};
-use super::reader::rows;
+use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 
@@ -81,12 +80,7 @@ fn concerns(motion: &Motion, line: &Line, declarations: &[Declaration]) -> bool 
     let Some(mover) = &motion.mover else {
         return true;
     };
-    let is_one = |thing: &Term| {
-        declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => is_body(what.head) && subjects.contains(thing),
-            _ => false,
-        })
-    };
+    let is_one = |thing: &Term| is_said_to_be_body(thing, declarations);
     // "the rod" may be another name of the pendulum that moves.
     let other_name = line.is_of_body() && !is_one(line.turning());
     !is_one(mover) || line.is_of(mover) || other_name
@@ -142,11 +136,7 @@ fn turn(
 ) -> Option<Statement> {
     let own = &inclination.letter;
     let angle = match inclination.downward {
-        true => {
-            let source = format!("{}+\\pi", own.source);
-            let row = rows(&source, false, macros).into_iter().next()?;
-            Formula { source, row }
-        }
+        true => formula(&format!("{}+\\pi", own.source), false, macros)?,
         false => own.clone(),
     };
     let by = NounPhrase::new("angle", vec![(Slot::Which, Term::Formula(angle))]);

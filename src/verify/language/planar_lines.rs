@@ -103,17 +103,10 @@ pub(super) fn line_between(way: &NounPhrase, declarations: &[Declaration]) -> Op
         _ => None,
     });
     let new = body.is_none();
-    let own = || {
-        Some(Term::Name(format!(
-            "line from {} to {}",
-            name(from)?,
-            name(to)?
-        )))
-    };
     Some(Line::Way(Box::new(Way {
         from: from.clone(),
         to: to.clone(),
-        turning: body.or_else(own)?,
+        turning: body.or_else(|| way_name(from, to))?,
         new,
     })))
 }

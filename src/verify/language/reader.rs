@@ -326,11 +326,7 @@ impl<'a> Reader<'a> {
 
     /// A formula that a sentence says with words between its parts.
     pub(crate) fn formula(&self, text: &str, plain: bool) -> Option<Formula> {
-        let row = rows(text, plain, self.macros).into_iter().next()?;
-        Some(Formula {
-            source: text.to_owned(),
-            row,
-        })
+        formula(text, plain, self.macros)
     }
 
     /// A member of a list of formulas, read on its own.
@@ -347,6 +343,13 @@ impl<'a> Reader<'a> {
             row,
         })
     }
+}
+
+/// A formula by its source.
+pub(super) fn formula(source: &str, plain: bool, macros: &Macros) -> Option<Formula> {
+    let row = rows(source, plain, macros).into_iter().next()?;
+    let source = source.to_owned();
+    Some(Formula { source, row })
 }
 
 /// The rows of a formula, spans counted from its first byte.

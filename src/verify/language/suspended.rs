@@ -1,9 +1,9 @@
 //! What hangs on massless rods and strings: it stays at their length from where they are held, and they pull along themselves.
 
 use super::heads::{CONSTANT, FORCE, FRICTION, UNIT_VECTOR, WEIGHT, WITHOUT_FRICTION};
-use super::kinds::name;
-use super::reader::rows;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::kinds::{is_said_to_be_body, name};
+use super::reader::formula;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::notation::Macros;
 
 /// The noun of the pull of a rod.
@@ -81,10 +81,7 @@ fn tie(declaration: &Declaration, all: &[Declaration], macros: &Macros) -> Optio
     let Statement::Is { what: sized, .. } = &rod.statement else {
         return None;
     };
-    let length = sized.all(Slot::Of).find_map(|of| match of {
-        Term::Phrase(size) if size.head == "length" => size.slot(Slot::Which),
-        _ => None,
-    })?;
+    let length = sized.size("length")?;
     let own = all.iter().find_map(|d| match &d.statement {
         Statement::Is { subjects, what } if is_pull(what, called) => subjects.first(),
         _ => None,
@@ -103,9 +100,7 @@ fn tie(declaration: &Declaration, all: &[Declaration], macros: &Macros) -> Optio
 }
 
 fn letter(source: &str, macros: &Macros) -> Option<Term> {
-    let row = rows(source, false, macros).into_iter().next()?;
-    let source = source.to_owned();
-    Some(Term::Formula(Formula { source, row }))
+    formula(source, false, macros).map(Term::Formula)
 }
 
 /// "the tension of the rod", "the force of the string on P"
@@ -122,9 +117,7 @@ fn is_pull(what: &NounPhrase, rod: &str) -> bool {
 fn moves_freely(declarations: &[Declaration]) -> bool {
     declarations.iter().any(|d| match &d.statement {
         Statement::Premise(premise) => premise.is("only") || premise.is("no"),
-        Statement::Does { slots, .. } => slots
-            .iter()
-            .any(|(_, term)| matches!(term, Term::Phrase(how) if how.head == WITHOUT_FRICTION)),
+        Statement::Does { slots, .. } => slots.iter().any(|(_, how)| how.is_noun(WITHOUT_FRICTION)),
         _ => false,
     })
 }
@@ -168,11 +161,16 @@ fn draw_line(term: &mut Term, ties: &[Tie]) {
 
 /// "the line from O to P"
 fn line(tie: &Tie) -> Term {
+    along(tie, "axis")
+}
+
+/// What leads from where a rod is held to what hangs on it.
+fn along(tie: &Tie, noun: &'static str) -> Term {
     let ends = vec![
         (Slot::From, tie.from.clone()),
         (Slot::To, tie.hanging.clone()),
     ];
-    Term::Phrase(Box::new(NounPhrase::new("axis", ends)))
+    Term::Phrase(Box::new(NounPhrase::new(noun, ends)))
 }
 
 /// The pull of the only rod is a load by its letter.
@@ -204,11 +202,6 @@ fn statements(tie: &Tie, declarations: &[Declaration]) -> Vec<Statement> {
     let distance = NounPhrase::new("distance", between);
     let constant = NounPhrase::new(CONSTANT, vec![]);
     let pull = NounPhrase::new(TENSION, vec![(Slot::At, tie.hanging.clone())]);
-    let along = vec![
-        (Slot::From, tie.from.clone()),
-        (Slot::To, tie.hanging.clone()),
-    ];
-    let against = NounPhrase::new(UNIT_VECTOR, along);
     let told = |wanted: &Term| {
         declarations
             .iter()
@@ -221,26 +214,16 @@ fn statements(tie: &Tie, declarations: &[Declaration]) -> Vec<Statement> {
         Statement::Does {
             subjects: vec![tie.pull.clone()],
             verb: "point",
-            slots: vec![(Slot::With, Term::Phrase(Box::new(against)))],
+            slots: vec![(Slot::With, along(tie, UNIT_VECTOR))],
         },
     ];
     if !told(&tie.pull) {
         said.push(Statement::one_is(tie.pull.clone(), pull));
     }
-    if !is_said_to_be_particle(&tie.hanging, declarations) {
+    if !is_said_to_be_body(&tie.hanging, declarations) {
         said.push(particle);
     }
     said
-}
-
-fn is_said_to_be_particle(thing: &Term, declarations: &[Declaration]) -> bool {
-    declarations.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => {
-            let head = super::is_body(what.head);
-            head && subjects.contains(thing)
-        }
-        _ => false,
-    })
 }
 
 /// "Its weight and the pulls of the rods are the only forces on what hangs", where no sentence says it.
@@ -283,24 +266,16 @@ fn pull_back(tie: &Tie, macros: &Macros) -> Option<(Term, Vec<Statement>)> {
     };
     let source = format!("R_{{{}}}", pull.source);
     let back = letter(&source, macros)?;
-    let equal = rows(&format!("{source}={}", pull.source), false, macros);
-    let along = vec![
-        (Slot::From, tie.from.clone()),
-        (Slot::To, tie.hanging.clone()),
-    ];
-    let along = Term::Phrase(Box::new(NounPhrase::new(UNIT_VECTOR, along)));
+    let equal = format!("{source}={}", pull.source);
     let at = NounPhrase::new(TENSION, vec![(Slot::At, tie.from.clone())]);
     let said = vec![
         Statement::one_is(back.clone(), at),
         Statement::Does {
             subjects: vec![back.clone()],
             verb: "point",
-            slots: vec![(Slot::Along, along)],
+            slots: vec![(Slot::Along, along(tie, UNIT_VECTOR))],
         },
-        Statement::Holds(Formula {
-            source: format!("{source}={}", pull.source),
-            row: equal.into_iter().next()?,
-        }),
+        Statement::Holds(formula(&equal, false, macros)?),
     ];
     Some((back, said))
 }

@@ -178,9 +178,24 @@ pub(crate) fn say_besides(
 }
 
 impl Term {
+    /// Whether it is said by a noun or an adverb, whatever hangs on it.
+    pub(crate) fn is_noun(&self, head: &str) -> bool {
+        matches!(self, Self::Phrase(phrase) if phrase.head == head)
+    }
+
     /// Whether it is a relation: behind "at" and "when" a condition.
     pub(crate) fn is_condition(&self) -> bool {
         matches!(self, Self::Formula(formula) if matches!(formula.row, Row::Line(_)))
+    }
+}
+
+impl NounPhrase {
+    /// "a rod of length `$l$`": how large it is by a noun.
+    pub(crate) fn size(&self, noun: &str) -> Option<&Term> {
+        self.all(Slot::Of).find_map(|of| match of {
+            Term::Phrase(size) if size.head == noun => size.slot(Slot::Which),
+            _ => None,
+        })
     }
 }
 

@@ -4,8 +4,8 @@ use super::heads::VERTICAL;
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
-use super::reader::rows;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::reader::formula;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 
 /// Words of the sense in which an angle grows.
@@ -70,8 +70,7 @@ fn turned(
         (true, true) => format!("\\pi-{}", letter.source),
         (true, false) => format!("{}-\\pi", letter.source),
     };
-    let row = rows(&source, false, macros).into_iter().next()?;
-    let angle = Term::Formula(Formula { source, row });
+    let angle = Term::Formula(formula(&source, false, macros)?);
     let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
     let turn = Statement::Does {
         subjects: vec![line.turning().clone()],

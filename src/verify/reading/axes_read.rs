@@ -204,8 +204,7 @@ impl Builder<'_> {
         frame: FrameId,
         relative: FrameId,
     ) -> Option<usize> {
-        let vertical = matches!(about, Term::Phrase(phrase) if phrase.head == VERTICAL);
-        let Some(name) = name_of(about).filter(|_| !vertical) else {
+        let Some(name) = name_of(about).filter(|_| !about.is_noun(VERTICAL)) else {
             if let Some(own) = self.own_axis_of_shape(about, frame) {
                 return Some(own);
             }

@@ -115,10 +115,11 @@ impl Builder<'_> {
             [(_, frame)] => self.frame(frame)?,
             _ => return None,
         };
+        // That there is no friction is told with the loads.
         let counted = self.lists_loads();
         let ways: Vec<_> = ways
             .into_iter()
-            .filter(|(_, term)| !(counted && is_smooth(term)))
+            .filter(|(_, term)| !(counted && term.is_noun(WITHOUT_FRICTION)))
             .collect();
         let [(slot, way)] = ways.as_slice() else {
             return None;
@@ -210,9 +211,4 @@ impl Builder<'_> {
         });
         said.flatten().cloned().collect()
     }
-}
-
-/// That there is no friction is told with the loads.
-fn is_smooth(manner: &Term) -> bool {
-    matches!(manner, Term::Phrase(how) if how.head == WITHOUT_FRICTION)
 }

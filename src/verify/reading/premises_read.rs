@@ -95,17 +95,7 @@ impl Builder<'_> {
         if is_of_products(phrase) {
             return self.zero_products(phrase, declaration);
         }
-        let quantity = match (phrase.head, phrase.slot(Slot::Along)) {
-            ("component", Some(along)) => {
-                let axis = self.axis_quantity(&along.clone(), declaration)?;
-                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-                Quantity::Along {
-                    of: of.boxed(),
-                    axis: axis.boxed(),
-                }
-            }
-            _ => self.quantity(phrase, declaration)?,
-        };
+        let quantity = self.quantity(phrase, declaration)?;
         let value = self.system().value_of(&quantity).ok()?;
         self.hold_zeros(value, declaration);
         Some(())

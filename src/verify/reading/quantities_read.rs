@@ -99,6 +99,9 @@ impl Builder<'_> {
                 let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
                 Quantity::Magnitude(of.boxed())
             }
+            "component" if phrase.slot(Slot::Along).is_some() => {
+                self.operand(phrase.slot(Slot::Of)?, declaration)?
+            }
             PART => self.part(phrase, declaration)?,
             CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
                 self.operand(phrase.slot(Slot::Of)?, declaration)?.boxed(),

@@ -60,6 +60,35 @@ $$ b\ddot\beta+a\ddot\alpha\cos(\alpha-\beta)+a\dot\alpha^2\sin(\alpha-\beta)+g\
 }
 
 #[test]
+fn what_hangs_on_a_string_hangs_as_on_a_massless_rod() {
+    let told = [
+        "P hangs from O by a string of length $c$.",
+        "P hangs on a string of length $c$ from O.",
+        "P is tied to O with a cord of length $c$.",
+        "P is attached to O by a massless rod of length $c$.",
+    ];
+    for told in told {
+        let noun = told
+            .split_whitespace()
+            .find(|word| ["string", "cord", "rod"].contains(word));
+        let noun = if noun == Some("rod") { "rod" } else { "string" };
+        let sentences = format!(
+            "\
+N is an inertial frame.
+O is a point fixed in N.
+P is a particle of mass $m$ that moves in a vertical plane.
+{told}
+$\\alpha$ is the angle from the downward vertical to the {noun}.
+$g$ is the acceleration of gravity.
+The weight and the tension of the {noun} are the only forces on P.
+"
+        );
+        let text = r"$$ c\ddot\alpha=-g\sin\alpha $$";
+        assert_eq!(verdicts(&sentences, text).0, "p", "{told}");
+    }
+}
+
+#[test]
 fn the_plane_of_a_spherical_pendulum_turns() {
     let sentences = "\
 Q is a particle of mass $m$ at the end of a massless rod of length $c$ whose other end is hinged at the fixed point O.
