@@ -41,6 +41,7 @@ mod manual;
 mod members;
 pub(crate) mod messages;
 mod mounted;
+mod numbered_frames;
 mod on_lines;
 mod on_rings;
 mod owners;

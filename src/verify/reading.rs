@@ -1,6 +1,7 @@
 //! From statements to the model: which frames, points, bodies and loads there are, what letters denote, what holds.
 
 pub(crate) mod about_read;
+pub(crate) mod adapted_axes;
 pub(crate) mod any_read;
 pub(crate) mod axes_read;
 mod axis_names;
@@ -28,6 +29,7 @@ pub(crate) mod instants;
 pub(crate) mod instants_read;
 pub(crate) mod label_read;
 pub(crate) mod late_read;
+pub(crate) mod lengths_read;
 pub(crate) mod letters_read;
 pub(crate) mod load_quantities_read;
 pub(crate) mod loads_read;
@@ -40,6 +42,7 @@ pub(crate) mod notation_read;
 pub(crate) mod only_loads_read;
 pub(crate) mod order;
 pub(crate) mod orders_read;
+pub(crate) mod oscillations_read;
 pub(crate) mod parallels_read;
 pub(crate) mod parents_read;
 pub(crate) mod points_read;
@@ -53,7 +56,9 @@ pub(crate) mod reactions_read;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod rest_read;
+pub(crate) mod rotations_read;
 pub(crate) mod shapes_read;
+pub(crate) mod steps_read;
 pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;
 pub(crate) mod turn_order;
@@ -61,7 +66,9 @@ pub(crate) mod turns_read;
 pub(crate) mod unused;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
+pub(crate) mod wheels_read;
 pub(crate) mod wholes;
+pub(crate) mod work_frame;
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};

@@ -18,6 +18,7 @@ pub(crate) mod products;
 pub(crate) mod quantity;
 pub(crate) mod quaternions;
 pub(crate) mod rates;
+pub(crate) mod spelled;
 pub(crate) mod symbols;
 pub(crate) mod unknown;
 pub(crate) mod value;

@@ -1,6 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod angles;
+mod by_vectors;
 mod incline;
 mod instants;
 mod integrals;
@@ -25,6 +26,7 @@ mod start;
 mod taken_in_whole;
 mod tensors;
 mod textbook;
+mod told_by_equations;
 mod told_places;
 mod whose;
 mod word_for_word;

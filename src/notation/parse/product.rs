@@ -80,11 +80,21 @@ impl Parser<'_, '_> {
             Lexeme::Command("cdot" | "bullet" | "vdot") => Operator::Dot,
             Lexeme::Command("otimes" | "circ" | "odot") => Operator::Tensor,
             Lexeme::Char('*') | Lexeme::Command("ast") => Operator::Juxtaposed,
+            Lexeme::Char('.') if self.point_joins() => Operator::Dot,
             _ => return None,
         };
         let span = self.here();
         self.at += 1;
         Some((operator, span))
+    }
+
+    /// `\vec a.\vec b`: whether a full stop stands close between what is no number and a marked letter.
+    fn point_joins(&self) -> bool {
+        let kind = |at: usize| self.tokens.get(at).map(|token| token.kind);
+        let before = self.at.checked_sub(1).and_then(kind);
+        let number = matches!(before, None | Some(Lexeme::Number(_) | Lexeme::Space(_)));
+        let next = kind(self.at + 1);
+        !number && matches!(next, Some(Lexeme::Command(name)) if self.command_starts_factor(name))
     }
 
     pub(super) fn factor_starts(&self) -> bool {

@@ -20,6 +20,7 @@ use super::kinds::{
 };
 use super::lexicon::Lexicon;
 use super::mounted::mount_wheels;
+use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
 use super::owners::{give_to_bodies, say_of_loads};
@@ -44,7 +45,7 @@ use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
 use super::turned_lines::turn_lines;
-use super::turns::{tell_turning, turn_by_aircraft_angles, turn_in_order};
+use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::{tell_gravity, tell_zeros};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
@@ -118,6 +119,8 @@ fn in_plain_terms(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    let mut declarations = declarations;
+    name_frames_by_numbers(&mut declarations);
     let mut declarations =
         turn_in_order(part_centres(part_letters(part_respectively(declarations))));
     write_letters(&mut declarations, lexicon, macros);
@@ -133,6 +136,7 @@ fn in_plain_terms(
     name_by_formulas(&mut declarations);
     tell_relations(&mut declarations);
     tell_turning(&mut declarations);
+    tell_matrices(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
     tell_upright_axes(&mut declarations);

@@ -136,6 +136,10 @@ pub(crate) const MASS_MATRIX: &str = "mass matrix";
 pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
 /// What the square of a letter means that is a vector.
 pub(crate) const SQUARE_OF_VECTOR: &str = "square of a vector";
+/// The matrix of a turn by an angle about a vector.
+pub(crate) const ROTATION_MATRIX: &str = "rotation matrix";
+/// A sign of a custom: the full stop of `a.b`.
+pub(crate) const FULL_STOP: &str = "full stop between vectors";
 /// Columns of a motion in a plane.
 pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
@@ -205,6 +209,8 @@ mod tests {
             MASS_MATRIX,
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
+            FULL_STOP,
+            ROTATION_MATRIX,
             COLUMNS_OF_TWO,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);

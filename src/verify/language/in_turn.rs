@@ -119,6 +119,9 @@ fn own_slots(
     for slot in parted {
         keep_one(&mut own, *slot, number);
     }
+    if parted.contains(&Slot::Of) {
+        keep_own_places(&mut own, slots, number);
+    }
     for (_, term) in &mut own {
         if own_letters(term, count)
             && let Term::Phrase(phrase) = term
@@ -127,6 +130,22 @@ fn own_slots(
         }
     }
     own
+}
+
+/// "the angular momenta of the hub and the wheel about their mass centres": each about its own.
+fn keep_own_places(own: &mut [(Slot, Term)], slots: &[(Slot, Term)], number: usize) {
+    let owners = |slots: &[(Slot, Term)]| -> Vec<Term> {
+        let of = slots.iter().filter(|(slot, _)| *slot == Slot::Of);
+        of.map(|(_, term)| term.clone()).collect()
+    };
+    let all = owners(slots);
+    for (_, term) in own {
+        if let Term::Phrase(place) = term
+            && owners(&place.slots) == all
+        {
+            keep_one(&mut place.slots, Slot::Of, number);
+        }
+    }
 }
 
 /// What a verb says of each of its subjects, where as many things hang on it: "A and B turn about `$x$` and `$y$`".

@@ -104,7 +104,9 @@ impl<'a> Reader<'a> {
 
     /// Whether two members of a list may stand in one slot: no quantity beside a thing, and no relation, which is a clause.
     fn alike(&self, a: &Term, b: &Term) -> bool {
-        if b.is_condition() && !a.is_condition() {
+        // "the axis through O along x and the axis through G"
+        let axis_behind_letter = b.is_noun("axis") && !matches!(a, Term::Phrase(_));
+        if b.is_condition() && !a.is_condition() || axis_behind_letter {
             return false;
         }
         let quantity = |term: &Term| match term {

@@ -9,24 +9,38 @@ const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
 
 /// "The rod is a uniform rod with its middle at G and the ends A and B": what G, A and B are.
 pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
-    say_besides(declarations, |statement| {
-        let Statement::Is { subjects, what } = statement else {
-            return vec![];
-        };
-        let [thing] = subjects.as_slice() else {
-            return vec![];
-        };
-        let mut told: Vec<Statement> = take_origin(what, thing).into_iter().collect();
-        what.slots
-            .retain(|(slot, term)| match place_of(*slot, term, thing) {
-                Some(places) => {
-                    told.extend(places);
-                    false
-                }
-                None => true,
-            });
-        told
+    say_besides(declarations, |statement| match statement {
+        Statement::Is { subjects, what } => {
+            let [thing] = subjects.as_slice() else {
+                return vec![];
+            };
+            let mut told: Vec<Statement> = take_origin(what, thing).into_iter().collect();
+            told.extend(take_places(&mut what.slots, thing));
+            told
+        }
+        // "The rod lies along x with its middle at G."
+        Statement::Does {
+            subjects,
+            verb: "lie",
+            slots,
+        } => match subjects.as_slice() {
+            [thing] => take_places(slots, thing),
+            _ => vec![],
+        },
+        _ => vec![],
     });
+}
+
+fn take_places(slots: &mut Vec<(Slot, Term)>, thing: &Term) -> Vec<Statement> {
+    let mut told = vec![];
+    slots.retain(|(slot, term)| match place_of(*slot, term, thing) {
+        Some(places) => {
+            told.extend(places);
+            false
+        }
+        None => true,
+    });
+    told
 }
 
 /// "B is a frame fixed in the body with the origin at O": what O is.

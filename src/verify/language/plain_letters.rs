@@ -9,6 +9,9 @@ use std::collections::BTreeSet;
 /// What is said of letters alone, beside the quantities that they are.
 const OF_LETTERS: [&str; 4] = ["constant", "positive", "small", "nonzero"];
 
+/// What is said of letters and of things.
+const OF_BOTH: [&str; 1] = ["fixed"];
+
 /// Puts formulas in the places of names that sentences say to be quantities, where none says that they are things.
 pub(crate) fn write_letters(declarations: &mut [Declaration], lexicon: &Lexicon, macros: &Macros) {
     let mut letters = BTreeSet::new();
@@ -18,6 +21,7 @@ pub(crate) fn write_letters(declarations: &mut [Declaration], lexicon: &Lexicon,
             let names = subjects.iter().filter_map(name);
             match is_quantity(what, lexicon) {
                 true => letters.extend(names),
+                false if OF_BOTH.contains(&what.head) => {}
                 false => things.extend(names),
             }
         }

@@ -3,7 +3,7 @@
 use super::clause::as_formula;
 use super::heads::EULER_ANGLES;
 use super::is_body;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
 
 /// Puts the turns of a sentence together: by angles they are Euler angles; several rates of one thing are not understood.
@@ -22,6 +22,42 @@ pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> 
         }
     }
     all
+}
+
+/// "B is turned relative to A by `$R$`": no angle is told by a letter in capitals, but the matrix of the turn, which takes
+/// components on B to components on A.
+pub(crate) fn tell_matrices(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } = statement
+        else {
+            return vec![];
+        };
+        let told = slot(slots, Slot::About).or(slot(slots, Slot::At));
+        let capital = |f: &Formula| f.source.starts_with(char::is_uppercase);
+        let (Some(Term::Formula(matrix)), Some(relative), [turned], None) = (
+            slot(slots, Slot::By),
+            slot(slots, Slot::RelativeTo),
+            subjects.as_slice(),
+            told,
+        ) else {
+            return vec![];
+        };
+        if !capital(matrix) {
+            return vec![];
+        }
+        let (from, to) = (turned.clone(), relative.clone());
+        let matrix = Term::Formula(matrix.clone());
+        slots.retain(|(slot, _)| *slot != Slot::By);
+        vec![Statement::Does {
+            subjects: vec![matrix],
+            verb: "take",
+            slots: vec![(Slot::From, from), (Slot::To, to)],
+        }]
+    });
 }
 
 /// The angles of an aircraft, in the order of their axes x, y, z.

@@ -1,6 +1,6 @@
 //! Sines, cosines and roots: variables with a relation, which they are functions of.
 
-use crate::algebra::{Fraction, Place, Polynomial, Rational, Variable};
+use crate::algebra::{Fraction, Monomial, Place, Polynomial, Rational, Variable};
 use crate::verify::model::atoms::{
     Atoms, Key, Law, Motion, Nature, fraction, whole, with_one_square,
 };
@@ -36,7 +36,7 @@ impl Atoms {
             return Some((Fraction::one(), Fraction::zero()));
         }
         if angle.numerator().len() > 1 && angle.is_polynomial() {
-            let term = |(m, c): &(crate::algebra::Monomial, Rational)| {
+            let term = |(m, c): &(Monomial, Rational)| {
                 Fraction::from(Polynomial::constant(c.clone()).times_term(m, &Rational::one()))
             };
             let terms: Vec<Fraction> = angle.numerator().terms().iter().map(term).collect();
@@ -225,6 +225,18 @@ impl Atoms {
         };
         let root = perfect(of.numerator())?;
         Fraction::new(root, perfect(of.denominator())?)
+    }
+
+    /// One of the two roots of a value: what is squared as a factor stands before the root.
+    pub(crate) fn root_of_either_sign(&mut self, of: &Fraction) -> Option<Fraction> {
+        let common = of.numerator().common_monomial();
+        let powers = common.powers().into_iter();
+        let squares = powers.map(|(v, power)| (v, power / 2));
+        let outside = Monomial::from_powers(squares.collect::<Vec<_>>());
+        let rest = of.numerator().divided_by(&outside).divided_by(&outside);
+        let rest = Fraction::new(rest, of.denominator().clone())?;
+        let outside = Fraction::from(Polynomial::term(outside, Rational::one()));
+        Some(outside * self.root(&rest)?)
     }
 
     /// Whether all angles whose sines stand in a value are constant.

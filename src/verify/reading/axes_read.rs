@@ -2,13 +2,13 @@
 
 use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
-    Declaration, Extent, NounPhrase, Slot, Statement, Term, slot,
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
-use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, name_of, node_of};
+use crate::verify::reading::names::{UNIT_VECTOR, name_of, node_of, opposite};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
@@ -79,6 +79,7 @@ impl Builder<'_> {
         self.read_axes_by_vectors();
         self.read_verticals_by_vectors();
         self.read_axes_of_symmetry();
+        self.adapt_axes();
         self.read_incline();
         self.reading.letters.customs.named_axes = self.axes.of_one_frame();
     }
@@ -107,8 +108,14 @@ impl Builder<'_> {
         let Some(frame) = what.slot(Slot::Of).and_then(|term| self.frame(term)) else {
             return self.say_unused(declaration);
         };
+        let on = what.slot(Slot::On).and_then(|on| self.frame(on));
         for (axis, subject) in subjects.iter().take(3).enumerate() {
-            self.name_axis(subject, frame, axis, declaration);
+            match (on, subject) {
+                (Some(on), Term::Formula(letter)) => {
+                    self.denote_column(letter, (frame, axis), on, declaration);
+                }
+                _ => self.name_axis(subject, frame, axis, declaration),
+            }
         }
     }
 
@@ -126,14 +133,25 @@ impl Builder<'_> {
         match (frame, axis, subjects, on) {
             // "in components on B"
             (Some(frame), Some(axis), [Term::Formula(letter)], Some(on)) => {
-                let column = Quantity::On(Quantity::Axis(frame, axis).boxed(), on);
-                self.denote(letter, Meaning::Quantity(column), declaration);
+                self.denote_column(letter, (frame, axis), on, declaration);
             }
             (Some(frame), Some(axis), [subject], None) => {
                 self.name_axis(subject, frame, axis, declaration);
             }
             _ => {}
         }
+    }
+
+    /// An axis of one frame in components on another.
+    fn denote_column(
+        &mut self,
+        letter: &Formula,
+        (frame, axis): (FrameId, usize),
+        on: FrameId,
+        declaration: &Declaration,
+    ) {
+        let column = Quantity::On(Quantity::Axis(frame, axis).boxed(), on);
+        self.denote(letter, Meaning::Quantity(column), declaration);
     }
 
     /// The vertical axis; the third one of the inertial frame points up where nothing is said.
@@ -228,8 +246,14 @@ impl Builder<'_> {
                 let other = if of == frame { relative } else { frame };
                 let there = |(_, place): &(&String, &(FrameId, usize))| **place == (other, axis);
                 let mut named = self.axes.iter().filter(there).peekable();
-                let same = |(n, _): (&String, &(FrameId, usize))| same_label(n, &name);
-                (named.peek().is_none() || named.any(same)).then_some(axis)
+                let frames = &self.reading.system.frames;
+                let same = |(n, _): (&String, &(FrameId, usize))| {
+                    let own = (n.as_str(), frames[other].name.as_str());
+                    same_label(n, &name) || labelled_alike(own, (&name, &frames[of].name))
+                };
+                let other_known = named.peek().is_some();
+                let same = !other_known || named.any(same) && !self.tells_angle_with(&name, other);
+                same.then_some(axis)
             }
             // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
             Some(_)
@@ -246,92 +270,18 @@ impl Builder<'_> {
         }
     }
 
-    /// The frames that turn by an angle about an axis that they share with their parent.
-    pub(super) fn easy_links(&self) -> Vec<FrameId> {
-        let mut easy = vec![];
-        for declaration in self.declarations {
-            match &declaration.statement {
-                Statement::Does {
-                    subjects,
-                    verb: "turn",
-                    slots,
-                } => {
-                    let about = slot(slots, Slot::About);
-                    for frame in subjects.iter().filter_map(|s| self.frame(s)) {
-                        let parent = self.reading.system.frames[frame].parent.unwrap_or(frame);
-                        if about
-                            .is_some_and(|about| self.shared_axis(about, frame, parent).is_some())
-                        {
-                            easy.push(frame);
-                        }
-                    }
-                }
-                Statement::Is { what, .. } if what.head == "Euler angles" => {
-                    easy.extend(what.slot(Slot::Of).and_then(|term| self.frame(term)));
-                }
-                _ => {}
+    /// Whether a sentence tells the angle of an axis with one of a frame: then it need not be one of these.
+    fn tells_angle_with(&self, name: &str, frame: FrameId) -> bool {
+        let plain = |term: &Term| opposite(term).unwrap_or_else(|| term.clone());
+        let of_frame = |term: &Term| self.axis_of_frame(term).is_some_and(|(of, _)| of == frame);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == "angle" => {
+                let between: Vec<Term> = what.all(Slot::Between).map(plain).collect();
+                let mut own = between.iter().filter_map(name_of);
+                own.any(|own| own == name) && between.iter().any(of_frame)
             }
-        }
-        easy
-    }
-
-    /// The frame from which all that have components are reached by the fewest free turns.
-    pub(super) fn choose_work_frame(&mut self) {
-        let mut score: BTreeMap<FrameId, usize> = BTreeMap::new();
-        let mut body = None;
-        for declaration in self.declarations {
-            let what = match &declaration.statement {
-                Statement::Is { what, .. } | Statement::Premise(what) => what,
-                _ => continue,
-            };
-            if what.head == "frame"
-                && what.slot(Slot::FixedIn).is_some()
-                && body.is_none()
-                && let Statement::Is { subjects, .. } = &declaration.statement
-            {
-                body = subjects.first().and_then(|s| self.frame(s));
-            }
-            let weight = match what.head {
-                "component" | PRINCIPAL_MOMENTS | "axes" | "principal axes" => 3,
-                _ => 1,
-            };
-            let on = what
-                .slot(Slot::On)
-                .or(match (what.head, &declaration.statement) {
-                    ("axes" | "axis", _) => what.slot(Slot::Of),
-                    ("symmetric", Statement::Is { subjects, .. }) => subjects
-                        .first()
-                        .filter(|body| self.has_axis(body, what.slot(Slot::About))),
-                    _ => None,
-                });
-            if let Some(frame) = on.and_then(|term| self.frame(term)) {
-                *score.entry(frame).or_default() += weight;
-            }
-        }
-        let easy = self.easy_links();
-        let cost = |candidate: FrameId| -> usize {
-            score
-                .iter()
-                .map(|(&f, s)| s * self.reading.system.distance(candidate, f, &easy))
-                .sum()
-        };
-        let best = score.iter().min_by_key(|(frame, score)| {
-            (
-                cost(**frame),
-                std::cmp::Reverse(**score),
-                body != Some(**frame),
-                **frame,
-            )
-        });
-        let work = best.map(|(frame, _)| *frame).or(body);
-        let work = work
-            .or_else(|| self.frame_of_only_body())
-            .unwrap_or(self.reading.system.ground);
-        self.reading.system.work = work;
-        self.reading.letters.component_frame = match score.is_empty() {
-            true => body.unwrap_or(work),
-            false => work,
-        };
+            _ => false,
+        })
     }
 
     /// An axis of a frame, by its name, or as "the third axis of B".
@@ -395,4 +345,13 @@ fn same_label(one: &str, other: &str) -> bool {
         (place, label)
     });
     one.1 == other.1 || one.0.is_some() && one.0 == other.0
+}
+
+/// Whether two axes have one letter, each with its frame for the label: `Z_1` of 1 and `Z_0` of 0.
+fn labelled_alike(one: (&str, &str), other: (&str, &str)) -> bool {
+    let letter = |(name, frame): (&'_ str, &'_ str)| {
+        let (letter, label) = name.split_once('_')?;
+        (label == frame).then(|| letter.to_owned())
+    };
+    letter(one).is_some() && letter(one) == letter(other)
 }

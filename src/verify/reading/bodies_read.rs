@@ -39,12 +39,13 @@ impl Builder<'_> {
                     verb: "consist",
                     slots,
                 } => self.bodies_of_parts(subjects, slots, declaration),
-                Statement::Does {
-                    subjects,
-                    verb: "number",
-                    slots,
-                } => self.number(subjects, slots),
                 _ => {}
+            }
+        }
+        // Of which whole the members are is told by then.
+        for declaration in self.declarations {
+            if let Some((subjects, slots)) = declaration.statement.does("number") {
+                self.number(subjects, slots);
             }
         }
         self.bodies_with_quantities();

@@ -95,6 +95,7 @@ pub(crate) fn build(
     builder.hold_midpoints();
     builder.hold_corners();
     builder.hold_fixed_frames();
+    builder.hold_fixed_vectors();
     builder.make_up_of_references();
     builder.read_premises();
     builder.read_obeyed();
@@ -197,7 +198,7 @@ impl Builder<'_> {
         let node = node_of(formula)?;
         let spelled = spelled(node);
         Some(Letter {
-            whole: spelled.contains(['\\', '{', ' ', '[']),
+            whole: spelled.contains(['\\', '{', ' ', '[', '^']),
             spelled,
             loose: loosely(node),
             latex: formula.source.clone(),

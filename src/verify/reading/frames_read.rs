@@ -1,7 +1,9 @@
 //! Frames, and how they turn against one another.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, Slot, Statement, Term, slot,
+};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
@@ -191,7 +193,8 @@ impl Builder<'_> {
         if relative.is_none() && said.relative.is_some() {
             return self.say_unused(said.declaration);
         }
-        let relative = relative.unwrap_or(system.ground);
+        let relative = self.nearest_fixed_in(relative.unwrap_or(system.ground), frame);
+        let system = &self.reading.system;
         let Some(about) = slot(said.slots, Slot::About).cloned() else {
             return;
         };
@@ -339,19 +342,7 @@ impl Builder<'_> {
                     return self.of_length_one(along);
                 }
                 // An axis about which a frame turns is fixed in both.
-                let text = formula.source.clone();
-                let member = name_of(term).and_then(|name| {
-                    let (_, label) = name.split_once('_')?;
-                    Some(self.reading.system.index_in(label)?.1)
-                });
-                let unit = match member {
-                    Some(index) => Quantity::MemberVector {
-                        text,
-                        carried: self.said_fixed(formula).or(carried),
-                        index,
-                    },
-                    None => Quantity::UnitVector { text, carried },
-                };
+                let unit = self.unit_vector_of(formula, carried);
                 let meaning = Meaning::Quantity(unit.clone());
                 self.denote_within(formula, meaning, Reach::All, declaration);
                 self.system().value_of(&unit).ok()?.to_vector().ok()
@@ -373,12 +364,35 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// A letter of a unit vector that only sentences tell, of one thing or of each of many, and what carries it.
+    fn unit_vector_of(&self, letter: &Formula, carried: Option<FrameId>) -> Quantity {
+        let text = letter.source.clone();
+        let fixed = self.said_fixed(letter);
+        let name = name_of(&Term::Formula(letter.clone()));
+        let member = name.and_then(|name| {
+            let (_, label) = name.split_once('_')?;
+            Some(self.reading.system.index_in(label)?.1)
+        });
+        match member {
+            Some(index) => Quantity::MemberVector {
+                text,
+                carried: fixed.or(carried),
+                index,
+            },
+            None => Quantity::UnitVector {
+                text,
+                carried: carried.or(fixed),
+            },
+        }
+    }
+
     /// The frame in which a sentence says that a vector is fixed.
     pub(super) fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
+        let own = |subject: &Term| matches!(subject, Term::Formula(f) if f.source == letter.source);
         let says = |declaration: &&Declaration| match &declaration.statement {
-            Statement::Is { subjects, .. } => subjects
-                .iter()
-                .any(|subject| matches!(subject, Term::Formula(f) if f.source == letter.source)),
+            Statement::Is { subjects, .. } => {
+                declaration.extent == Extent::Document && subjects.iter().any(own)
+            }
             _ => false,
         };
         let mut said = self.declarations.iter().filter(says);

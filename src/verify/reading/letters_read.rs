@@ -6,8 +6,9 @@ use crate::verify::language::heads::{
     NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, REFERENCE, UPHILL,
 };
 use crate::verify::language::statement::{
-    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::model::system::Vector;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
@@ -19,15 +20,16 @@ use crate::verify::reading::names::{
 };
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
+use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
+use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::Value;
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 20] = [
+const THINGS: [&str; 21] = [
     PLANE_OF_SYMMETRY,
     "frame",
     "point",
@@ -48,6 +50,7 @@ const THINGS: [&str; 20] = [
     "integral",
     "cross product",
     "dot product",
+    "outer product",
 ];
 
 impl Builder<'_> {
@@ -216,6 +219,11 @@ impl Builder<'_> {
             }
             "entry" => self.read_entries(subjects, what, declaration),
             "value" => self.read_value(subjects, what, declaration),
+            PERIOD | FREQUENCY | ANGULAR_FREQUENCY => {
+                self.read_oscillation(subjects, what, declaration)
+            }
+            EIGENVALUE => self.read_eigenvalue(subjects, what, declaration),
+            EXPLICIT_EULER => Some(()),
             REMAINDER => self.read_remainder(subjects, what, declaration),
             "product" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
@@ -291,61 +299,6 @@ impl Builder<'_> {
         }
     }
 
-    /// The square of a length that is no root of its own.
-    fn square_of_length(&mut self, quantity: &Quantity) -> Option<crate::algebra::Fraction> {
-        let across = match quantity {
-            Quantity::Magnitude(of) if !of.is_indexed() => {
-                self.system().value_of(of).ok()?.to_vector().ok()?
-            }
-            Quantity::Distance { of, from, axis }
-                if !matches!(of, crate::verify::term::quantity::Spot::Member(..)) =>
-            {
-                let way = self.system().place(of, *from);
-                let axis = self.system().value_of(axis).ok()?.to_vector().ok()?;
-                crate::mechanics::cross(&axis, &way)
-            }
-            _ => return None,
-        };
-        Some(across.dot(&across))
-    }
-
-    /// A length is a letter of its own, whose square is told.
-    fn read_length(
-        &mut self,
-        formula: &Formula,
-        square: crate::algebra::Fraction,
-        declaration: &Declaration,
-    ) {
-        if let Some(root) = self.system().atoms.known_root(&square)
-            && self.reading.system.atoms.has_steady_sines(&root)
-        {
-            let known = Quantity::Known(Value::scalar(root));
-            return self.denote(formula, Meaning::Quantity(known), declaration);
-        }
-        let rate = self.system().atoms.derivative(&square);
-        // In a part of the document it may be another length than elsewhere: a letter of its own, written alike.
-        let text = match &declaration.extent {
-            Extent::Document => formula.source.clone(),
-            _ => format!("{}\\,", formula.source),
-        };
-        let quantity = Quantity::Scalar {
-            text,
-            constant: num_traits::Zero::is_zero(&rate),
-        };
-        let Ok(value) = self.system().value_of(&quantity) else {
-            return;
-        };
-        self.denote(formula, Meaning::Quantity(quantity), declaration);
-        let letter = value.entries[0].clone();
-        if let Some(length) = letter.as_variable() {
-            self.system().atoms.set_length(length);
-        }
-        if let (Extent::Document, Some(length)) = (&declaration.extent, letter.as_variable()) {
-            self.system().atoms.tell_root(square.clone(), length);
-        }
-        self.hold(letter.clone() * letter - square, declaration);
-    }
-
     /// "The rate of `\phi` is the angular velocity of B": what is said of a phrase holds.
     fn read_phrase_is(
         &mut self,
@@ -389,8 +342,11 @@ impl Builder<'_> {
     }
 
     pub(super) fn is_vector(&mut self, quantity: &Quantity) -> bool {
-        let value = self.system().value_of(quantity);
-        value.is_ok_and(|value| value.to_vector().is_ok())
+        self.vector_of(quantity).is_some()
+    }
+
+    pub(super) fn vector_of(&mut self, quantity: &Quantity) -> Option<Vector> {
+        self.system().value_of(quantity).ok()?.to_vector().ok()
     }
 
     pub(super) fn hold_quantities(

@@ -7,6 +7,7 @@ use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::FORCES;
 use crate::verify::reading::named_loads_read::names_load;
+use crate::verify::reading::quantities_read::without;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -73,12 +74,8 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        if let Some(upon) = phrase.slot(Slot::Upon).and_then(|term| self.whole(term))
-            && let Some(rotors) = self.rotors_of(&upon)
-            && let Whole::Member(family, _) = &upon
-            && let Some(body) = self.reading.system.families[*family].body
-        {
-            return Some(self.drive(&rotors, body));
+        if let Some(drive) = self.drive(phrase) {
+            return Some(drive);
         }
         if self.agent_outside(phrase, None).is_some() {
             return self.moment_from_outside(phrase);
@@ -121,7 +118,7 @@ impl Builder<'_> {
                 let about = self.about(phrase, &of)?;
                 match of {
                     Whole::Body(of) => Some(Quantity::Moment { of, about }),
-                    Whole::Member(..) => None,
+                    of @ Whole::Member(..) => Some(moment_on_member(phrase, of, about)),
                 }
             }
         }
@@ -182,6 +179,25 @@ impl Builder<'_> {
         let mass = self.reading.system.mass(body);
         let gravity = self.gravity()?;
         Some(Quantity::Scaled(gravity.boxed(), mass))
+    }
+}
+
+/// The moment of the force on a particle: of all of it, of what comes from outside, or of what does not.
+fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity {
+    let Whole::Member(family, index) = of.clone() else {
+        return Quantity::Force(of);
+    };
+    let at = Spot::Member(family, index.clone());
+    let moment = |force: Quantity| Quantity::MomentOf {
+        force: force.boxed(),
+        at: at.clone(),
+        about,
+    };
+    let external = || moment(Quantity::ExternalForce(family, index.clone()));
+    match (phrase.is("external"), phrase.is("internal")) {
+        (true, _) => external(),
+        (_, true) => without(moment(Quantity::Force(of)), external()),
+        _ => moment(Quantity::Force(of)),
     }
 }
 

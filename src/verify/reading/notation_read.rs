@@ -2,8 +2,8 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE,
-    SQUARE_OF_VECTOR, TWO_DOTS,
+    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT,
+    SECOND_RATE, SQUARE_OF_VECTOR, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -284,7 +284,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
                 | QUATERNION_PRODUCT
                 | "transpose"
         ),
-        Sign::Custom(SQUARE_OF_VECTOR) => phrase.head == "dot product",
+        Sign::Custom(SQUARE_OF_VECTOR | FULL_STOP) => phrase.head == "dot product",
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,

@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, is_marked_vector, name_of, node_of};
+use crate::verify::reading::names::{MASS_CENTRE, is_letter, is_marked_vector, name_of, node_of};
 use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{Meaning, spelled};
@@ -155,6 +155,10 @@ impl Builder<'_> {
         let each = spoken
             .centre_of
             .is_some_and(|body| bodies[body].members.is_some());
+        let carried = |index| self.carried_way(index, fixed_in);
+        if let Some(placed) = spoken.lies.and_then(carried) {
+            return placed;
+        }
         if let Some(placed) = spoken.lies.and_then(|index| self.told_way(index, each)) {
             return placed;
         }
@@ -196,6 +200,24 @@ impl Builder<'_> {
         let from = slot(slots, Slot::From).or_else(|| slot(slots, Slot::RelativeTo))?;
         let from = self.point(from)?;
         Some((from, self.way_said(slots, declaration, moves_on_its_own)?))
+    }
+
+    /// "P is placed from O by `$r$`", where both are fixed in one frame and no other sentence tells r: it is fixed in that as
+    /// well.
+    fn carried_way(&mut self, index: usize, fixed_in: &[FrameId]) -> Option<(PointId, Vector)> {
+        let (_, slots) = self.declarations[index].statement.does("place")?;
+        let Some(Term::Formula(by)) = slot(slots, Slot::By) else {
+            return None;
+        };
+        let from = self.point(slot(slots, Slot::From)?)?;
+        let system = &mut self.reading.system;
+        let in_both = |frame: &&FrameId| system.points[from].fixed_in.contains(frame);
+        let frame = *fixed_in.iter().find(in_both)?;
+        if !is_marked_vector(by) || !is_letter(by) || self.is_subject(by) {
+            return None;
+        }
+        let way = self.system().carried_vector(&by.source, frame, None);
+        Some((from, way))
     }
 
     /// "by r", "at the distance a along z", "on the third axis of B at the distance a". A distance of which no rate is written

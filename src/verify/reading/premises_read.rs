@@ -133,6 +133,7 @@ impl Builder<'_> {
     fn read_premise(&mut self, premise: &NounPhrase, declaration: &Declaration) {
         let done = match premise.head {
             "principal axes" => self.principal_axes(premise, declaration),
+            "moment" if premise.is("only") => self.only_drive(premise),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
             "load" | "force" | "impulse" if premise.is("only") => {

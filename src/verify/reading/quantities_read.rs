@@ -1,13 +1,14 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION, KINETIC_ENERGY, MASS_MATRIX,
-    MOMENT_OF_INERTIA, NORMAL_FORCE, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
+    KINETIC_ENERGY, MASS_MATRIX, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART,
+    SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{FrameId, PointId, Rotors, Vector};
+use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
@@ -39,7 +40,7 @@ impl Builder<'_> {
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along).or_else(|| self.axis_about(phrase))
             && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
-            && !(phrase.slot(Slot::Upon).is_some() && self.is_scalar(&quantity))
+            && !is_told_along(&quantity)
         {
             let along = self.axis_quantity(&along.clone(), declaration)?;
             quantity = Quantity::Along {
@@ -103,6 +104,7 @@ impl Builder<'_> {
                 self.operand(phrase.slot(Slot::Of)?, declaration)?
             }
             PART => self.part(phrase, declaration)?,
+            ROTATION_MATRIX => self.rotation_about(phrase, declaration)?,
             CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
                 self.operand(phrase.slot(Slot::Of)?, declaration)?.boxed(),
             ),
@@ -188,7 +190,10 @@ impl Builder<'_> {
                 of: self.whole_of(phrase)?,
                 relative,
             },
-            "angular momentum" => {
+            ANGULAR_MOMENTUM => {
+                if let Some(own) = self.momentum_of_rotor(phrase, declaration) {
+                    return Some(own);
+                }
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;
                 let velocities = match phrase.slot(Slot::VelocitiesRelativeTo) {
@@ -304,26 +309,6 @@ impl Builder<'_> {
         Some(Quantity::Known(Value::vector(&vector, Basis::Itself)))
     }
 
-    /// The rotors that a member is one of.
-    pub(super) fn rotors_of(&self, of: &Whole) -> Option<Rotors> {
-        let Whole::Member(family, index) = of else {
-            return None;
-        };
-        let body = self.reading.system.families[*family].body?;
-        let rotors = self.reading.system.bodies[body].rotors.clone()?;
-        (rotors.index == *index).then_some(rotors)
-    }
-
-    /// The moment along its axis that drives a wheel: J (Ω̇ + g·ω̇).
-    pub(super) fn drive(&mut self, rotors: &Rotors, body: usize) -> Quantity {
-        let frame = self.reading.system.bodies[body].frame.unwrap_or(0);
-        let ground = self.reading.system.ground;
-        let omega = self.system().angular_velocity(frame, ground);
-        let spin = rotors.rate.clone() + rotors.axis.dot(&omega);
-        let rate = self.system().atoms.derivative(&spin);
-        Quantity::Known(Value::scalar(rotors.inertia.clone() * rate))
-    }
-
     fn distance(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
         let of = self.spot(phrase.slot(Slot::Of)?)?;
         let from = phrase
@@ -357,7 +342,7 @@ impl Builder<'_> {
 }
 
 /// One quantity less another.
-fn without(whole: Quantity, part: Quantity) -> Quantity {
+pub(super) fn without(whole: Quantity, part: Quantity) -> Quantity {
     Quantity::Sum(vec![
         whole,
         Quantity::Scaled(part.boxed(), crate::verify::model::atoms::whole(-1)),
@@ -376,4 +361,9 @@ fn as_particle(energy: &NounPhrase) -> Option<&Term> {
     });
     let only = energy.head == KINETIC_ENERGY && particle.head == "particle";
     (only && at_centre && energy.slots.len() == 1).then_some(body)
+}
+
+/// Whether a quantity is the part along an axis already, as that of a rotor is.
+fn is_told_along(quantity: &Quantity) -> bool {
+    matches!(quantity, Quantity::Known(value) if value.is_scalar())
 }

@@ -293,7 +293,7 @@ impl Builder<'_> {
         let ([Term::Formula(letter)], [(Slot::Of, Term::Formula(formula))]) =
             (subjects, what.slots.as_slice())
         else {
-            return None;
+            return self.read_value_at_step(subjects, what, declaration);
         };
         let same = Meaning::Same(Box::new(node_of(formula)?.clone()));
         self.denote(letter, same, declaration);

@@ -3,6 +3,7 @@
 use crate::verify::language::statement::{Extent, NounPhrase, Slot, Statement};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::name_of;
 
 impl Builder<'_> {
@@ -52,6 +53,30 @@ impl Builder<'_> {
                 for &other in others.iter().filter(|&&other| other != frame) {
                     let turns = self.system().angular_velocity(frame, other);
                     self.hold_zero(&turns, declaration);
+                }
+            }
+        }
+    }
+
+    /// "`$r$` is fixed in B", of a vector that other sentences tell: seen from B it does not change.
+    pub(super) fn hold_fixed_vectors(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            if what.head != "fixed" {
+                continue;
+            }
+            let frames: Vec<FrameId> = self.frames_of(what).collect();
+            for formula in formulas(subjects) {
+                let value = self.formula_value(formula, declaration);
+                let Some(vector) = value.and_then(|value| value.to_vector().ok()) else {
+                    self.say_unused(declaration);
+                    continue;
+                };
+                for &frame in &frames {
+                    let rate = self.system().rate_seen_from(frame, &vector);
+                    self.hold_zero(&rate, declaration);
                 }
             }
         }

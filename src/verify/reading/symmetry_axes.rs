@@ -56,7 +56,7 @@ impl Builder<'_> {
     }
 
     /// Whether sentences say that a letter is a unit vector, and fixed in a body.
-    fn is_unit_vector_fixed_in(&self, letter: &Term, body: &Term) -> bool {
+    pub(super) fn is_unit_vector_fixed_in(&self, letter: &Term, body: &Term) -> bool {
         let mut said = self.declarations.iter();
         let about = |what: &NounPhrase| {
             let fixed = what.slot(Slot::FixedIn);
@@ -76,8 +76,17 @@ impl Builder<'_> {
     }
 
     /// Whether nothing that sentences say depends on how a frame lies in its body.
-    fn may_lie_freely(&self, frame: FrameId) -> bool {
+    pub(super) fn may_lie_freely(&self, frame: FrameId) -> bool {
         let named = self.axes.iter().any(|(_, (of, _))| *of == frame);
+        !named && self.may_lie_freely_but_for(frame, |_| false)
+    }
+
+    /// Whether nothing that sentences say depends on how a frame lies, but for those that are set aside.
+    pub(super) fn may_lie_freely_but_for(
+        &self,
+        frame: FrameId,
+        set_aside: impl Fn(&Declaration) -> bool,
+    ) -> bool {
         let own = |term: &Term| self.frame(term) == Some(frame);
         let lies = |d: &Declaration| {
             let parts = d.statement.slots().flatten();
@@ -98,7 +107,8 @@ impl Builder<'_> {
             };
             turned || parts.into_iter().any(told)
         };
-        !named && !self.declarations.iter().any(lies)
+        let mut others = self.declarations.iter().filter(|d| !set_aside(d));
+        !others.any(lies)
     }
 
     /// "`$k$` is the unit vector along the upward vertical": a letter of the vertical axis.

@@ -19,9 +19,12 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         for subject in subjects {
-            let held = what
-                .slot(Slot::About)
-                .and_then(|about| self.read_symmetric_body(subject, about, declaration));
+            let about = what.slot(Slot::About);
+            if about.is_some_and(|axis| self.is_axis_of_rotor(subject, axis, declaration)) {
+                continue;
+            }
+            let held =
+                about.and_then(|about| self.read_symmetric_body(subject, about, declaration));
             held.unwrap_or_else(|| self.say_unused(declaration));
         }
     }

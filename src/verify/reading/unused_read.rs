@@ -48,10 +48,17 @@ impl Builder<'_> {
                     verb: "incline", ..
                 } => inclined,
                 Statement::Does {
-                    verb: "lie", slots, ..
-                } => [Slot::At, Slot::On, Slot::From]
-                    .iter()
-                    .any(|s| slots.iter().any(|(slot, _)| slot == s)),
+                    subjects,
+                    verb: "lie",
+                    slots,
+                } => {
+                    let told = |subject: &Term| {
+                        let body = self.body(subject);
+                        body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
+                    };
+                    let placed = [Slot::At, Slot::On, Slot::From];
+                    slots.iter().any(|(slot, _)| placed.contains(slot)) || subjects.iter().all(told)
+                }
                 Statement::Does {
                     subjects,
                     verb: "point",

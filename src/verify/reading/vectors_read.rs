@@ -4,17 +4,14 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
-use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, UNIT_VECTOR, is_letter, letter_of, node_of, reach_of, told,
-};
-use crate::verify::term::letters::{Effect, Mark, MarkRule, Meaning, Operator, spelled};
+use crate::verify::reading::names::{UNIT_VECTOR, is_letter, node_of, told};
+use crate::verify::term::letters::{Mark, Meaning, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
 use num_traits::Zero;
@@ -34,6 +31,7 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         };
         for formula in formulas(subjects) {
+            let carried = carried.or_else(|| self.said_fixed(formula));
             // Where a frame turns about it, that sentence has told more.
             let known = self.quantity_of(formula, declaration);
             // An axis is a unit vector.
@@ -42,16 +40,13 @@ impl Builder<'_> {
                 || matches!(known, Some(Quantity::Axis(..)))
                     && everywhere
                     && what.head == UNIT_VECTOR
-                || matches!(known, Some(Quantity::UnitVector { .. })) && carried.is_none();
+                || matches!(known, Some(Quantity::UnitVector { carried: k, .. }) if carried.is_none() || k == carried);
             if told {
                 continue;
             }
             let text = formula.source.clone();
             let quantity = match (what.head, &along) {
-                ("vector", _) => {
-                    let carried = carried.or_else(|| self.said_fixed(formula));
-                    Quantity::Vector { text, carried }
-                }
+                ("vector", _) => Quantity::Vector { text, carried },
                 (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
                 (_, Some(along)) => {
                     let size = Quantity::Magnitude(along.clone().boxed());
@@ -226,50 +221,6 @@ impl Builder<'_> {
         }
     }
 
-    /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`", "`R_x(a)` is the rotation matrix about x by `a`, for any
-    /// angle `a`."
-    pub(super) fn read_operator(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) {
-        let axes: Vec<&Term> = what.all(Slot::About).collect();
-        let source = |slot| what.slot(slot).and_then(letter_of).map(|f| &f.source);
-        if source(Slot::By).is_some_and(|by| Some(by) != source(Slot::ForAny)) && !axes.is_empty() {
-            return self.say_unused(declaration);
-        }
-        for (place, formula) in formulas(subjects).enumerate() {
-            let Some(node) = node_of(formula) else {
-                continue;
-            };
-            if let (CROSS_PRODUCT_MATRIX, Some(mark)) = (what.head, mark_on(node)) {
-                self.reading.letters.marks.push(MarkRule {
-                    mark,
-                    effect: Effect::CrossProductMatrix,
-                    reach: reach_of(&declaration.extent),
-                });
-                continue;
-            }
-            let head = match &node.kind {
-                Kind::Call(head, _) => Some((**head).clone()),
-                Kind::Product(factors) => factors.first().map(|f| f.node.clone()),
-                _ => None,
-            };
-            let Some(head) = head else { continue };
-            let axis = axes.get(place).or(axes.last());
-            let axis = axis.and_then(|term| self.number_of_axis(term));
-            let operator = match (what.head, axis) {
-                (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
-                (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
-                (_, Some(axis)) => Operator::AxisRotation(axis),
-                (_, None) => Operator::RotationVector,
-            };
-            let head = Formula::of(&head);
-            self.denote(&head, Meaning::Operator(operator), declaration);
-        }
-    }
-
     /// "A, A, C are the principal moments of the top about O on B": the products vanish, and A is two moments.
     pub(super) fn read_principal_moments(
         &mut self,
@@ -385,7 +336,7 @@ fn number_node(number: usize) -> Option<Node> {
 }
 
 /// The mark of a letter: `\hat v`, `\tilde v`.
-fn mark_on(node: &Node) -> Option<Mark> {
+pub(super) fn mark_on(node: &Node) -> Option<Mark> {
     match &node.kind {
         Kind::Symbol(symbol) if symbol.style.hat => Some(Mark::Hat),
         Kind::Symbol(symbol) if symbol.style.tilde => Some(Mark::Tilde),

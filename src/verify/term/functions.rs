@@ -5,6 +5,7 @@ use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
 use crate::verify::model::frames::about_axis;
+use crate::verify::model::system::Matrix;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
@@ -40,6 +41,7 @@ impl Lowering<'_> {
                 };
                 Ok(Value::written(3, 3, (0..9).map(entry).collect()))
             }
+            Function::Exp | Function::Ln if !value.is_scalar() => beyond(OTHER_ARGUMENT),
             _ => self.trigonometric(function, &value.to_scalar()?),
         }
     }
@@ -72,6 +74,27 @@ impl Lowering<'_> {
         ))
     }
 
+    /// The matrix of the rotation by the length θ of a vector v about it: cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ with
+    /// n = v/θ, which is the same for both roots θ of v·v.
+    fn rotation_by_length(&mut self, value: &Value) -> Valued {
+        let v = value.to_vector()?;
+        let atoms = &mut self.system.atoms;
+        let square = atoms.with_squares(&v.dot(&v));
+        if square.is_zero() {
+            return Ok(Value::matrix(&Matrix::identity(), [Basis::Written; 2]));
+        }
+        let Some(length) = atoms.root_of_either_sign(&square) else {
+            return beyond(OTHER_ARGUMENT);
+        };
+        let Some((cosine, sine)) = atoms.cosine_sine(&length) else {
+            return beyond(OTHER_ARGUMENT);
+        };
+        let n = v.map(|component| component / length.clone());
+        let along = n.clone() * n.transpose() * (Fraction::one() - cosine.clone());
+        let matrix = Matrix::from_diagonal_element(cosine) + mechanics::skew(&n) * sine + along;
+        Ok(Value::matrix(&matrix, [Basis::Written; 2]))
+    }
+
     /// A letter before brackets: a function that the document defines, a function of time, or a product.
     pub(super) fn call(&mut self, head: &Node, arguments: &[Node]) -> Valued {
         let operator = self
@@ -82,7 +105,7 @@ impl Lowering<'_> {
             let value = self.value(argument)?;
             return match operator {
                 Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
-                Operator::RotationVector => beyond("a rotation by the length of a vector"),
+                Operator::RotationVector => self.rotation_by_length(&value),
                 Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
                 Operator::AxisRotationOfComponents(axis) => {
                     self.axis_rotation(axis, &-value.to_scalar()?)

@@ -1,11 +1,12 @@
 //! What letters, marks, labels and operators mean, and for which part of the document.
 
-use crate::notation::ast::{Kind, Node, Operator as Sign, Symbol};
-use crate::notation::print;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::Customs;
-use crate::verify::term::labels::plain;
 use crate::verify::term::quantity::Quantity;
+pub(crate) use crate::verify::term::spelled::{
+    labelled_letter, letter_names, letters_and_names, loosely, spell, spelled,
+};
 use crate::verify::term::written::WrittenSymbols;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -289,9 +290,19 @@ impl Letters {
     }
 
     pub(crate) fn mark(&self, mark: Mark, at: &At) -> Option<&Effect> {
+        Some(&self.mark_rule(mark, at)?.effect)
+    }
+
+    fn mark_rule(&self, mark: Mark, at: &At) -> Option<&MarkRule> {
         let fits = |r: &&MarkRule| r.mark == mark && r.reach.covers(at, 0);
-        let rule = self.marks.iter().filter(fits);
-        Some(&rule.max_by_key(|r| r.reach.narrowness())?.effect)
+        let rules = self.marks.iter().filter(fits);
+        rules.max_by_key(|r| r.reach.narrowness())
+    }
+
+    /// Whether a sentence says of a part of the document what a mark means.
+    pub(crate) fn marks_part(&self, mark: Mark, at: &At) -> bool {
+        let rule = self.mark_rule(mark, at);
+        rule.is_some_and(|rule| rule.reach != Reach::All)
     }
 
     pub(crate) fn label(&self, label: &str, on_rate: bool, at: &At) -> Option<&LabelRule> {
@@ -328,92 +339,4 @@ impl Letters {
         let found = self.frame_names.iter().find(|(n, _)| n == name);
         found.map(|(_, frame)| *frame)
     }
-}
-
-/// The writing of a formula that stands for something as a whole.
-pub(crate) fn spelled(node: &Node) -> String {
-    match &node.kind {
-        Kind::Symbol(symbol) => spell(symbol, true),
-        Kind::Group(_, inner) => spelled(inner),
-        Kind::Product(factors) if factors.iter().all(|f| f.operator == Sign::Juxtaposed) => factors
-            .iter()
-            .map(|f| spelled(&f.node))
-            .collect::<Vec<_>>()
-            .join(" "),
-        _ => print::latex(node),
-    }
-}
-
-/// The same without what only makes letters bold or upright.
-pub(crate) fn loosely(node: &Node) -> String {
-    match &node.kind {
-        Kind::Symbol(symbol) => spell(symbol, false),
-        Kind::Group(_, inner) => loosely(inner),
-        Kind::Product(_) => spelled(node),
-        _ => print::latex(node),
-    }
-}
-
-/// A symbol with its marks and labels, as one word.
-pub(crate) fn spell(symbol: &Symbol, exactly: bool) -> String {
-    let style = symbol.style;
-    let mut word = symbol.name.clone();
-    let mut mark = |is: bool, name: &str| {
-        if is {
-            word.push('~');
-            word.push_str(name);
-        }
-    };
-    mark(style.hat, "hat");
-    mark(style.tilde, "tilde");
-    mark(style.other, "other");
-    mark(style.calligraphic, "cal");
-    mark(symbol.variation, "delta");
-    if exactly {
-        mark(style.vector, "vector");
-        mark(style.tensor, "tensor");
-        mark(style.bar, "bar");
-    }
-    for label in &symbol.subscripts {
-        word.push('_');
-        word.push_str(&plain(label));
-    }
-    for label in &symbol.superscripts {
-        word.push('^');
-        word.push_str(&plain(label));
-    }
-    for _ in 0..symbol.primes {
-        word.push('\'');
-    }
-    word
-}
-
-/// The same with those that carry labels as they are written.
-pub(crate) fn letters_and_names(node: &Node) -> BTreeSet<String> {
-    let mut names = letter_names(node);
-    if let Some(labelled) = labelled_letter(node) {
-        names.insert(labelled);
-    }
-    names.extend(node.children().flat_map(letters_and_names));
-    names
-}
-
-/// A letter with labels, as it is written without marks.
-pub(crate) fn labelled_letter(node: &Node) -> Option<String> {
-    match &node.kind {
-        Kind::Symbol(s) if !s.subscripts.is_empty() || !s.superscripts.is_empty() => {
-            Some(loosely(node))
-        }
-        _ => None,
-    }
-}
-
-/// The letters of a formula without marks and labels.
-pub(crate) fn letter_names(node: &Node) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
-    if let Kind::Symbol(symbol) = &node.kind {
-        names.insert(symbol.name.clone());
-    }
-    names.extend(node.children().flat_map(letter_names));
-    names
 }

@@ -37,7 +37,7 @@ impl Lowering<'_> {
         }
         let (seen, labelled) = match frame {
             Some(label) => (self.frame_of_rate(&plain(&label.text))?, true),
-            None => (self.customary_frame(mark_of(style)), false),
+            None => self.customary_rate(mark_of(style)),
         };
         let mut rate = value.clone();
         for _ in 0..order {
@@ -55,6 +55,15 @@ impl Lowering<'_> {
             Some(Effect::RateSeenFrom(frame)) => *frame,
             _ => self.system.ground,
         }
+    }
+
+    /// Whose rate a derivative without a label is, and whether that is said of this part of the document alone: then it is
+    /// the rate of the vector itself, whichever axes its components are on.
+    fn customary_rate(&self, mark: Mark) -> (FrameId, bool) {
+        (
+            self.customary_frame(mark),
+            self.letters.marks_part(mark, self.at),
+        )
     }
 
     /// The frame that a label on a derivative names.

@@ -155,7 +155,7 @@ fn a_shape_is_what_all_its_words_say() {
         (
             "The wheel is a uniform thin rod of mass $m$ and length $l$. / The wheel lies along x.",
             ["J = \\frac1{12} m l^2", "J = 0"],
-            "pu",
+            "pr",
         ),
     ] {
         hold_one(&format!("{SHAPE}{said}"), &formulas, expected);

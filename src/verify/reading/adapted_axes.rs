@@ -1,0 +1,138 @@
+//! Axes that no sentence names are laid along the vectors about which frames turn: that is no loss, and short.
+
+use crate::algebra::Place;
+use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
+use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::system::{FrameId, Turn};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{along_of, name_of};
+
+/// The axis that is laid along the vector.
+const ALONG: usize = 2;
+/// The axis across the two vectors of a frame that others turn about.
+const ACROSS: usize = 1;
+
+/// A turn about a vector that is fixed in the frame against which it is.
+struct TurnAboutVector {
+    frame: FrameId,
+    relative: FrameId,
+    vector: Term,
+}
+
+impl Builder<'_> {
+    /// "A turns relative to N about `$k$`, a unit vector fixed in N": where no sentence says how the axes of N lie, the
+    /// third one is along k. "B turns relative to A about `$n$`, a unit vector fixed in A": where of the axes of A only
+    /// the third one is told, the first one is in the plane of this one and of n.
+    pub(super) fn adapt_axes(&mut self) {
+        for declaration in self.declarations {
+            let Some(TurnAboutVector {
+                frame,
+                relative,
+                vector,
+            }) = self.turn_about_vector(declaration)
+            else {
+                continue;
+            };
+            if self.may_lie_freely(relative) {
+                self.name_axis(&vector, relative, ALONG, declaration);
+            } else if self.turns_about_vector_alone(relative) {
+                let tilted = self.add_tilted(relative);
+                self.reading.system.frames[frame].parent = Some(tilted);
+                self.name_axis(&vector, tilted, ALONG, declaration);
+            }
+        }
+    }
+
+    /// A turn about a vector, where the axes of what turns may lie in any way.
+    fn turn_about_vector(&self, declaration: &Declaration) -> Option<TurnAboutVector> {
+        let (subjects, slots) = match &declaration.statement {
+            Statement::Does {
+                subjects,
+                verb: "turn",
+                slots,
+            } => (subjects, slots),
+            Statement::Is { subjects, what } if what.head == "frame" => (subjects, &what.slots),
+            _ => return None,
+        };
+        let [subject] = subjects.as_slice() else {
+            return None;
+        };
+        let vector = along_of(slot(slots, Slot::About)?).clone();
+        let relative_to = slot(slots, Slot::RelativeTo)?;
+        let (frame, relative) = (self.frame(subject)?, self.frame(relative_to)?);
+        let new = name_of(&vector).is_some_and(|name| self.axes.get(&name).is_none());
+        let turned = self.reading.system.frames[frame].parent == Some(relative);
+        let fits = new
+            && turned
+            && declaration.extent == Extent::Document
+            && self.is_unit_vector_fixed_in(&vector, relative_to)
+            && (self.is_unnamed(frame) && self.turns_about_vector_alone(frame));
+        fits.then_some(TurnAboutVector {
+            frame,
+            relative,
+            vector,
+        })
+    }
+
+    fn is_unnamed(&self, frame: FrameId) -> bool {
+        self.axes.iter().all(|(_, (of, _))| *of != frame)
+    }
+
+    /// Whether all that sentences say of how a frame lies is that it turns about a vector.
+    fn turns_about_vector_alone(&self, frame: FrameId) -> bool {
+        let parent = self.reading.system.frames[frame].parent;
+        let only_along = |(_, (of, axis)): (&String, &(FrameId, usize))| {
+            let parents = Some(*of) == parent && *axis == ALONG;
+            *of != frame || parents
+        };
+        let turn = |declaration: &Declaration| self.turns(declaration, frame);
+        let mut turns = self.declarations.iter().filter(|d| turn(d));
+        turns.next().is_some()
+            && turns.next().is_none()
+            && self.axes.iter().all(only_along)
+            && self.may_lie_freely_but_for(frame, turn)
+    }
+
+    /// Whether a sentence says that a frame turns about something.
+    fn turns(&self, declaration: &Declaration, frame: FrameId) -> bool {
+        let own = |subject: &Term| self.frame(subject) == Some(frame);
+        match &declaration.statement {
+            Statement::Does {
+                subjects,
+                verb: "turn",
+                ..
+            } => subjects.iter().any(own),
+            Statement::Is { subjects, what } => {
+                let turns = what.head == "frame" && what.slot(Slot::About).is_some();
+                turns && subjects.iter().any(own)
+            }
+            _ => false,
+        }
+    }
+
+    /// A frame fixed in another, turned against it about its second axis by an angle of which nothing is told.
+    fn add_tilted(&mut self, frame: FrameId) -> FrameId {
+        let name = format!("{}'", self.reading.system.frames[frame].name);
+        let key = Key::new(format!("\\theta^{{{name}}}"));
+        let atoms = &mut self.reading.system.atoms;
+        let angle = fraction(atoms.variable(key, Place::Parameter, Motion::Constant));
+        let turn = Turn::Angle(ACROSS, Box::new(angle));
+        self.system().add_frame(&name, Some(frame), turn)
+    }
+
+    /// The frame against which another is turned, where it is fixed in the one that a sentence names.
+    pub(super) fn nearest_fixed_in(&self, relative: FrameId, frame: FrameId) -> FrameId {
+        let frames = &self.reading.system.frames;
+        let atoms = &self.reading.system.atoms;
+        let fixed = |parent: &FrameId| {
+            let Turn::Angle(_, angle) = &frames[*parent].turn else {
+                return false;
+            };
+            let variables = angle.variables();
+            let mut motions = variables.iter().map(|v| &atoms.atom(*v).motion);
+            frames[*parent].parent == Some(relative)
+                && motions.all(|motion| matches!(motion, Motion::Constant))
+        };
+        frames[frame].parent.filter(fixed).unwrap_or(relative)
+    }
+}

@@ -1,0 +1,91 @@
+//! Letters of oscillations and of matrices that are told by an equation: periods, frequencies and eigenvalues.
+
+use crate::algebra::Fraction;
+use crate::mechanics;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::model::system::Matrix;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+
+/// The noun of how long an oscillation takes.
+pub(super) const PERIOD: &str = "period";
+/// The noun of how often it comes in a unit of time.
+pub(super) const FREQUENCY: &str = "frequency";
+/// The noun of its frequency times 2π.
+pub(super) const ANGULAR_FREQUENCY: &str = "angular frequency";
+/// The noun of a root of det(A − λ 1) = 0.
+pub(super) const EIGENVALUE: &str = "eigenvalue";
+
+impl Builder<'_> {
+    /// "`$T$` is the period of `$x$`": ẍ + (2π/T)² x = 0, as of every harmonic oscillation.
+    pub(super) fn read_oscillation(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let ([(Slot::Of, of)], []) = (what.slots.as_slice(), what.adjectives.as_slice()) else {
+            return None;
+        };
+        let of = self.operand(of, declaration)?;
+        let x = self.system().value_of(&of).ok()?.to_scalar().ok()?;
+        let own = self.positive_number(letter, true, declaration)?;
+        let atoms = &mut self.system().atoms;
+        let rate = atoms.derivative(&x);
+        let acceleration = atoms.derivative(&rate);
+        let turn = atoms.pi() * whole(2);
+        let (own, turn) = (own.clone() * own, turn.clone() * turn);
+        self.hold(
+            match what.head {
+                PERIOD => acceleration * own + x * turn,
+                FREQUENCY => acceleration + x * turn * own,
+                _ => acceleration + x * own,
+            },
+            declaration,
+        );
+        Some(())
+    }
+
+    /// "`$\lambda$` is an eigenvalue of `$A$`": det(A − λ 1) = 0.
+    pub(super) fn read_eigenvalue(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let of = self.operand(what.slot(Slot::Of)?, declaration)?;
+        let matrix = self.system().value_of(&of).ok()?.to_matrix().ok()?;
+        for letter in formulas(subjects) {
+            let own = self.positive_number(letter, false, declaration)?;
+            let less = matrix.clone() - Matrix::from_diagonal_element(own);
+            self.hold(mechanics::determinant(&less), declaration);
+        }
+        Some(())
+    }
+
+    /// A letter that is a constant number, and positive where that is said.
+    fn positive_number(
+        &mut self,
+        letter: &Formula,
+        positive: bool,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        let number = Quantity::Scalar {
+            text: letter.source.clone(),
+            constant: true,
+        };
+        let value = self.system().value_of(&number).ok()?.to_scalar().ok()?;
+        self.denote(letter, Meaning::Quantity(number), declaration);
+        if positive && let Some(variable) = value.as_variable() {
+            self.system().atoms.set_length(variable);
+            self.system().atoms.set_positive(&value);
+        }
+        Some(value)
+    }
+}

@@ -1,0 +1,102 @@
+//! Matrices of rotations by an angle about a vector, and functions that give them.
+
+use crate::mechanics;
+use crate::notation::ast::{Function, Kind};
+use crate::verify::language::heads::COMPONENT_ROTATION;
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::model::atoms::whole;
+use crate::verify::model::system::Matrix;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, reach_of};
+use crate::verify::reading::vectors_read::mark_on;
+use crate::verify::term::letters::{Effect, MarkRule, Meaning, Operator, spelled};
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
+
+impl Builder<'_> {
+    /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`", "`R_x(a)` is the rotation matrix about x by `a`, for any
+    /// angle `a`."
+    pub(super) fn read_operator(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let axes: Vec<&Term> = what.all(Slot::About).collect();
+        let source = |slot| what.slot(slot).and_then(letter_of).map(|f| &f.source);
+        if source(Slot::By).is_some_and(|by| Some(by) != source(Slot::ForAny))
+            && !axes.is_empty()
+            && !is_by_length(what)
+        {
+            return self.say_unused(declaration);
+        }
+        for (place, formula) in formulas(subjects).enumerate() {
+            let Some(node) = node_of(formula) else {
+                continue;
+            };
+            if let (CROSS_PRODUCT_MATRIX, Some(mark)) = (what.head, mark_on(node)) {
+                self.reading.letters.marks.push(MarkRule {
+                    mark,
+                    effect: Effect::CrossProductMatrix,
+                    reach: reach_of(&declaration.extent),
+                });
+                continue;
+            }
+            let head = match &node.kind {
+                Kind::Call(head, _) => Some((**head).clone()),
+                Kind::Product(factors) => factors.first().map(|f| f.node.clone()),
+                _ => None,
+            };
+            let Some(head) = head else { continue };
+            let axis = axes.get(place).or(axes.last());
+            let axis = axis.and_then(|term| self.number_of_axis(term));
+            let operator = match (what.head, axis) {
+                (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
+                (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
+                (_, Some(axis)) => Operator::AxisRotation(axis),
+                (_, None) => Operator::RotationVector,
+            };
+            let head = Formula::of(&head);
+            self.denote(&head, Meaning::Operator(operator), declaration);
+        }
+    }
+
+    /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`": cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ.
+    pub(super) fn rotation_about(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let axis = self.operand(phrase.slot(Slot::About)?, declaration)?;
+        let axis = self.system().value_of(&axis).ok()?;
+        let n = axis.to_vector().ok()?;
+        let angle = self.scalar_term(phrase.slot(Slot::By)?, declaration)?;
+        let (cosine, sine) = self.system().atoms.cosine_sine(&angle)?;
+        let one = self.system().atoms.with_squares(&n.dot(&n));
+        if !num_traits::One::is_one(&one) {
+            return None;
+        }
+        let along = n.clone() * n.transpose() * (whole(1) - cosine.clone());
+        let matrix = Matrix::from_diagonal_element(cosine) + mechanics::skew(&n) * sine + along;
+        let basis = [axis.vector_basis(); 2];
+        Some(Quantity::Known(Value::matrix(&matrix, basis)))
+    }
+}
+
+/// "by `$|v|$` about `$v$`, for any vector `$v$`", "by the length of `$v$`"
+fn is_by_length(what: &NounPhrase) -> bool {
+    let letter = |slot| what.slot(slot).and_then(letter_of).and_then(node_of);
+    let by = match what.slot(Slot::By) {
+        Some(Term::Phrase(by)) if ["length", "magnitude"].contains(&by.head) => {
+            by.slot(Slot::Of).and_then(letter_of).and_then(node_of)
+        }
+        Some(by) => match letter_of(by).and_then(node_of).map(|node| &node.kind) {
+            Some(Kind::Norm(inner) | Kind::Function(Function::Abs, inner)) => Some(&**inner),
+            _ => None,
+        },
+        None => None,
+    };
+    let any = letter(Slot::ForAny).map(spelled);
+    any.is_some() && by.map(spelled) == any && letter(Slot::About).map(spelled) == any
+}

@@ -1,0 +1,124 @@
+//! Letters that are the values of others at the steps of a computation.
+
+use crate::algebra::{Fraction, Place};
+use crate::notation::ast::{Kind, Node, Symbol};
+use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::quantity::Quantity;
+
+/// The noun of one of the instants that a computation goes through.
+pub(super) const STEP: &str = "step";
+/// The step by which x becomes x + (t_{k+1} − t_k) ẋ.
+pub(super) const EXPLICIT_EULER: &str = "explicit Euler";
+
+impl Builder<'_> {
+    /// "`$x_k$` is the value of `$x$` at step `$k$`": it is x then, and where the step is explicit Euler, `$x_{k+1}$` is
+    /// what x and its rate make of it.
+    pub(super) fn read_value_at_step(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let Some(Term::Phrase(step)) = what.slot(Slot::At) else {
+            return None;
+        };
+        let (STEP, Some(Term::Formula(index)), Some(Term::Formula(of))) =
+            (step.head, step.slot(Slot::Which), what.slot(Slot::Of))
+        else {
+            return None;
+        };
+        let index = index.source.as_str();
+        for letter in formulas(subjects) {
+            let next = next_letter(letter, index)?;
+            if self.is_time(of) {
+                self.tell_instant(letter, declaration);
+                self.tell_instant(&next, declaration);
+                continue;
+            }
+            let same = Meaning::Same(Box::new(node_of(of)?.clone()));
+            self.denote(letter, same, declaration);
+            if self.steps_explicitly() && self.moves(of, declaration) {
+                let source = format!(
+                    "{0}+(t_{{{index}+1}}-t_{{{index}}})\\frac{{d}}{{dt}}{0}",
+                    of.source
+                );
+                let Row::Expression(value) = read_formula(&source, 0, &Macros::default()).pop()?
+                else {
+                    return None;
+                };
+                self.denote(&next, Meaning::Same(Box::new(value)), declaration);
+            }
+        }
+        Some(())
+    }
+
+    /// Whether a letter is that of the time.
+    fn is_time(&self, letter: &Formula) -> bool {
+        let writing = node_of(letter).map(spelled);
+        let told = &self.reading.letters.letters;
+        let mut time = told.iter().filter(|l| matches!(l.meaning, Meaning::Time));
+        letter.source == "t" || time.any(|l| Some(&l.spelled) == writing.as_ref())
+    }
+
+    fn tell_instant(&mut self, letter: &Formula, declaration: &Declaration) {
+        let instant = Quantity::Scalar {
+            text: letter.source.clone(),
+            constant: true,
+        };
+        self.denote(letter, Meaning::Quantity(instant), declaration);
+    }
+
+    /// Whether a sentence says that the step is explicit Euler.
+    fn steps_explicitly(&self) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } => what.head == EXPLICIT_EULER,
+            _ => false,
+        })
+    }
+
+    /// Whether a letter is one of what moves, and no load.
+    fn moves(&mut self, letter: &Formula, declaration: &Declaration) -> bool {
+        let Some(value) = self.mentioned_value(letter, declaration) else {
+            return false;
+        };
+        let atoms = &self.reading.system.atoms;
+        let moves = |variable| {
+            let atom = atoms.atom(variable);
+            matches!(atom.place, Place::Coordinate | Place::Rate) && atom.law.is_none()
+        };
+        let variables = value.entries.iter().flat_map(Fraction::variables);
+        variables.into_iter().all(moves)
+    }
+}
+
+/// `x_{k+1}` of `x_k`.
+fn next_letter(letter: &Formula, index: &str) -> Option<Formula> {
+    let node = node_of(letter)?;
+    fn raised(node: &Node, index: &str) -> Option<Node> {
+        let kind = match &node.kind {
+            Kind::Symbol(symbol) => {
+                let last = symbol.subscripts.last().filter(|last| *last == index)?;
+                let mut subscripts = symbol.subscripts.clone();
+                subscripts.pop();
+                subscripts.push(format!("{last}+1"));
+                Kind::Symbol(Symbol {
+                    subscripts,
+                    ..symbol.clone()
+                })
+            }
+            Kind::Power(base, label) => Kind::Power(Box::new(raised(base, index)?), label.clone()),
+            _ => return None,
+        };
+        Some(Node {
+            kind,
+            span: node.span,
+        })
+    }
+    Some(Formula::of(&raised(node, index)?))
+}
