@@ -138,6 +138,8 @@ pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
 pub(crate) const SQUARE_OF_VECTOR: &str = "square of a vector";
 /// The matrix of a turn by an angle about a vector.
 pub(crate) const ROTATION_MATRIX: &str = "rotation matrix";
+/// The tensor a bᵀ of two vectors.
+pub(crate) const TENSOR_PRODUCT: &str = "tensor product";
 /// A sign of a custom: the full stop of `a.b`.
 pub(crate) const FULL_STOP: &str = "full stop between vectors";
 /// Columns of a motion in a plane.
@@ -210,6 +212,7 @@ mod tests {
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
             FULL_STOP,
+            TENSOR_PRODUCT,
             ROTATION_MATRIX,
             COLUMNS_OF_TWO,
         ];

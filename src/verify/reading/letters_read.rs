@@ -3,7 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA,
-    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, REFERENCE, UPHILL,
+    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, REFERENCE, TENSOR_PRODUCT, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -50,7 +50,7 @@ const THINGS: [&str; 21] = [
     "integral",
     "cross product",
     "dot product",
-    "outer product",
+    TENSOR_PRODUCT,
 ];
 
 impl Builder<'_> {

@@ -1,9 +1,9 @@
 //! Rules for marks, labels and operators.
 
-use crate::notation::ast::Kind;
+use crate::notation::ast::{Factor, Kind, Operator};
 use crate::verify::language::heads::{
     COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT,
-    SECOND_RATE, SQUARE_OF_VECTOR, TWO_DOTS,
+    SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -274,6 +274,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         return false;
     };
     match sign {
+        Sign::Operator(product) if phrase.head == TENSOR_PRODUCT => has_outer_product(product),
         Sign::Operator(_) => matches!(
             phrase.head,
             "function"
@@ -355,5 +356,14 @@ fn last_label(formula: &Formula) -> Vec<char> {
             .last()
             .map_or_else(Vec::new, |label| plain(label).chars().collect()),
         _ => vec![],
+    }
+}
+
+/// Whether a formula is a product with the sign that always means the outer one.
+fn has_outer_product(formula: &Formula) -> bool {
+    let outer = |f: &Factor| f.operator == Operator::Tensor;
+    match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::Product(factors)) => factors.iter().any(outer),
+        _ => false,
     }
 }

@@ -62,7 +62,7 @@ impl Builder<'_> {
         }
     }
 
-    /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`": cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ.
+    /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`": `cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ`.
     pub(super) fn rotation_about(
         &mut self,
         phrase: &NounPhrase,

@@ -74,8 +74,8 @@ impl Lowering<'_> {
         ))
     }
 
-    /// The matrix of the rotation by the length θ of a vector v about it: cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ with
-    /// n = v/θ, which is the same for both roots θ of v·v.
+    /// The matrix of the rotation by the length θ of a vector v about it: `cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ`
+    /// with n = v/θ, which is the same for both roots θ of v·v.
     fn rotation_by_length(&mut self, value: &Value) -> Valued {
         let v = value.to_vector()?;
         let atoms = &mut self.system.atoms;

@@ -119,3 +119,22 @@ $$ \vec a.\vec b = -\vec b.\vec a $$
 ";
     assert_eq!(judged(sentences, text), "ppr");
 }
+
+#[test]
+fn an_outer_product_is_what_its_sign_always_means() {
+    let sentences = "N is an inertial frame, and B is a frame fixed in the body.
+G is the mass centre of the body, and the body consists of particles.
+$a$ numbers the particles.
+$\\mu_a$ is the mass of particle $a$.
+$\\mathbf r_a$ is the position of particle $a$ from G.
+$\\mathbf J$ is the inertia tensor of the body about G.
+$\\mathbf E$ is the identity matrix.
+$\\mathbf q$ and $\\mathbf s$ are any vectors.
+$\\mathbf q\\otimes\\mathbf s$ is the outer product of $\\mathbf q$ and $\\mathbf s$.
+";
+    let text = r"
+$$ \mathbf J = \sum_a \mu_a (\mathbf r_a^2 \mathbf E - \mathbf r_a \otimes \mathbf r_a) $$
+$$ \mathbf J = \sum_a \mu_a (\mathbf r_a^2 \mathbf E + \mathbf r_a \otimes \mathbf r_a) $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
