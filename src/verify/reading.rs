@@ -72,6 +72,7 @@ pub(crate) mod work_frame;
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
+use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
@@ -191,13 +192,14 @@ impl Reading {
         small
     }
 
-    /// The role that is declared of a line.
-    pub(crate) fn role(&self, at: &At) -> Option<Role> {
-        let found = self
-            .roles
-            .iter()
-            .rev()
-            .find(|line| line.reach.covers(at, 0));
+    /// The role that is declared of a line. One that defines a letter is no role of what does not speak of this.
+    pub(crate) fn role(&self, at: &At, sides: &[&Node]) -> Option<Role> {
+        let speaks = |line: &LineRole| {
+            let letter = line.defines.as_deref();
+            letter.is_none_or(|letter| sides.iter().any(|side| stands_in(letter, side)))
+        };
+        let mut all = self.roles.iter().rev();
+        let found = all.find(|line| line.reach.covers(at, 0) && speaks(line));
         found.and_then(|line| line.role)
     }
 
@@ -245,4 +247,9 @@ impl Reading {
             .map(|p| (p.equation.clone(), p.source.clone()))
             .collect()
     }
+}
+
+/// Whether a formula has a part that is written so in LaTeX.
+fn stands_in(letter: &str, node: &Node) -> bool {
+    latex(node) == letter || node.children().any(|child| stands_in(letter, child))
 }

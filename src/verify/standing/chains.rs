@@ -19,6 +19,11 @@ pub(crate) struct Chain {
 }
 
 impl Chain {
+    /// The first row of a display that has no relation: the rows below go on from it.
+    pub(crate) fn begin(&mut self, head: &Node) {
+        self.head = Some(head.clone());
+    }
+
     /// The links of a line; a row that begins with a relation goes on from the head of the chain before it.
     ///
     /// Equals are held against the head, so that one false member does not make the next one false or hide it.

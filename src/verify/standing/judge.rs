@@ -201,6 +201,9 @@ impl<'a> Judge<'a> {
     }
 
     fn formula(&mut self, formula: &Formula) {
+        if let (true, [Row::Expression(head), _, ..]) = (formula.display, formula.rows.as_slice()) {
+            self.chain.begin(head);
+        }
         for row in &formula.rows {
             match row {
                 Row::Line(line) if !formula.display && names_an_instant(line) => {}

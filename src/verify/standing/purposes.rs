@@ -17,7 +17,7 @@ impl Judge<'_> {
         if !purpose.derived && self.reading.chooses_reference(&sides) {
             purpose.role = Role::Assume;
         }
-        if let Some(role) = self.reading.role(&self.at) {
+        if let Some(role) = self.reading.role(&self.at, &sides) {
             purpose = Purpose {
                 role,
                 derived: role == Role::Claim,

@@ -489,3 +489,30 @@ $$ w=\dot\alpha+\dot\beta $$
     let got = verdicts(sentences, text).0;
     assert!(!got.starts_with('p'), "{got}");
 }
+
+#[test]
+fn a_line_that_defines_one_letter_does_not_define_another() {
+    let said = format!("{BODY}Line 2 defines $\\vec s$.\n");
+    let line = |formula: &str| format!("\nLet ${formula}$ and $\\vec s := 2 \\vec L$.\n");
+    assert_eq!(judged(&said, &line(r"\vec L := \mathbf J\vec\omega")), "pa");
+    assert_eq!(
+        judged(&said, &line(r"\vec L := -\mathbf J\vec\omega")),
+        "ra"
+    );
+}
+
+#[test]
+fn rows_go_on_from_a_first_row_without_a_relation() {
+    let text = r"
+$$ \vec L = \mathbf J\vec\omega $$
+
+while
+
+$$\begin{align*}
+&\phantom{=}~\vec\omega\times\vec M\\
+&=-\vec M\times\vec\omega\\
+&=\vec M\times\vec\omega
+\end{align*}$$
+";
+    assert_eq!(judged(BODY, text), "ppr");
+}
