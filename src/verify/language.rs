@@ -66,7 +66,7 @@ mod sign;
 pub mod statement;
 mod subjects;
 mod suspended;
-mod terms;
+pub(crate) mod terms;
 mod together;
 mod told_apart;
 mod turned_lines;

@@ -115,14 +115,12 @@ pub fn read_declarations(
 
 /// What sentences say, in the terms that the model has: each thing by one name, letters as formulas.
 fn in_plain_terms(
-    declarations: Vec<Declaration>,
+    mut declarations: Vec<Declaration>,
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
-    let mut declarations = declarations;
     name_frames_by_numbers(&mut declarations);
-    let mut declarations =
-        turn_in_order(part_centres(part_letters(part_respectively(declarations))));
+    declarations = turn_in_order(part_centres(part_letters(part_respectively(declarations))));
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);

@@ -282,6 +282,12 @@ impl System {
     }
 }
 
+/// The matrix of the rotation about a unit vector n: `cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ` (Rodrigues).
+pub(crate) fn about_vector(n: &Vector, cosine: &Fraction, sine: &Fraction) -> Matrix {
+    let along = n * n.transpose() * (Fraction::one() - cosine.clone());
+    Matrix::from_diagonal_element(cosine.clone()) + mechanics::skew(n) * sine.clone() + along
+}
+
 /// The matrix of the rotation about an axis: it takes components on a frame that is turned so to components on its parent.
 pub(crate) fn about_axis(axis: usize, cosine: &Fraction, sine: &Fraction) -> Matrix {
     Matrix::from_fn(|r, c| {

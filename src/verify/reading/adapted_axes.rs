@@ -2,6 +2,7 @@
 
 use crate::algebra::Place;
 use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
+use crate::verify::language::terms::Doing;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::{FrameId, Turn};
 use crate::verify::reading::builder::Builder;
@@ -45,18 +46,8 @@ impl Builder<'_> {
 
     /// A turn about a vector, where the axes of what turns may lie in any way.
     fn turn_about_vector(&self, declaration: &Declaration) -> Option<TurnAboutVector> {
-        let (subjects, slots) = match &declaration.statement {
-            Statement::Does {
-                subjects,
-                verb: "turn",
-                slots,
-            } => (subjects, slots),
-            Statement::Is { subjects, what } if what.head == "frame" => (subjects, &what.slots),
-            _ => return None,
-        };
-        let [subject] = subjects.as_slice() else {
-            return None;
-        };
+        let (subjects, slots) = turn(&declaration.statement)?;
+        let [subject] = subjects else { return None };
         let vector = along_of(slot(slots, Slot::About)?).clone();
         let relative_to = slot(slots, Slot::RelativeTo)?;
         let (frame, relative) = (self.frame(subject)?, self.frame(relative_to)?);
@@ -85,29 +76,18 @@ impl Builder<'_> {
             let parents = Some(*of) == parent && *axis == ALONG;
             *of != frame || parents
         };
-        let turn = |declaration: &Declaration| self.turns(declaration, frame);
-        let mut turns = self.declarations.iter().filter(|d| turn(d));
+        let own = |declaration: &Declaration| self.turns(declaration, frame);
+        let mut turns = self.declarations.iter().filter(|d| own(d));
         turns.next().is_some()
             && turns.next().is_none()
             && self.axes.iter().all(only_along)
-            && self.may_lie_freely_but_for(frame, turn)
+            && self.may_lie_freely_but_for(frame, own)
     }
 
-    /// Whether a sentence says that a frame turns about something.
+    /// Whether a sentence says that a frame turns.
     fn turns(&self, declaration: &Declaration, frame: FrameId) -> bool {
-        let own = |subject: &Term| self.frame(subject) == Some(frame);
-        match &declaration.statement {
-            Statement::Does {
-                subjects,
-                verb: "turn",
-                ..
-            } => subjects.iter().any(own),
-            Statement::Is { subjects, what } => {
-                let turns = what.head == "frame" && what.slot(Slot::About).is_some();
-                turns && subjects.iter().any(own)
-            }
-            _ => false,
-        }
+        let mut turned = turn(&declaration.statement).into_iter();
+        turned.any(|(subjects, _)| subjects.iter().any(|s| self.frame(s) == Some(frame)))
     }
 
     /// A frame fixed in another, turned against it about its second axis by an angle of which nothing is told.
@@ -134,5 +114,16 @@ impl Builder<'_> {
                 && motions.all(|motion| matches!(motion, Motion::Constant))
         };
         frames[frame].parent.filter(fixed).unwrap_or(relative)
+    }
+}
+
+/// What turns by a sentence, and what hangs on that.
+fn turn(statement: &Statement) -> Option<Doing<'_>> {
+    match statement {
+        Statement::Is { subjects, what } if what.head == "frame" => {
+            let turns = what.slot(Slot::About).is_some();
+            turns.then_some((subjects, &what.slots))
+        }
+        _ => statement.does("turn"),
     }
 }

@@ -45,12 +45,7 @@ impl Builder<'_> {
                 }
                 (None, Some(_)) => {}
                 (None, None) => {
-                    let text = formula.source.clone();
-                    let quantity = Quantity::Scalar {
-                        text,
-                        constant: true,
-                    };
-                    self.denote(formula, Meaning::Quantity(quantity), declaration);
+                    self.denote_number(formula, declaration);
                 }
             }
         }
@@ -87,11 +82,7 @@ impl Builder<'_> {
             self.gravity = Some(quantity.clone());
             return self.denote(&formula, Meaning::Quantity(quantity), declaration);
         }
-        let quantity = Quantity::Scalar {
-            text,
-            constant: true,
-        };
-        self.denote(&formula, Meaning::Quantity(quantity.clone()), declaration);
+        let quantity = self.denote_number(&formula, declaration);
         self.gravity = self.along_vertical(&quantity);
     }
 

@@ -194,7 +194,6 @@ impl Builder<'_> {
             return self.say_unused(said.declaration);
         }
         let relative = self.nearest_fixed_in(relative.unwrap_or(system.ground), frame);
-        let system = &self.reading.system;
         let Some(about) = slot(said.slots, Slot::About).cloned() else {
             return;
         };

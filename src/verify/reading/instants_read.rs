@@ -11,7 +11,7 @@ use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::AT_REST;
 use crate::verify::reading::names::node_of;
-use crate::verify::term::letters::{Meaning, Reach, spelled};
+use crate::verify::term::letters::{Reach, spelled};
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
 
@@ -36,11 +36,7 @@ impl Builder<'_> {
                     && is_number(letter)
                     && !self.is_told_otherwise(letter)
                 {
-                    let constant = Quantity::Scalar {
-                        text: letter.source.clone(),
-                        constant: true,
-                    };
-                    self.denote(letter, Meaning::Quantity(constant), declaration);
+                    self.denote_number(letter, declaration);
                 }
             }
         }

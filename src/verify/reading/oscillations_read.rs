@@ -7,8 +7,6 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::Matrix;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::term::letters::Meaning;
-use crate::verify::term::quantity::Quantity;
 
 /// The noun of how long an oscillation takes.
 pub(super) const PERIOD: &str = "period";
@@ -35,8 +33,12 @@ impl Builder<'_> {
         };
         let of = self.operand(of, declaration)?;
         let x = self.system().value_of(&of).ok()?.to_scalar().ok()?;
-        let own = self.positive_number(letter, true, declaration)?;
+        let own = self.constant_of(letter, declaration)?;
         let atoms = &mut self.system().atoms;
+        atoms.set_positive(&own);
+        own.as_variable()
+            .into_iter()
+            .for_each(|v| atoms.set_length(v));
         let rate = atoms.derivative(&x);
         let acceleration = atoms.derivative(&rate);
         let turn = atoms.pi() * whole(2);
@@ -62,30 +64,16 @@ impl Builder<'_> {
         let of = self.operand(what.slot(Slot::Of)?, declaration)?;
         let matrix = self.system().value_of(&of).ok()?.to_matrix().ok()?;
         for letter in formulas(subjects) {
-            let own = self.positive_number(letter, false, declaration)?;
+            let own = self.constant_of(letter, declaration)?;
             let less = matrix.clone() - Matrix::from_diagonal_element(own);
             self.hold(mechanics::determinant(&less), declaration);
         }
         Some(())
     }
 
-    /// A letter that is a constant number, and positive where that is said.
-    fn positive_number(
-        &mut self,
-        letter: &Formula,
-        positive: bool,
-        declaration: &Declaration,
-    ) -> Option<Fraction> {
-        let number = Quantity::Scalar {
-            text: letter.source.clone(),
-            constant: true,
-        };
-        let value = self.system().value_of(&number).ok()?.to_scalar().ok()?;
-        self.denote(letter, Meaning::Quantity(number), declaration);
-        if positive && let Some(variable) = value.as_variable() {
-            self.system().atoms.set_length(variable);
-            self.system().atoms.set_positive(&value);
-        }
-        Some(value)
+    /// The variable of a letter that is a constant number.
+    fn constant_of(&mut self, letter: &Formula, declaration: &Declaration) -> Option<Fraction> {
+        let number = self.denote_number(letter, declaration);
+        self.system().value_of(&number).ok()?.to_scalar().ok()
     }
 }

@@ -234,12 +234,22 @@ impl Builder<'_> {
     /// A size of a body is a constant of its own.
     pub(super) fn read_size(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {
-            let quantity = Quantity::Scalar {
-                text: formula.source.clone(),
-                constant: true,
-            };
-            self.denote(formula, Meaning::Quantity(quantity), declaration);
+            self.denote_number(formula, declaration);
         }
+    }
+
+    /// A letter that is a number of its own and does not change.
+    pub(super) fn denote_number(
+        &mut self,
+        letter: &Formula,
+        declaration: &Declaration,
+    ) -> Quantity {
+        let number = Quantity::Scalar {
+            text: letter.source.clone(),
+            constant: true,
+        };
+        self.denote(letter, Meaning::Quantity(number.clone()), declaration);
+        number
     }
 
     /// The height of a point above another.

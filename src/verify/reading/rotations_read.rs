@@ -1,11 +1,9 @@
 //! Matrices of rotations by an angle about a vector, and functions that give them.
 
-use crate::mechanics;
 use crate::notation::ast::{Function, Kind};
 use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
-use crate::verify::model::atoms::whole;
-use crate::verify::model::system::Matrix;
+use crate::verify::model::frames::about_vector;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, reach_of};
@@ -13,6 +11,7 @@ use crate::verify::reading::vectors_read::mark_on;
 use crate::verify::term::letters::{Effect, MarkRule, Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
+use num_traits::One;
 
 impl Builder<'_> {
     /// "`W(v)` is the cross-product matrix of `v`, for any vector `v`", "`R_x(a)` is the rotation matrix about x by `a`, for any
@@ -62,7 +61,7 @@ impl Builder<'_> {
         }
     }
 
-    /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`": `cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ`.
+    /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`", a unit vector.
     pub(super) fn rotation_about(
         &mut self,
         phrase: &NounPhrase,
@@ -74,11 +73,10 @@ impl Builder<'_> {
         let angle = self.scalar_term(phrase.slot(Slot::By)?, declaration)?;
         let (cosine, sine) = self.system().atoms.cosine_sine(&angle)?;
         let one = self.system().atoms.with_squares(&n.dot(&n));
-        if !num_traits::One::is_one(&one) {
+        if !one.is_one() {
             return None;
         }
-        let along = n.clone() * n.transpose() * (whole(1) - cosine.clone());
-        let matrix = Matrix::from_diagonal_element(cosine) + mechanics::skew(&n) * sine + along;
+        let matrix = about_vector(&n, &cosine, &sine);
         let basis = [axis.vector_basis(); 2];
         Some(Quantity::Known(Value::matrix(&matrix, basis)))
     }

@@ -9,7 +9,6 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
-use crate::verify::term::quantity::Quantity;
 
 /// The noun of one of the instants that a computation goes through.
 pub(super) const STEP: &str = "step";
@@ -37,8 +36,8 @@ impl Builder<'_> {
         for letter in formulas(subjects) {
             let next = next_letter(letter, index)?;
             if self.is_time(of) {
-                self.tell_instant(letter, declaration);
-                self.tell_instant(&next, declaration);
+                self.denote_number(letter, declaration);
+                self.denote_number(&next, declaration);
                 continue;
             }
             let same = Meaning::Same(Box::new(node_of(of)?.clone()));
@@ -64,14 +63,6 @@ impl Builder<'_> {
         let told = &self.reading.letters.letters;
         let mut time = told.iter().filter(|l| matches!(l.meaning, Meaning::Time));
         letter.source == "t" || time.any(|l| Some(&l.spelled) == writing.as_ref())
-    }
-
-    fn tell_instant(&mut self, letter: &Formula, declaration: &Declaration) {
-        let instant = Quantity::Scalar {
-            text: letter.source.clone(),
-            constant: true,
-        };
-        self.denote(letter, Meaning::Quantity(instant), declaration);
     }
 
     /// Whether a sentence says that the step is explicit Euler.

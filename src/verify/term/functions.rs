@@ -4,7 +4,7 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
-use crate::verify::model::frames::about_axis;
+use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::Matrix;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
@@ -74,8 +74,7 @@ impl Lowering<'_> {
         ))
     }
 
-    /// The matrix of the rotation by the length θ of a vector v about it: `cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ`
-    /// with n = v/θ, which is the same for both roots θ of v·v.
+    /// The matrix of the rotation by the length θ of a vector v about v/θ, which is the same for both roots θ of v·v.
     fn rotation_by_length(&mut self, value: &Value) -> Valued {
         let v = value.to_vector()?;
         let atoms = &mut self.system.atoms;
@@ -90,8 +89,7 @@ impl Lowering<'_> {
             return beyond(OTHER_ARGUMENT);
         };
         let n = v.map(|component| component / length.clone());
-        let along = n.clone() * n.transpose() * (Fraction::one() - cosine.clone());
-        let matrix = Matrix::from_diagonal_element(cosine) + mechanics::skew(&n) * sine + along;
+        let matrix = about_vector(&n, &cosine, &sine);
         Ok(Value::matrix(&matrix, [Basis::Written; 2]))
     }
 

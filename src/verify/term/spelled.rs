@@ -8,31 +8,33 @@ use std::collections::BTreeSet;
 /// The writing of a formula that stands for something as a whole.
 pub(crate) fn spelled(node: &Node) -> String {
     match &node.kind {
-        Kind::Symbol(symbol) => spell(symbol, true),
-        Kind::Group(_, inner) => spelled(inner),
-        Kind::Power(..) => {
-            raised_label(node).map_or_else(|| print::latex(node), |s| spell(&s, true))
-        }
         Kind::Product(factors) if factors.iter().all(|f| f.operator == Sign::Juxtaposed) => factors
             .iter()
             .map(|f| spelled(&f.node))
             .collect::<Vec<_>>()
             .join(" "),
-        _ => print::latex(node),
+        Kind::Group(_, inner) => spelled(inner),
+        _ => letter(node, true),
     }
 }
 
 /// The same without what only makes letters bold or upright.
 pub(crate) fn loosely(node: &Node) -> String {
     match &node.kind {
-        Kind::Symbol(symbol) => spell(symbol, false),
-        Kind::Group(_, inner) => loosely(inner),
-        Kind::Power(..) => {
-            raised_label(node).map_or_else(|| print::latex(node), |s| spell(&s, false))
-        }
         Kind::Product(_) => spelled(node),
-        _ => print::latex(node),
+        Kind::Group(_, inner) => loosely(inner),
+        _ => letter(node, false),
     }
+}
+
+/// A letter as one word, and anything else in LaTeX.
+fn letter(node: &Node, exactly: bool) -> String {
+    let labelled = raised_label(node);
+    let symbol = match &node.kind {
+        Kind::Symbol(symbol) => Some(symbol),
+        _ => labelled.as_ref(),
+    };
+    symbol.map_or_else(|| print::latex(node), |symbol| spell(symbol, exactly))
 }
 
 /// `h^b` as a letter with a label: a document may show by other lines that it is one, and a sentence alone does not.
