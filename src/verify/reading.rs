@@ -58,6 +58,7 @@ pub(crate) mod relations_read;
 pub(crate) mod rest_read;
 pub(crate) mod rotations_read;
 pub(crate) mod shapes_read;
+pub(crate) mod sizes_read;
 pub(crate) mod steps_read;
 pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;

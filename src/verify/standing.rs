@@ -1,6 +1,7 @@
 //! What each line is worth by the facts, and the verdict that its role makes of that.
 
 pub(crate) mod apart;
+pub(crate) mod between;
 pub(crate) mod braces;
 pub(crate) mod chains;
 pub(crate) mod deny;

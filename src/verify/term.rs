@@ -1,6 +1,7 @@
 //! From the tree of a formula to a value with its basis.
 
 pub(crate) mod as_a_whole;
+pub(crate) mod at_instants;
 pub(crate) mod customs;
 pub(crate) mod dimensions;
 pub(crate) mod evaluate;

@@ -1,7 +1,9 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod angles;
+mod between_instants;
 mod by_vectors;
+mod counted;
 mod incline;
 mod instants;
 mod integrals;

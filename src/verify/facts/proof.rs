@@ -69,7 +69,7 @@ pub(crate) fn prove(
         let condition = Fraction::from(condition.clone());
         if facts
             .normal(atoms, &condition)
-            .is_ok_and(|value| value.is_zero() || small.is_factor(atoms, value.numerator()))
+            .is_ok_and(|value| value.is_zero() || small.vanishes(atoms, value.numerator()))
         {
             return None;
         }

@@ -65,6 +65,15 @@ impl Small {
         !self.is_empty() && terms.all(small)
     }
 
+    /// Whether a polynomial vanishes with what is small, the sines of small angles among that.
+    pub(crate) fn vanishes(&self, atoms: &Atoms, of: &Polynomial) -> bool {
+        let mut value = of.clone();
+        for (variable, kernel) in self.kernels(atoms, of) {
+            value = value.substitute(variable, &kernel);
+        }
+        self.is_factor(atoms, &value)
+    }
+
     /// The sines and cosines of small angles in a polynomial, with what they are to this order.
     pub(crate) fn kernels(&self, atoms: &Atoms, of: &Polynomial) -> Vec<(Variable, Polynomial)> {
         let half = Rational::from((1, 2));

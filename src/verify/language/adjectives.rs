@@ -71,7 +71,7 @@ const OF_THINGS: [&str; 46] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 30] = [
+const OF_QUANTITIES: [(&str, &[&str]); 32] = [
     (
         "initial",
         &[
@@ -144,6 +144,8 @@ const OF_QUANTITIES: [(&str, &[&str]); 30] = [
     ),
     ("local", &[heads::GRAVITY]),
     ("equal", &[heads::MASS]),
+    ("first", &["end"]),
+    ("second", &["end"]),
 ];
 
 /// Whether all adjectives of a statement are understood.

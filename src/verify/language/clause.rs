@@ -4,7 +4,7 @@ use super::gaps::alike_at_end;
 use super::in_turn::does_in_turn;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
-use super::possessions::{place_at, possessions};
+use super::possessions::{alike, place_at, possessions};
 use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
@@ -350,6 +350,7 @@ impl<'a> Reader<'a> {
         }
         if verb.entry.name == "have"
             && let Some(said) = possessions(subjects, &slots)
+                .or_else(|| alike(subjects, &slots).map(|said| vec![said]))
         {
             return Ok(said);
         }

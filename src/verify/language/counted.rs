@@ -1,5 +1,6 @@
 //! Things that are counted and have no names: "the rotor consists of two particles" speaks of particle 1 and particle 2.
 
+use super::in_turn::{does_in_turn, each_of_its_own};
 use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -13,15 +14,27 @@ const COUNTS: [(&str, usize); 5] = [
     ("six", 6),
 ];
 
+/// What may be told of each of several in turn: where it lies, and how large it is.
+const LAID: [&str; 2] = ["lie", "point"];
+
+/// The ends of what is long.
+pub(crate) const ENDS: [&str; 2] = ["first", "second"];
+
 /// Things of one noun, by their numbers.
 struct Counted {
     noun: &'static str,
     count: usize,
+    /// What the sentence that counts them says of each.
+    what: Option<NounPhrase>,
 }
 
 impl Counted {
+    fn name(&self, number: usize) -> Term {
+        Term::Name(format!("{} {number}", self.noun))
+    }
+
     fn names(&self) -> impl Iterator<Item = Term> + '_ {
-        (1..=self.count).map(|number| Term::Name(format!("{} {number}", self.noun)))
+        (1..=self.count).map(|number| self.name(number))
     }
 
     /// "the particles", where these are meant.
@@ -36,79 +49,213 @@ impl Counted {
 
 /// Gives numbers to the parts of a whole that are counted, where no letter numbers them.
 pub(crate) fn number_counted(declarations: &mut Vec<Declaration>) {
-    let mut found = declarations.iter().enumerate();
-    let found = found.find_map(|(at, declaration)| {
-        let (_, slots) = declaration.statement.does("consist")?;
-        let parts = slots.iter().enumerate();
-        let mut parts = parts.filter_map(|(n, (_, part))| Some((n, counted(part)?)));
-        let (part, (counted, what)) = parts.next()?;
-        parts.next().is_none().then_some((at, part, counted, what))
-    });
-    let Some((at, part, counted, what)) = found else {
-        return;
-    };
-    let terms = declarations.iter().flat_map(|d| d.statement.terms());
-    let mut families = terms.filter_map(|term| match term {
-        Term::Member { family, .. } => Some(family),
-        _ => None,
-    });
-    if families.any(|family| family == counted.noun) {
-        return;
+    let mut all: Vec<Counted> = vec![];
+    for at in 0..declarations.len() {
+        all.extend(number_parts(declarations, at));
     }
-    if let Statement::Does { slots, .. } = &mut declarations[at].statement {
-        slots.splice(part..=part, counted.names().map(|name| (Slot::Of, name)));
-    }
-    let are = Statement::Is {
-        subjects: counted.names().collect(),
-        what,
-    };
-    let mut told = vec![declarations[at].saying(are)];
+    let mut told = vec![];
     for declaration in declarations.iter_mut() {
-        told.extend(of_each(declaration, &counted));
+        let said = all.iter().find_map(|own| own.each(declaration, &all));
+        if let Some((first, rest)) = said.as_deref().and_then(<[Declaration]>::split_first) {
+            *declaration = first.clone();
+            told.extend(rest.iter().cloned());
+        }
     }
     declarations.extend(told);
 }
 
-/// "two particles of mass `$m$`": how many of what, and what they are.
-fn counted(part: &Term) -> Option<(Counted, NounPhrase)> {
-    let Term::Phrase(part) = part else {
-        return None;
+/// Puts the names of the parts where a sentence counts them, and adds what it says of these.
+fn number_parts(declarations: &mut Vec<Declaration>, at: usize) -> Vec<Counted> {
+    let Some((_, slots)) = declarations[at].statement.does("consist") else {
+        return vec![];
     };
-    let count = COUNTS.iter().find(|(word, _)| part.is(word))?.1;
-    let mut what = (**part).clone();
-    what.adjectives
-        .retain(|said| COUNTS.iter().all(|(word, _)| word != said));
-    is_body(part.head).then_some((
-        Counted {
-            noun: part.head,
-            count,
-        },
-        what,
-    ))
+    let counted = slots.iter().map(|(_, part)| counted(part, declarations));
+    let counted: Vec<Option<Counted>> = counted.collect();
+    let parts = slots.iter().zip(&counted);
+    let parts = parts.flat_map(|(part, own)| match own {
+        Some(own) => own.names().map(|name| (Slot::Of, name)).collect(),
+        None => vec![part.clone()],
+    });
+    let parts = parts.collect();
+    if let Statement::Does { slots, .. } = &mut declarations[at].statement {
+        *slots = parts;
+    }
+    let counted: Vec<Counted> = counted.into_iter().flatten().collect();
+    for own in &counted {
+        let are = own.what.clone().map(|what| Statement::Is {
+            subjects: own.names().collect(),
+            what,
+        });
+        let are = are.map(|are| declarations[at].saying(are));
+        declarations.extend(are);
+    }
+    counted
 }
 
-/// "`$a$` and `$b$` are the positions of the particles": each that of its own.
-fn of_each(declaration: &mut Declaration, counted: &Counted) -> Vec<Declaration> {
-    let Statement::Is { subjects, what } = &declaration.statement else {
-        return vec![];
+/// "two particles of mass `$m$`", "the rods": how many of what, and what they are.
+fn counted(part: &Term, declarations: &[Declaration]) -> Option<Counted> {
+    let found = match part {
+        Term::Phrase(part) => {
+            let count = COUNTS.iter().find(|(word, _)| part.is(word))?.1;
+            let mut what = (**part).clone();
+            let counts = |said: &&str| COUNTS.iter().any(|(word, _)| word == said);
+            what.adjectives.retain(|said| !counts(said));
+            is_body(part.head).then_some(Counted {
+                noun: part.head,
+                count,
+                what: Some(what),
+            })?
+        }
+        Term::Name(many) => Counted {
+            noun: super::body_noun(many.strip_suffix('s')?)?,
+            count: declarations.iter().find_map(|d| count_of(many, d))?,
+            what: None,
+        },
+        _ => return None,
     };
-    let all = what.slots.iter().position(|(_, of)| counted.are(of));
-    let Some(at) = all.filter(|_| subjects.len() == counted.count) else {
-        return vec![];
-    };
-    let letters = subjects.iter().all(|subject| name(subject).is_some());
-    if !letters || what.head == counted.noun {
-        return vec![];
-    }
-    let mut said = subjects.iter().zip(counted.names()).map(|(subject, own)| {
-        let mut what = what.clone();
-        what.slots[at].1 = own;
-        declaration.saying(Statement::one_is(subject.clone(), what))
+    let terms = declarations.iter().flat_map(|d| d.statement.terms());
+    let mut families = terms.filter_map(|term| match term {
+        // "particle 1" is one of those that are counted.
+        Term::Member { family, index } => {
+            let number = index.source.chars().all(|c| c.is_ascii_digit());
+            Some(family).filter(|_| !number)
+        }
+        _ => None,
     });
-    let first = said.next();
-    let rest = said.collect();
-    if let Some(first) = first {
-        *declaration = first;
+    (!families.any(|family| family == found.noun)).then_some(found)
+}
+
+/// Of how many things a sentence tells where each of them lies: "the rods lie along the axes x and y".
+fn count_of(many: &str, declaration: &Declaration) -> Option<usize> {
+    let Statement::Does {
+        subjects,
+        verb,
+        slots,
+    } = &declaration.statement
+    else {
+        return None;
+    };
+    let own = subjects.iter().any(|s| name(s).as_deref() == Some(many));
+    let listed = axes_listed(slots)?;
+    (own && LAID.contains(verb) && listed.len() > 1).then_some(listed.len())
+}
+
+/// "along the axes x and y": these.
+fn axes_listed(slots: &[(Slot, Term)]) -> Option<Vec<Term>> {
+    let axes = slots.iter().find_map(|(slot, term)| match term {
+        Term::Phrase(axes) if *slot == Slot::Along && axes.head == "axes" => Some(axes),
+        _ => None,
+    })?;
+    Some(axes.all(Slot::Which).cloned().collect())
+}
+
+impl Counted {
+    /// What a sentence about all of them says of each, where it says something else of each.
+    fn each(&self, declaration: &Declaration, all: &[Self]) -> Option<Vec<Declaration>> {
+        let said = match &declaration.statement {
+            Statement::Is { subjects, what } => match subjects.as_slice() {
+                [subject] if self.are(subject) => {
+                    let names: Vec<Term> = self.names().collect();
+                    each_of_its_own(names, what.clone())
+                }
+                subjects => self.of_each(subjects, what)?,
+            },
+            Statement::Does {
+                subjects,
+                verb,
+                slots,
+            } if matches!(subjects.as_slice(), [all] if self.are(all)) => {
+                match self.at_ends(slots, all) {
+                    Some(said) => said,
+                    None if LAID.contains(verb) => self.laid(verb, slots),
+                    None => return None,
+                }
+            }
+            // "The particles have equal masses."
+            Statement::Premise(what) => {
+                let at = what.slots.iter().position(|(_, of)| self.are(of))?;
+                let mut what = what.clone();
+                let names = self.names().map(|name| (Slot::Of, name));
+                what.slots.splice(at..=at, names);
+                vec![Statement::Premise(what)]
+            }
+            _ => return None,
+        };
+        Some(said.into_iter().map(|s| declaration.saying(s)).collect())
     }
-    rest
+
+    /// "`$a$` and `$b$` are the positions of the particles": each that of its own; "G is the middle of the rods": of each.
+    fn of_each(&self, subjects: &[Term], what: &NounPhrase) -> Option<Vec<Statement>> {
+        let at = what.slots.iter().position(|(_, of)| self.are(of))?;
+        let letters = subjects.iter().all(|subject| name(subject).is_some());
+        if subjects.len() != self.count || !letters || what.head == self.noun {
+            return None;
+        }
+        let said = subjects.iter().zip(self.names()).map(|(subject, own)| {
+            let mut what = what.clone();
+            what.slots[at].1 = own;
+            Statement::one_is(subject.clone(), what)
+        });
+        Some(said.collect())
+    }
+
+    /// "The rods lie along the axes x and y with their middles at G."
+    fn laid(&self, verb: &'static str, slots: &[(Slot, Term)]) -> Vec<Statement> {
+        let names: Vec<Term> = self.names().collect();
+        let slots: Vec<(Slot, Term)> = slots.iter().flat_map(spread).collect();
+        let mut said = does_in_turn(&names, verb, &slots);
+        for statement in &mut said {
+            let Statement::Does {
+                subjects, slots, ..
+            } = statement
+            else {
+                continue;
+            };
+            let own = subjects.first().filter(|_| subjects.len() == 1).cloned();
+            let places = slots.iter_mut().filter_map(|(_, term)| match term {
+                Term::Phrase(place) => Some(place),
+                _ => None,
+            });
+            for (place, own) in places.zip(own.iter().cycle()) {
+                let of = place.slots.iter_mut().filter(|(_, of)| self.are(of));
+                of.for_each(|(_, of)| *of = own.clone());
+            }
+        }
+        said
+    }
+
+    /// "The particles lie at the ends of the rods": two at each, where there are as many.
+    fn at_ends(&self, slots: &[(Slot, Term)], all: &[Self]) -> Option<Vec<Statement>> {
+        let [(Slot::At, Term::Phrase(end))] = slots else {
+            return None;
+        };
+        let [(Slot::Of, of)] = end.slots.as_slice() else {
+            return None;
+        };
+        let long = match all.iter().find(|other| other.are(of)) {
+            Some(rods) => rods.names().collect(),
+            None => vec![of.clone()],
+        };
+        if end.head != "end" || self.count != 2 * long.len() {
+            return None;
+        }
+        let own = |(number, particle): (usize, Term)| {
+            let mut end = NounPhrase::new("end", vec![(Slot::Of, long[number / 2].clone())]);
+            end.adjectives = vec![ENDS[number % 2]];
+            Statement::Does {
+                subjects: vec![particle],
+                verb: "lie",
+                slots: vec![(Slot::At, Term::Phrase(Box::new(end)))],
+            }
+        };
+        Some(self.names().enumerate().map(own).collect())
+    }
+}
+
+/// "along the axes x and y" as "along x and y".
+fn spread(slot: &(Slot, Term)) -> Vec<(Slot, Term)> {
+    match axes_listed(std::slice::from_ref(slot)) {
+        Some(axes) if !axes.is_empty() => axes.into_iter().map(|a| (Slot::Along, a)).collect(),
+        _ => vec![slot.clone()],
+    }
 }

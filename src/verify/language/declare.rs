@@ -11,7 +11,7 @@ use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
-use super::in_turn::{part_letters, part_respectively};
+use super::in_turn::{part_first, part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{
@@ -40,10 +40,12 @@ use super::rewrite::plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
+use super::spins::{tell_axes_through_points, turn_about_axes_of_symmetry};
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
+use super::told_in_parts::say_in_parts;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::{tell_gravity, tell_zeros};
@@ -120,7 +122,8 @@ fn in_plain_terms(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     name_frames_by_numbers(&mut declarations);
-    declarations = turn_in_order(part_centres(part_letters(part_respectively(declarations))));
+    let respectively = part_first(part_respectively(declarations));
+    declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
@@ -170,7 +173,9 @@ fn in_plain_terms(
     mount_wheels(&mut declarations);
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
-    declarations
+    tell_axes_through_points(&mut declarations);
+    turn_about_axes_of_symmetry(&mut declarations);
+    say_in_parts(declarations)
 }
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.

@@ -1,6 +1,10 @@
 //! What things are said to have.
 
+use super::heads::MASS;
 use super::statement::{NounPhrase, Slot, Statement, Term};
+
+/// Words for what is the same of several.
+const ALIKE: [&str; 2] = ["equal", "same"];
 
 /// "The rod has its mass centre at G": G is the mass centre of the rod.
 pub(super) fn place_at(subjects: &[Term], place: &NounPhrase, at: &Term) -> Statement {
@@ -13,6 +17,21 @@ pub(super) fn place_at(subjects: &[Term], place: &NounPhrase, at: &Term) -> Stat
         subjects: vec![at.clone()],
         what,
     }
+}
+
+/// "P and Q have equal masses": as of a thing that is spoken of.
+pub(super) fn alike(subjects: &[Term], slots: &[(Slot, Term)]) -> Option<Statement> {
+    let [(Slot::With, Term::Phrase(mass))] = slots else {
+        return None;
+    };
+    let plain = mass.head == MASS && mass.slots.is_empty();
+    let alike = plain && mass.adjectives.iter().any(|said| ALIKE.contains(said));
+    let of = subjects.iter().map(|subject| (Slot::Of, subject.clone()));
+    alike.then(|| {
+        let mut what = NounPhrase::new(mass.head, of.collect());
+        what.adjectives = vec![ALIKE[0]];
+        Statement::Premise(what)
+    })
 }
 
 /// "The rod has the length `$l$` and the mass `$m$`": `$l$` is its length, and `$m$` its mass.

@@ -51,10 +51,10 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         let trimmed = rest.trim_start();
         column += rest[..rest.len() - trimmed.len()].chars().count();
         let Some(first) = trimmed.chars().next() else {
-            return Ok(tokens);
+            return Ok(with_letters(tokens));
         };
         if matches!(first, '.') && trimmed[1..].trim().is_empty() {
-            return Ok(tokens);
+            return Ok(with_letters(tokens));
         }
         if tokens.len() == MOST_TOKENS {
             return Err(wrong(
@@ -95,6 +95,27 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         column += trimmed[..length].chars().count();
         rest = &trimmed[length..];
     }
+}
+
+/// Words that stand behind a name, and behind no article.
+const BEHIND_NAMES: [&str; 14] = [
+    "and", "are", "as", "at", "by", "from", "in", "is", "of", "on", "or", "through", "to", "with",
+];
+
+/// "about a by the angle": where no noun follows, `a` is a letter and no article.
+fn with_letters(mut tokens: Vec<Token>) -> Vec<Token> {
+    for at in 0..tokens.len() {
+        let alone = tokens.get(at + 1).is_none_or(|next| match next.kind {
+            Kind::Word => BEHIND_NAMES.contains(&next.lower.as_str()),
+            Kind::Comma | Kind::Semicolon | Kind::Close => true,
+            _ => false,
+        });
+        if tokens[at].kind == Kind::Word && tokens[at].text == "a" && alone {
+            tokens[at].kind = Kind::Plain;
+            tokens[at].lower = String::new();
+        }
+    }
+    tokens
 }
 
 /// The short name of a thing that is written between braces.

@@ -212,6 +212,22 @@ impl Atoms {
         terms.all(|(_, c)| !c.is_negative()) && root.variables().into_iter().all(positive)
     }
 
+    /// Whether a value is no less than zero by what its letters are: a product of lengths and of even powers.
+    pub(crate) fn is_never_negative(&self, of: &Fraction) -> bool {
+        let one = |p: &Polynomial| match p.terms() {
+            [(monomial, coefficient)] => {
+                let mut odd = monomial.factors().filter(|(_, power)| power % 2 == 1);
+                !coefficient.is_negative()
+                    && odd.all(|(v, _)| {
+                        let root = matches!(self.atom(v).nature, Nature::Root(_));
+                        root || self.atom(v).positive || self.is_length(v)
+                    })
+            }
+            terms => terms.is_empty(),
+        };
+        one(of.numerator()) && one(of.denominator())
+    }
+
     /// The square root of a value where it needs no letter of its own: a length by its letter, or what is squared.
     pub(crate) fn known_root(&self, of: &Fraction) -> Option<Fraction> {
         let of = &self.with_squares(of);

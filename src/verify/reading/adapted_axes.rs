@@ -1,12 +1,13 @@
 //! Axes that no sentence names are laid along the vectors about which frames turn: that is no loss, and short.
 
-use crate::algebra::Place;
+use crate::algebra::{Fraction, Place};
 use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
 use crate::verify::language::terms::Doing;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::{FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{along_of, name_of};
+use std::collections::BTreeSet;
 
 /// The axis that is laid along the vector.
 const ALONG: usize = 2;
@@ -37,7 +38,7 @@ impl Builder<'_> {
             if self.may_lie_freely(relative) {
                 self.name_axis(&vector, relative, ALONG, declaration);
             } else if self.turns_about_vector_alone(relative) {
-                let tilted = self.add_tilted(relative);
+                let tilted = self.add_tilted(relative, &vector);
                 self.reading.system.frames[frame].parent = Some(tilted);
                 self.name_axis(&vector, tilted, ALONG, declaration);
             }
@@ -77,9 +78,15 @@ impl Builder<'_> {
             *of != frame || parents
         };
         let own = |declaration: &Declaration| self.turns(declaration, frame);
-        let mut turns = self.declarations.iter().filter(|d| own(d));
-        turns.next().is_some()
-            && turns.next().is_none()
+        // A frame that turns about z may be said once more to do so, at a rate.
+        let turns = self.declarations.iter().filter(|d| own(d));
+        let turns = turns.map(|d| {
+            let (_, slots) = turn(&d.statement)?;
+            let about = slot(slots, Slot::About).map(along_of).and_then(name_of);
+            Some((about?, slot(slots, Slot::RelativeTo).and_then(name_of)))
+        });
+        let turns: Option<BTreeSet<_>> = turns.collect();
+        turns.is_some_and(|turns| turns.len() == 1)
             && self.axes.iter().all(only_along)
             && self.may_lie_freely_but_for(frame, own)
     }
@@ -90,12 +97,15 @@ impl Builder<'_> {
         turned.any(|(subjects, _)| subjects.iter().any(|s| self.frame(s) == Some(frame)))
     }
 
-    /// A frame fixed in another, turned against it about its second axis by an angle of which nothing is told.
-    fn add_tilted(&mut self, frame: FrameId) -> FrameId {
+    /// A frame fixed in another, turned against it about its second axis by the angle of a vector with the third one, or
+    /// by one of which nothing is told.
+    fn add_tilted(&mut self, frame: FrameId, vector: &Term) -> FrameId {
         let name = format!("{}'", self.reading.system.frames[frame].name);
         let key = Key::new(format!("\\theta^{{{name}}}"));
+        let told = self.angle_with_third(frame, vector);
         let atoms = &mut self.reading.system.atoms;
-        let angle = fraction(atoms.variable(key, Place::Parameter, Motion::Constant));
+        let untold = fraction(atoms.variable(key, Place::Parameter, Motion::Constant));
+        let angle = told.unwrap_or(untold);
         let turn = Turn::Angle(ACROSS, Box::new(angle));
         self.system().add_frame(&name, Some(frame), turn)
     }
@@ -114,6 +124,32 @@ impl Builder<'_> {
                 && motions.all(|motion| matches!(motion, Motion::Constant))
         };
         frames[frame].parent.filter(fixed).unwrap_or(relative)
+    }
+}
+
+impl Builder<'_> {
+    /// "The angle between `$n$` and z is `$\\theta$`", where both are fixed in one frame of which z is the third axis.
+    fn angle_with_third(&mut self, frame: FrameId, vector: &Term) -> Option<Fraction> {
+        let parent = self.reading.system.frames[frame].parent;
+        let third = |term: &Term| {
+            let axis = self.axis_of_frame(term);
+            axis.is_some_and(|(of, axis)| axis == ALONG && (of == frame || Some(of) == parent))
+        };
+        let (angle, declaration) = self.declarations.iter().find_map(|d| {
+            let Statement::Is { subjects, what } = &d.statement else {
+                return None;
+            };
+            let between: Vec<&Term> = what.all(Slot::Between).collect();
+            let both = match between.as_slice() {
+                [one, other] => *one == vector && third(other) || *other == vector && third(one),
+                _ => false,
+            };
+            let told = what.head == "angle" && both && d.extent == Extent::Document;
+            subjects.first().filter(|_| told).map(|angle| (angle, d))
+        })?;
+        let angle = self.scalar_term(angle, declaration)?;
+        self.make_constant(&angle);
+        Some(angle)
     }
 }
 

@@ -1,5 +1,8 @@
 //! The letters of axes, and the frame that components are worked with on.
 
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -9,7 +12,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
 use crate::verify::reading::names::{UNIT_VECTOR, name_of, node_of, opposite};
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{Letter, Meaning};
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
 
@@ -195,6 +198,29 @@ impl Builder<'_> {
             points_down: what.is("downward"),
         });
         self.name_axis(subject, ground, axis, declaration);
+        self.name_axis_besides(subject, (ground, axis), declaration);
+    }
+
+    /// "z is the upward vertical": in formulas z is a number, but where only its unit vector fits.
+    fn name_axis_besides(
+        &mut self,
+        subject: &Term,
+        (frame, axis): (FrameId, usize),
+        declaration: &Declaration,
+    ) {
+        let Term::Name(name) = subject else { return };
+        let rows = read_formula(name, 0, &Macros::default()).pop();
+        if let Some(Row::Expression(node)) = rows
+            && matches!(node.kind, Kind::Symbol(_))
+        {
+            let vector = Meaning::Quantity(Quantity::Axis(frame, axis));
+            let letter = self.letter(&Formula::of(&node), vector, declaration);
+            let besides = letter.map(|letter| Letter {
+                besides: true,
+                ..letter
+            });
+            self.reading.letters.letters.extend(besides);
+        }
     }
 
     pub(super) fn name_axis(
@@ -268,6 +294,34 @@ impl Builder<'_> {
                 .iter()
                 .find_map(|names| names.iter().position(|n| *n == name)),
         }
+    }
+
+    /// The axis of one of two frames that has its place in the other as well, where the two triads have names of their own
+    /// and no sentence says of that axis of the other anything else.
+    pub(super) fn axis_in_order(
+        &self,
+        about: &Term,
+        frame: FrameId,
+        relative: FrameId,
+    ) -> Option<usize> {
+        let name = name_of(about)?;
+        let mut both = [(frame, relative), (relative, frame)].into_iter();
+        let (axis, other) = both.find_map(|(of, other)| Some((self.axes.of(&name, of)?, other)))?;
+        let there = self
+            .axes
+            .iter()
+            .filter(|(_, place)| **place == (other, axis));
+        let names: Vec<&String> = there.map(|(name, _)| name).collect();
+        let spoken_of = |d: &Declaration| match &d.statement {
+            Statement::Is { what, .. } if what.head == "axes" => false,
+            Statement::Does { verb: "turn", .. } => false,
+            statement => {
+                let terms = statement.terms().into_iter().filter_map(name_of);
+                let mut terms = terms.filter(|term| *term != name);
+                terms.any(|term| names.contains(&&term))
+            }
+        };
+        (!self.declarations.iter().any(spoken_of)).then_some(axis)
     }
 
     /// Whether a sentence tells the angle of an axis with one of a frame: then it need not be one of these.

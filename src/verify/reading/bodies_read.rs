@@ -69,6 +69,7 @@ impl Builder<'_> {
                 self.reading.system.bodies[body].frame = Some(frame);
             }
         }
+        self.lay_rods_in_frames();
         for (whole, hub) in self.hubs.clone() {
             self.reading.system.bodies[whole].frame = self.reading.system.bodies[hub].frame;
         }

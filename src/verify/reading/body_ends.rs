@@ -1,7 +1,8 @@
 //! The ends of bodies on their lines: of a rod both, of a cone its apex.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{NounPhrase, Slot, Statement};
+use crate::verify::language::counted::ENDS;
+use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_lines::ALONG;
@@ -79,10 +80,21 @@ impl Builder<'_> {
         }
     }
 
+    /// "at the first end of rod 1": of which rod, and whether it is the one at which its line begins.
+    pub(super) fn end_said(&self, slots: &[(Slot, Term)]) -> Option<(BodyId, bool)> {
+        let Term::Phrase(end) = slot(slots, Slot::At)? else {
+            return None;
+        };
+        let body = end.slot(Slot::Of).and_then(|of| self.body(of))?;
+        let which = ENDS.iter().position(|which| end.is(which))?;
+        (end.head == END && self.is_rod(body)).then_some((body, which == 0))
+    }
+
     /// The way from the mass centre of a uniform rod to one of its ends, or of a cone to its apex, at which its line begins.
-    fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
+    pub(super) fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
         let (what, declaration) = self.said_to_be(body, &[ROD, CONE])?;
-        if !self.has_ends(body) {
+        let told = self.told_axis_of_shape(body).filter(|_| self.is_rod(body));
+        if told.is_none() && !self.has_ends(body) {
             return None;
         }
         let (size, part) = match (what.head == ROD, first) {
@@ -92,7 +104,12 @@ impl Builder<'_> {
             (false, false) => return None,
         };
         let size = self.size_of_shape(body, what, size, declaration)?;
-        Some(self.line_of(body)? * (size * part))
+        let frame = self.reading.system.bodies[body].frame;
+        let line = match told.zip(frame) {
+            Some((axis, frame)) => self.system().axis(frame, axis),
+            None => self.line_of(body)?,
+        };
+        Some(line * (size * part))
     }
 
     /// Where the mass centre of a rod is from an end of it that stands already.

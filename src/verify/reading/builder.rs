@@ -7,6 +7,7 @@ use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::axes_read::{Bearings, NamedAxes};
+use crate::verify::reading::compounds_read::symbols_in;
 use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
@@ -249,6 +250,22 @@ impl Builder<'_> {
             return Some(Spot::Member(family, index_letter(index)));
         }
         self.point(term).map(Spot::Point)
+    }
+
+    /// Where a formula of a sentence stands. A letter that is told of another part of the document alone is meant there.
+    pub(super) fn place_of(&self, formula: &Formula, declaration: &Declaration) -> At {
+        let at = place_in(&reach_of(&declaration.extent));
+        let letters = &self.reading.letters;
+        let symbols = node_of(formula).into_iter().flat_map(symbols_in);
+        let elsewhere = symbols.filter_map(|symbol| {
+            let node = node_of(&symbol)?;
+            let (exact, loose) = (spelled(node), loosely(node));
+            let mut told = letters.letters.iter().filter(|l| l.spelled == exact);
+            let reach = &told.next()?.reach;
+            let other = letters.find(&exact, &loose, &at, 1).is_none();
+            (other && told.all(|l| l.reach == *reach)).then(|| place_in(reach))
+        });
+        elsewhere.into_iter().next().unwrap_or(at)
     }
 
     /// What a letter stands for at the place of a declaration.

@@ -135,7 +135,7 @@ impl Builder<'_> {
 }
 
 /// The letters of a formula, each as a formula.
-fn symbols_in(node: &Node) -> Vec<Formula> {
+pub(super) fn symbols_in(node: &Node) -> Vec<Formula> {
     match &node.kind {
         Kind::Symbol(_) => vec![Formula::of(node)],
         _ => node.children().flat_map(symbols_in).collect(),

@@ -4,10 +4,10 @@ use crate::algebra::Fraction;
 use crate::source::Source as Text;
 use crate::verify::language::statement::{Declaration, Formula, Term};
 use crate::verify::model::atoms::whole;
-use crate::verify::reading::builder::{Builder, place_in};
-use crate::verify::reading::names::{letter_of, node_of, reach_of};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{letter_of, node_of};
 use crate::verify::term::known::Known;
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{At, Meaning};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -30,9 +30,19 @@ impl Builder<'_> {
         formula: &Formula,
         declaration: &Declaration,
     ) -> Option<Value> {
+        let at = self.place_of(formula, declaration);
+        self.value_at(formula, &at, declaration)
+    }
+
+    /// The value of a formula that stands at a place.
+    pub(super) fn value_at(
+        &mut self,
+        formula: &Formula,
+        at: &At,
+        declaration: &Declaration,
+    ) -> Option<Value> {
         let node = node_of(formula)?.clone();
         let named = self.names_of_axes(&node, declaration);
-        let at = place_in(&reach_of(&declaration.extent));
         let text = Text::new("", formula.source.clone());
         let mut known = Known::default();
         let mut letters = self.reading.letters.clone();
@@ -43,8 +53,7 @@ impl Builder<'_> {
                 .letters
                 .extend(self.letter(letter, Meaning::Quantity(along), declaration));
         }
-        let mut lowering =
-            Lowering::new(&mut self.reading.system, &letters, &text, &at, &mut known);
+        let mut lowering = Lowering::new(&mut self.reading.system, &letters, &text, at, &mut known);
         let value = lowering.value(&node).ok()?;
         // The letter of an axis that is told as a name may be its vector or a number: it is the one that makes a vector.
         if !named.is_empty() && value.to_vector().is_err() {

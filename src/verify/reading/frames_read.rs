@@ -212,6 +212,9 @@ impl Builder<'_> {
         let angle = slot(said.slots, Slot::By).cloned();
         let rate = slot(said.slots, Slot::At).cloned();
         let shared = self.shared_axis(along_of(&about), frame, relative);
+        // Where an angle is told, the axes are the same in their order where it is zero.
+        let in_order = || self.axis_in_order(along_of(&about), frame, relative);
+        let shared = shared.or_else(|| angle.as_ref().and_then(|_| in_order()));
         let mut number = |term| {
             self.scalar_term(&term, said.declaration)
                 .map(|n| n * sign.clone())

@@ -10,7 +10,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::Vector;
 use crate::verify::reading::bodies_read::WHOLES;
-use crate::verify::reading::builder::Builder;
+use crate::verify::reading::builder::{Builder, place_in};
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
 use crate::verify::reading::named_loads_read::{may_be_size, names_load};
@@ -332,7 +332,8 @@ impl Builder<'_> {
     /// Whether sentences tell what a formula is: its letters, or angles and rates by which something turns.
     pub(super) fn is_told(&mut self, formula: &Formula, declaration: &Declaration) -> bool {
         let quantity = self.quantity_of(formula, declaration);
-        let value = self.mentioned_value(formula, declaration);
+        let at = place_in(&reach_of(&declaration.extent));
+        let value = self.value_at(formula, &at, declaration);
         quantity.is_some() || value.is_some_and(|value| self.reading.system.is_told(&value))
     }
 

@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT,
+    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, QUATERNION_PRODUCT,
     SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{
@@ -133,6 +133,12 @@ impl Builder<'_> {
         if is_custom(sign, meaning) {
             return;
         }
+        if let (Sign::Label { labels, .. }, NotationMeaning::Noun(instants)) = (sign, meaning)
+            && instants.head == INSTANT
+        {
+            let read = self.label_instants(labels, instants, &reach);
+            return read.unwrap_or_else(|| self.say_unused(declaration));
+        }
         let Some(effect) = self.effect(meaning) else {
             return self.say_unused(declaration);
         };
@@ -143,18 +149,7 @@ impl Builder<'_> {
                 };
                 self.mark_means(mark, effect, reach);
             }
-            Sign::Label { labels, on_rate } => {
-                for (place, label) in labels.iter().enumerate() {
-                    let component = (labels.len() == 3).then_some(place);
-                    self.reading.letters.labels.push(LabelRule {
-                        label: plain_label(label),
-                        effect: effect.clone(),
-                        on_rate: *on_rate,
-                        component,
-                        reach: reach.clone(),
-                    });
-                }
-            }
+            Sign::Label { labels, on_rate } => self.labels_mean(labels, *on_rate, &effect, &reach),
             Sign::Operator(formula) => {
                 self.read_operator_rule(formula, meaning, effect, declaration)
             }
@@ -187,6 +182,48 @@ impl Builder<'_> {
             reach,
         };
         self.reading.letters.marks.push(rule);
+    }
+
+    fn labels_mean(&mut self, labels: &[String], on_rate: bool, effect: &Effect, reach: &Reach) {
+        for (place, label) in labels.iter().enumerate() {
+            let component = (labels.len() == 3).then_some(place);
+            self.reading.letters.labels.push(LabelRule {
+                label: plain_label(label),
+                effect: effect.clone(),
+                on_rate,
+                component,
+                reach: reach.clone(),
+            });
+        }
+    }
+
+    /// "The labels 0 and 1 mean at the instants `$t_0$` and `$t_1$`", the earlier one first.
+    fn label_instants(
+        &mut self,
+        labels: &[String],
+        instants: &NounPhrase,
+        reach: &Reach,
+    ) -> Option<()> {
+        let which: Vec<&Term> = instants.all(Slot::Which).collect();
+        if which.len() != labels.len() {
+            return None;
+        }
+        for (label, instant) in labels.iter().zip(which) {
+            let Term::Formula(instant) = instant else {
+                return None;
+            };
+            let known = &mut self.reading.letters.instants;
+            known.push(spelled(node_of(instant)?));
+            let effect = Effect::AtInstant(known.len() - 1);
+            self.reading.letters.labels.push(LabelRule {
+                label: plain_label(label),
+                effect,
+                on_rate: false,
+                component: None,
+                reach: reach.clone(),
+            });
+        }
+        Some(())
     }
 
     /// Each frame's name as a label says that components on it are meant.

@@ -62,7 +62,9 @@ impl Builder<'_> {
                 if let Some(axis) = axis_of(slots) {
                     self.read_lying(subjects, axis, declaration);
                 }
-                if let [(Slot::At, at)] = slots {
+                if let [(Slot::At, at)] = slots
+                    && self.end_said(slots).is_none()
+                {
                     let read = self.read_lying_at(subjects, at, declaration);
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }

@@ -140,6 +140,11 @@ impl Builder<'_> {
     fn may_be_placed(&self, spoken: &Spoken) -> bool {
         let bodies = &self.reading.system.bodies;
         let stands = |end: &String| self.points.contains_key(end);
+        let lies = spoken.lies.map(|index| &self.declarations[index].statement);
+        let lies = lies.and_then(|said| Some(said.does("lie")?.1));
+        if let Some((body, _)) = lies.and_then(|slots| self.end_said(slots)) {
+            return bodies[body].centre != 0;
+        }
         match spoken.centre_of.filter(|_| spoken.lies.is_none()) {
             Some(body) => bodies[body].ends.iter().any(stands) || !self.has_ends(body),
             None => {
@@ -197,6 +202,9 @@ impl Builder<'_> {
         let Statement::Does { slots, .. } = &declaration.statement else {
             return None;
         };
+        if let Some((body, first)) = self.end_said(slots) {
+            return Some((self.centre_of(body), self.way_to_end(body, first)?));
+        }
         let from = slot(slots, Slot::From).or_else(|| slot(slots, Slot::RelativeTo))?;
         let from = self.point(from)?;
         Some((from, self.way_said(slots, declaration, moves_on_its_own)?))

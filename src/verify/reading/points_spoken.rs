@@ -66,11 +66,14 @@ impl Builder<'_> {
                 Statement::Does {
                     subjects,
                     verb: "lie" | "place",
-                    ..
+                    slots,
                 } => {
+                    let end_of = self.end_said(slots).map(|(body, _)| body);
+                    let end_of = end_of.and_then(|body| self.reading.system.bodies[body].frame);
                     for name in subjects.iter().filter_map(|s| self.name_of_place(s)) {
                         let particle = self.particle(&name);
                         let spoken = entry(&mut all, &name);
+                        spoken.fixed_in.extend(end_of);
                         spoken.lies = Some(index).filter(|_| whole).or(spoken.lies);
                         let centre = subjects.iter().find_map(|s| self.is_centre_said(s));
                         spoken.centre_of = spoken.centre_of.or(particle).or(centre);
@@ -168,10 +171,16 @@ impl Builder<'_> {
         // The origin of a frame is fixed in it, and the end of a rod in the rod.
         let own = matches!(what.head, "origin" | END | APEX);
         let origin = what.all(Slot::Of).filter(|_| own);
-        fixed
-            .chain(origin)
-            .filter_map(|term| self.frame(term))
-            .collect()
+        let mut all: Vec<FrameId> = vec![];
+        for frame in fixed.chain(origin).filter_map(|term| self.frame(term)) {
+            let rest = self.at_rest_with(frame);
+            all.extend(
+                rest.into_iter()
+                    .filter(|own| !all.contains(own))
+                    .collect::<Vec<_>>(),
+            );
+        }
+        all
     }
 
     /// Where the mass centres of a whole and of all its parts but one are the same point, that of the last part is too.

@@ -4,12 +4,12 @@ use crate::notation::ast::{Line, Relation};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::verify::Role;
-use crate::verify::language::heads::PLANE_OF_SYMMETRY;
+use crate::verify::language::heads::{MASS, PLANE_OF_SYMMETRY};
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{FrameId, PointId};
+use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{
@@ -133,6 +133,7 @@ impl Builder<'_> {
     fn read_premise(&mut self, premise: &NounPhrase, declaration: &Declaration) {
         let done = match premise.head {
             "principal axes" => self.principal_axes(premise, declaration),
+            MASS if premise.is("equal") => self.equal_masses(premise, declaration),
             "moment" if premise.is("only") => self.only_drive(premise),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
@@ -163,6 +164,18 @@ impl Builder<'_> {
         if done.is_none() {
             self.say_unused(declaration);
         }
+    }
+
+    /// "The masses of P and Q are equal."
+    fn equal_masses(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let bodies = premise.all(Slot::Of).map(|of| self.body(of));
+        let bodies: Vec<BodyId> = bodies.collect::<Option<_>>()?;
+        let (first, others) = bodies.split_first().filter(|(_, rest)| !rest.is_empty())?;
+        for other in others {
+            let masses = self.reading.system.mass(*first) - self.reading.system.mass(*other);
+            self.hold(masses, declaration);
+        }
+        Some(())
     }
 
     /// The products of inertia vanish on the axes of the frame.

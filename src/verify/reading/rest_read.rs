@@ -1,10 +1,13 @@
 //! What is at rest in a frame: bodies that have it for their own, and frames that do not turn against it.
 
-use crate::verify::language::statement::{Extent, NounPhrase, Slot, Statement};
-use crate::verify::model::system::FrameId;
+use crate::verify::language::statement::{Extent, NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::model::system::{Body, BodyId, FrameId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::name_of;
+
+/// What the axes of a frame are called.
+const TRIADS: [&str; 2] = ["axes", "axis"];
 
 impl Builder<'_> {
     /// "The hub is fixed in N": it has the frame for its own.
@@ -33,6 +36,47 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// "The rods lie along the axes x and y of B", where these are parts of what B is fixed in: so are they.
+    pub(super) fn lay_rods_in_frames(&mut self) {
+        for declaration in self.declarations {
+            let Some((subjects, slots)) = declaration.statement.does("lie") else {
+                continue;
+            };
+            let along = slot(slots, Slot::Along).and_then(|axis| self.frame_of_axis(axis));
+            let Some(frame) = along else {
+                continue;
+            };
+            let rods: Vec<BodyId> = subjects.iter().filter_map(|rod| self.body(rod)).collect();
+            for rod in rods {
+                let bodies = &self.reading.system.bodies;
+                let whole = |b: &Body| b.frame == Some(frame) && b.parts.contains(&rod);
+                let part = bodies[rod].frame.is_none() && bodies.iter().any(whole);
+                if part && self.is_rod(rod) {
+                    self.reading.system.bodies[rod].frame = Some(frame);
+                }
+            }
+        }
+    }
+
+    /// The frame of which an axis is said to be, by its name or as "the third axis of B".
+    fn frame_of_axis(&self, axis: &Term) -> Option<FrameId> {
+        let name = name_of(axis);
+        let named = |subject: &Term| name.is_some() && name_of(subject) == name;
+        let phrases = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => subjects.iter().any(named).then_some(what),
+            _ => None,
+        });
+        let own = match axis {
+            Term::Phrase(phrase) => Some(&**phrase),
+            _ => None,
+        };
+        let mut said = phrases
+            .chain(own)
+            .filter(|what| TRIADS.contains(&what.head));
+        let what = said.next().filter(|_| said.next().is_none())?;
+        self.frame(what.slot(Slot::Of)?)
     }
 
     /// "K is a frame fixed in N", "A and B are frames fixed in the body": one does not turn against the other.
@@ -80,6 +124,38 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// A frame, and all that are at rest in it: "A and B are frames fixed in the body" carry the same points.
+    pub(super) fn at_rest_with(&self, frame: FrameId) -> Vec<FrameId> {
+        let mut pairs = vec![];
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && matches!(what.head, "frame" | "fixed")
+                && declaration.extent == Extent::Document
+            {
+                let own = subjects.iter().filter_map(name_of);
+                let own = own.filter_map(|name| self.frames.get(&name).copied());
+                let others: Vec<FrameId> = self.frames_of(what).collect();
+                pairs.extend(own.flat_map(|own| others.iter().map(move |&other| (own, other))));
+            }
+        }
+        let mut all = vec![frame];
+        let mut at = 0;
+        while let Some(&known) = all.get(at) {
+            for &(one, other) in &pairs {
+                let next = match known {
+                    _ if known == one => other,
+                    _ if known == other => one,
+                    _ => continue,
+                };
+                if !all.contains(&next) {
+                    all.push(next);
+                }
+            }
+            at += 1;
+        }
+        all
     }
 
     /// The frames that something is fixed in, or of the bodies that it is fixed in.

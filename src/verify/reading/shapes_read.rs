@@ -4,15 +4,12 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::heads::{MASS, NORMAL, POSITION};
 use crate::verify::language::is_body;
-use crate::verify::language::statement::{
-    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
-};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{is_letter, letter_of, name_of};
-use crate::verify::term::letters::Meaning;
-use crate::verify::term::quantity::Quantity;
+use crate::verify::reading::names::name_of;
+use crate::verify::reading::sizes_read::is_size;
 use std::collections::BTreeSet;
 
 /// What may be said of a uniform shape without making it another one.
@@ -188,65 +185,6 @@ impl<'a> Builder<'a> {
         Some(())
     }
 
-    /// A size by its letter; one of which nothing is said is a constant without a letter.
-    pub(super) fn size_of_shape(
-        &mut self,
-        body: BodyId,
-        what: &NounPhrase,
-        wanted: &str,
-        declaration: &Declaration,
-    ) -> Option<Fraction> {
-        let told = what.all(Slot::Of).find_map(|term| match term {
-            Term::Phrase(size) if is_size(size.head, wanted) => letter_of(term).cloned(),
-            _ => None,
-        });
-        let told = told.or_else(|| self.said_size(body, wanted));
-        if let Some(formula) = told {
-            return self.size_by_letter(&formula, declaration);
-        }
-        let name = &self.reading.system.bodies[body].name;
-        let quantity = Quantity::Scalar {
-            text: format!("\\text{{{wanted} of {name}}}"),
-            constant: true,
-        };
-        let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
-        self.system().atoms.set_positive(&size);
-        Some(size)
-    }
-
-    /// A size that a formula tells: a letter is a positive constant.
-    pub(super) fn size_by_letter(
-        &mut self,
-        formula: &Formula,
-        declaration: &Declaration,
-    ) -> Option<Fraction> {
-        if !is_letter(formula) {
-            self.tell_letters_of_place(formula, declaration)?;
-            return self.formula_value(formula, declaration)?.to_scalar().ok();
-        }
-        let quantity = Quantity::Scalar {
-            text: formula.source.clone(),
-            constant: true,
-        };
-        self.denote(formula, Meaning::Quantity(quantity.clone()), declaration);
-        let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
-        self.system().atoms.set_positive(&size);
-        Some(size)
-    }
-
-    /// "`$r$` is the radius of the disc", in a sentence of its own.
-    fn said_size(&self, body: BodyId, wanted: &str) -> Option<Formula> {
-        let mut said = self.declarations.iter();
-        said.find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if is_size(what.head, wanted) => {
-                let of = what.slot(Slot::Of).and_then(|term| self.body(term))?;
-                let letter = subjects.first().and_then(letter_of)?;
-                (of == body && subjects.len() == 1).then(|| letter.clone())
-            }
-            _ => None,
-        })
-    }
-
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
     pub(super) fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
         let system = &self.reading.system;
@@ -303,7 +241,7 @@ impl<'a> Builder<'a> {
         system.frames[system.bodies[body].frame?].turn.axis()
     }
 
-    fn rolls(&self, body: BodyId) -> bool {
+    pub(super) fn rolls(&self, body: BodyId) -> bool {
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Does {
                 subjects,
@@ -390,18 +328,6 @@ impl<'a> Builder<'a> {
 
 /// Shapes with a side along each axis of their frame.
 const SIDED: [&str; 2] = ["box", "plate"];
-
-/// What a size of a shape is also called: the height of a cylinder is its length.
-const SAME_SIZE: [(&str, &str); 4] = [
-    ("side", "edge"),
-    ("length", "edge"),
-    ("length", "height"),
-    ("thickness", "height"),
-];
-
-fn is_size(said: &str, wanted: &str) -> bool {
-    said == wanted || SAME_SIZE.contains(&(said, wanted))
-}
 
 /// Whether all that is said of a shape is known to it: a hollow one is another, and so is one with a size more.
 fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {

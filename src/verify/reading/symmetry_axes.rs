@@ -57,18 +57,22 @@ impl Builder<'_> {
 
     /// Whether sentences say that a letter is a unit vector, and fixed in a body.
     pub(super) fn is_unit_vector_fixed_in(&self, letter: &Term, body: &Term) -> bool {
-        let mut said = self.declarations.iter();
+        let said = self.declarations.iter();
         let about = |what: &NounPhrase| {
             let fixed = what.slot(Slot::FixedIn);
             fixed.is_some_and(|of| of == body || self.frame_of_body(of) == self.frame_of_body(body))
         };
-        said.any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                let own = subjects.contains(letter) && d.extent == Extent::Document;
-                own && what.head == UNIT_VECTOR && about(what)
+        let mut vector = false;
+        let fixed = said.fold(false, |fixed, d| match &d.statement {
+            Statement::Is { subjects, what }
+                if subjects.contains(letter) && d.extent == Extent::Document =>
+            {
+                vector |= what.head == UNIT_VECTOR;
+                fixed || matches!(what.head, UNIT_VECTOR | "fixed") && about(what)
             }
-            _ => false,
-        })
+            _ => fixed,
+        });
+        vector && fixed
     }
 
     fn frame_of_body(&self, body: &Term) -> Option<FrameId> {

@@ -1,6 +1,7 @@
 //! Letters that are told by more than one noun: vectors, operators, principal moments.
 
 use crate::algebra::Fraction;
+use crate::mechanics;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
@@ -44,22 +45,21 @@ impl Builder<'_> {
             if told {
                 continue;
             }
+            // The axis of a turn is told by where it leads as well.
+            if let (Some(axis @ Quantity::Axis(..)), Some(along)) = (&known, &along)
+                && what.head == UNIT_VECTOR
+                && self.hold_parallel(axis, along, declaration).is_some()
+            {
+                continue;
+            }
             let text = formula.source.clone();
             let quantity = match (what.head, &along) {
                 ("vector", _) => Quantity::Vector { text, carried },
                 (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
-                (_, Some(along)) => {
-                    let size = Quantity::Magnitude(along.clone().boxed());
-                    let size = self
-                        .system()
-                        .value_of(&size)
-                        .ok()
-                        .and_then(|v| v.to_scalar().ok());
-                    match size {
-                        Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
-                        None => Quantity::UnitVector { text, carried },
-                    }
-                }
+                (_, Some(along)) => match self.size_of(along) {
+                    Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
+                    None => Quantity::UnitVector { text, carried },
+                },
                 _ => Quantity::UnitVector { text, carried },
             };
             let on = what.slot(Slot::On).and_then(|term| self.frame(term));
@@ -69,6 +69,26 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
+    }
+
+    fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
+        let size = Quantity::Magnitude(vector.clone().boxed());
+        self.system().value_of(&size).ok()?.to_scalar().ok()
+    }
+
+    fn hold_parallel(
+        &mut self,
+        axis: &Quantity,
+        along: &Quantity,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        if matches!(along, Quantity::Axis(..)) {
+            return None;
+        }
+        let axis = self.system().value_of(axis).ok()?.to_vector().ok()?;
+        let along = self.system().value_of(along).ok()?.to_vector().ok()?;
+        self.hold_zero(&mechanics::cross(&axis, &along), declaration);
+        Some(())
     }
 
     /// Along what a vector is said to be: `Some(None)` where nothing is said, `None` where it is not understood.

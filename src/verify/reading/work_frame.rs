@@ -1,8 +1,9 @@
 //! The frame on whose axes all components are worked out.
 
-use crate::verify::language::statement::{Slot, Statement, slot};
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::names::PRINCIPAL_MOMENTS;
 use std::collections::BTreeMap;
 
@@ -36,6 +37,31 @@ impl Builder<'_> {
         easy
     }
 
+    /// The frame against which a body that rolls turns about its axis of symmetry: there the spin is not seen.
+    fn without_spin(&self, frame: FrameId) -> FrameId {
+        let parent = self.reading.system.frames[frame].parent;
+        let other = parent.filter(|&parent| parent != self.reading.system.ground);
+        let own = |term: &Term| self.frame(term) == Some(frame);
+        let said = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "symmetric" => {
+                let about = what.slot(Slot::About).cloned();
+                about.filter(|_| subjects.iter().any(own))
+            }
+            _ => None,
+        };
+        let axes: Vec<Term> = self.declarations.iter().filter_map(said).collect();
+        let rolls = (0..self.reading.system.bodies.len())
+            .any(|body| self.reading.system.bodies[body].frame == Some(frame) && self.rolls(body));
+        let spins = self.declarations.iter().any(|d| {
+            let turn = d.statement.does("turn");
+            turn.is_some_and(|(subjects, slots)| {
+                let about = slot(slots, Slot::About);
+                subjects.iter().any(own) && about.is_some_and(|about| axes.contains(about))
+            })
+        });
+        other.filter(|_| spins && rolls).unwrap_or(frame)
+    }
+
     /// The frame from which all that have components are reached by the fewest free turns.
     pub(super) fn choose_work_frame(&mut self) {
         let mut score: BTreeMap<FrameId, usize> = BTreeMap::new();
@@ -56,15 +82,15 @@ impl Builder<'_> {
                 "component" | PRINCIPAL_MOMENTS | "axes" | "principal axes" => 3,
                 _ => 1,
             };
-            let on = what
-                .slot(Slot::On)
-                .or(match (what.head, &declaration.statement) {
-                    ("axes" | "axis", _) => what.slot(Slot::Of),
-                    ("symmetric", Statement::Is { subjects, .. }) => subjects
-                        .first()
-                        .filter(|body| self.has_axis(body, what.slot(Slot::About))),
-                    _ => None,
-                });
+            // What a body touches is no frame of components.
+            let on = what.slot(Slot::On).filter(|_| what.head != CONTACT_POINT);
+            let on = on.or(match (what.head, &declaration.statement) {
+                ("axes" | "axis", _) => what.slot(Slot::Of),
+                ("symmetric", Statement::Is { subjects, .. }) => subjects
+                    .first()
+                    .filter(|body| self.has_axis(body, what.slot(Slot::About))),
+                _ => None,
+            });
             if let Some(frame) = on.and_then(|term| self.frame(term)) {
                 *score.entry(frame).or_default() += weight;
             }
@@ -84,9 +110,17 @@ impl Builder<'_> {
                 **frame,
             )
         });
-        let work = best.map(|(frame, _)| *frame).or(body);
+        let calm = body.map(|frame| self.without_spin(frame));
+        let work = best.map(|(frame, _)| *frame).or(calm);
+        let calm = self.reading.system.bodies.iter().filter_map(|body| {
+            let frame = body.frame?;
+            let calm = self.without_spin(frame);
+            (calm != frame).then_some(calm)
+        });
+        let calm = calm.into_iter().next();
         let work = work
             .or_else(|| self.frame_of_only_body())
+            .or(calm)
             .unwrap_or(self.reading.system.ground);
         self.reading.system.work = work;
         self.reading.letters.component_frame = match score.is_empty() {

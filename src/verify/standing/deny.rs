@@ -2,13 +2,17 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::Source;
+use crate::verify::facts::proof::prove;
+use crate::verify::facts::small::Small;
 use crate::verify::facts::world::World;
 use crate::verify::language::messages;
+use crate::verify::model::atoms::Nature;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::kept::moves;
 use crate::verify::standing::shown::shown;
+use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
 
@@ -98,8 +102,49 @@ impl Judge<'_> {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
             }
             // Roots and lengths may still make it true.
+            None if !hidden && self.decide_by_squares(held, &orders) => {}
             None => held.doubt = Some("no numbers were found in which it fails".into()),
         }
+    }
+
+    /// Whether the squares of the sides tell: what has other squares is not the same, and what is no less than zero is the
+    /// same where its square is.
+    fn decide_by_squares(&mut self, held: &mut Held, orders: &[Fraction]) -> bool {
+        let square = |f: &Fraction| f.clone() * f.clone();
+        let atoms = &self.reading.system.atoms;
+        let root = |v: Variable| matches!(atoms.atom(v).nature, Nature::Root(_));
+        let mut all = held.sides.iter().flat_map(|(l, r)| [l, r]);
+        if !all.any(|side| {
+            side.variables()
+                .into_iter()
+                .any(|v| root(v) || atoms.is_length(v))
+        }) {
+            return false;
+        }
+        let sides = held.sides.iter();
+        let squares: Vec<_> = sides.map(|(l, r)| (square(l), square(r))).collect();
+        let Ok(residuals) = self.residuals(&squares) else {
+            return false;
+        };
+        let atoms = &mut self.reading.system.atoms;
+        if residuals.iter().all(Zero::is_zero) {
+            let mut sides = held.sides.iter();
+            let lengths =
+                sides.all(|(l, r)| atoms.is_never_negative(l) && atoms.is_never_negative(r));
+            held.proof = match lengths {
+                true => prove(&mut self.facts, atoms, &squares, &Small::default()),
+                false => None,
+            };
+            if held.proof.is_some() {
+                held.standing = Standing::Entailed;
+            }
+            return held.proof.is_some();
+        }
+        let differ = World::refuting(&self.facts, atoms, &residuals, orders).is_some();
+        if differ {
+            held.reason = Some(messages::SQUARES_DIFFER.into());
+        }
+        differ
     }
 
     /// Whether a density, or what belongs to one element, is left over beside an integral over all of them: it may be

@@ -184,6 +184,11 @@ impl Judge<'_> {
         if let Some(held) = self.hold_either(link) {
             return held;
         }
+        if !self.reading.letters.instants.is_empty()
+            && let Some(held) = self.hold_at_instants(link)
+        {
+            return held;
+        }
         match self.sides(link, &BTreeSet::new()) {
             Err((Trouble::IllTyped(_), _)) if !self.doubled(link).is_empty() => {
                 self.hold_by_types(link)
@@ -253,9 +258,9 @@ impl Judge<'_> {
                 &mut self.known,
             );
             lowering.axes = axes;
-            lowering.besides.clone_from(besides);
+            lowering.occurrences.besides.clone_from(besides);
             let pair = both(&mut lowering, link);
-            all.unknown.extend(lowering.unknown.iter().cloned());
+            all.unknown.extend(lowering.unknown.keys().cloned());
             match pair {
                 Ok(Both {
                     left,
@@ -266,7 +271,13 @@ impl Judge<'_> {
                     all.sides.extend(entries.zip(right.entries.iter().cloned()));
                     all.settles = settles.map(|letter| (letter, left, right));
                 }
-                Err(trouble) => return Err((trouble, all.unknown)),
+                Err(trouble) => {
+                    if matches!(trouble, Trouble::IllTyped(_)) {
+                        all.unknown
+                            .retain(|letter| lowering.unknown.get(letter) != Some(&true));
+                    }
+                    return Err((trouble, all.unknown));
+                }
             }
         }
         all.unknown.sort();
@@ -285,6 +296,10 @@ impl Judge<'_> {
             let difference = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;
             let residual = self.facts.normal(atoms, &difference)?;
+            // Over what is small a first order is made of a second one.
+            if small.vanishes(atoms, residual.denominator()) {
+                return Err(OutOfBudget);
+            }
             residuals.push(match small.is_empty() {
                 true => residual,
                 false => Fraction::from(small.truncated(atoms, residual.numerator())),

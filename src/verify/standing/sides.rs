@@ -57,9 +57,9 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Tro
     let right = lowering.value(&link.right)?;
     let custom = lowering.custom();
     let new = |l: &String| !lowering.known.shapes.contains_key(l);
-    let letter = lone(&link.left).filter(|l| unknown_left.contains(l) && new(l));
-    let other =
-        lone(&link.right).filter(|l| lowering.unknown.contains(l) && letter.is_none() && new(l));
+    let letter = lone(&link.left).filter(|l| unknown_left.contains_key(l) && new(l));
+    let other = lone(&link.right)
+        .filter(|l| lowering.unknown.contains_key(l) && letter.is_none() && new(l));
     let alike = (left.rows, left.columns) == (right.rows, right.columns);
     match (letter, other) {
         (Some(name), _) => Ok(Both {

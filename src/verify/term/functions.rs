@@ -4,6 +4,7 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
+use crate::verify::language::messages::VALUE_AT_INSTANT;
 use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::Matrix;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
@@ -110,26 +111,8 @@ impl Lowering<'_> {
                 }
             };
         }
-        // The sum reaches over what its last factor is multiplied by.
-        if let Kind::IndexedSum {
-            index,
-            limits,
-            body,
-        } = &head.kind
-        {
-            let body = Node {
-                span: body.span,
-                kind: Kind::Call(body.clone(), arguments.to_vec()),
-            };
-            let kind = Kind::IndexedSum {
-                index: index.clone(),
-                limits: limits.clone(),
-                body: Box::new(body),
-            };
-            return self.value(&Node {
-                span: head.span,
-                kind,
-            });
+        if let Some(sum) = sum_of_calls(head, arguments) {
+            return self.value(&sum);
         }
         if let [argument] = arguments
             && let Kind::Symbol(Symbol { name, .. }) = &argument.kind
@@ -148,6 +131,10 @@ impl Lowering<'_> {
             return beyond("a function of several arguments");
         };
         let right = self.value(argument)?;
+        // `\omega(0)` is no product.
+        if right.is_zero() && !left.is_zero() && self.changes(&left) {
+            return beyond(VALUE_AT_INSTANT);
+        }
         let custom = self.custom();
         self.joined(&left, Sign::Juxtaposed, &right, custom)
     }
@@ -163,7 +150,20 @@ impl Lowering<'_> {
             return Ok(None);
         };
         let letter = |node: &Node| matches!(node.kind, Kind::Symbol(_));
-        if !arguments.iter().all(letter) || self.known(symbol)?.is_some() {
+        if !arguments.iter().all(letter) {
+            return Ok(None);
+        }
+        let told = self
+            .letters
+            .find(&spelled(head), &loosely(head), self.at, 0);
+        // "`$T$` is the same as `$T(\phi)$`": the letter alone is short for the function.
+        let short = told.is_some_and(|told| match &told.meaning {
+            Meaning::Same(node) => {
+                matches!(&node.kind, Kind::Call(own, _) if spelled(own) == spelled(head))
+            }
+            _ => false,
+        });
+        if !short && self.known(symbol)?.is_some() {
             return Ok(None);
         }
         let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
@@ -251,4 +251,29 @@ fn axes_between((lower, upper): &(Box<Node>, Box<Node>)) -> Option<(usize, usize
 /// Whether a sum over the members of a family begins with the first and ends with the last: at a letter for their number.
 fn is_over_all((lower, upper): &(Box<Node>, Box<Node>)) -> bool {
     number_of(lower).is_some_and(|first| first <= 1) && matches!(upper.kind, Kind::Symbol(_))
+}
+
+/// The sum reaches over what its last factor is multiplied by.
+fn sum_of_calls(head: &Node, arguments: &[Node]) -> Option<Node> {
+    let Kind::IndexedSum {
+        index,
+        limits,
+        body,
+    } = &head.kind
+    else {
+        return None;
+    };
+    let body = Node {
+        span: body.span,
+        kind: Kind::Call(body.clone(), arguments.to_vec()),
+    };
+    let kind = Kind::IndexedSum {
+        index: index.clone(),
+        limits: limits.clone(),
+        body: Box::new(body),
+    };
+    Some(Node {
+        span: head.span,
+        kind,
+    })
 }

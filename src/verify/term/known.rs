@@ -1,11 +1,13 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
 use crate::notation::ast::Symbol;
+use crate::verify::language::messages::WITHOUT_INSTANT;
 use crate::verify::model::system::{FrameId, System};
+use crate::verify::term::at_instants::{Kept, Present};
 use crate::verify::term::letters::{Letters, Meaning};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Shape, Value, Valued};
+use crate::verify::term::value::{Shape, Value, Valued, beyond};
 use foldhash::HashMap;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
@@ -20,6 +22,8 @@ pub(crate) struct Known {
     /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
     /// axes they are.
     symbols: HashMap<Symbol, (Value, BTreeSet<FrameId>)>,
+    /// Values at other instants than the present one, and integrals from there.
+    pub(crate) kept: Vec<Kept>,
     /// How many dimensions space has where they were worked out.
     dimensions: usize,
 }
@@ -91,6 +95,14 @@ impl Known {
 impl Lowering<'_> {
     /// The value of a symbol; where it is the same on every line and no letter is new, it is worked out once.
     pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
+        if self.present != Present::Untold {
+            let value = self.new_symbol(symbol)?;
+            let told = self.is_on_line() && self.unknown.is_empty();
+            return match told && self.stands_at_no_instant(symbol, &value) {
+                true => beyond(WITHOUT_INSTANT),
+                false => Ok(value),
+            };
+        }
         if !self.axes.is_empty() || !self.letters.is_uniform() {
             return self.new_symbol(symbol);
         }

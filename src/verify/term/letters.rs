@@ -150,6 +150,8 @@ pub(crate) enum Effect {
     RateSeenFrom(FrameId),
     /// The cross-product matrix.
     CrossProductMatrix,
+    /// The value at the instant of this number.
+    AtInstant(usize),
     /// Nothing: the thing itself.
     Itself,
 }
@@ -215,6 +217,8 @@ pub(crate) struct Letters {
     pub(crate) customs: Customs,
     /// Letters that with a cross behind them are matrices: `ω×`.
     pub(crate) crossing: Vec<String>,
+    /// The instants of which labels speak, spelled, in their order.
+    pub(crate) instants: Vec<String>,
     /// What the document writes.
     pub(crate) written: WrittenSymbols,
     /// The lists of letters that partial derivatives take functions of.

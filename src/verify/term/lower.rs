@@ -5,6 +5,7 @@ use crate::mechanics;
 use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
 use crate::source::Source;
 use crate::verify::model::system::System;
+use crate::verify::term::at_instants::Present;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -14,6 +15,15 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// How deep meanings may stand in meanings.
 const DEEPEST: usize = 24;
+
+/// Which occurrences of the letters on a line are looked at.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Occurrences {
+    /// Where letters have the meaning that they have besides: a writing, and which of its occurrences.
+    pub(crate) besides: BTreeSet<(String, usize)>,
+    /// How often each writing stood on the line so far.
+    pub(crate) counts: HashMap<String, usize>,
+}
 
 /// What lowering a formula needs and finds.
 pub(crate) struct Lowering<'a> {
@@ -25,14 +35,13 @@ pub(crate) struct Lowering<'a> {
     pub(crate) axes: BTreeMap<String, usize>,
     /// What was found out of letters so far.
     pub(crate) known: &'a mut Known,
-    /// Letters of which nothing is told.
-    pub(crate) unknown: BTreeSet<String>,
+    /// Letters of which nothing is told, and whether a sign tells that they are vectors.
+    pub(crate) unknown: BTreeMap<String, bool>,
     /// The frames of components that were met since it was last emptied.
     pub(crate) frames_seen: BTreeSet<usize>,
-    /// Where letters have the meaning that they have besides: a writing, and which of its occurrences.
-    pub(crate) besides: BTreeSet<(String, usize)>,
-    /// How often each writing stood on the line so far.
-    pub(crate) counts: HashMap<String, usize>,
+    pub(crate) occurrences: Occurrences,
+    /// At which instant what stands on the line is.
+    pub(crate) present: Present,
     pub(super) only_known: bool,
     depth: usize,
 }
@@ -54,17 +63,23 @@ impl<'a> Lowering<'a> {
             at,
             axes: BTreeMap::new(),
             known,
-            unknown: BTreeSet::new(),
+            unknown: BTreeMap::new(),
             frames_seen: BTreeSet::new(),
-            besides: BTreeSet::new(),
-            counts: HashMap::new(),
+            occurrences: Occurrences::default(),
+            present: Present::default(),
             only_known: false,
             depth: 0,
         }
     }
 
+    /// Whether what is worked out stands on the line, and not in the meaning of a letter.
+    pub(super) fn is_on_line(&self) -> bool {
+        self.depth == 0
+    }
+
     pub(super) fn count(&mut self, spelled: &str) -> usize {
-        let count = self.counts.entry(spelled.to_owned()).or_default();
+        let counts = &mut self.occurrences.counts;
+        let count = counts.entry(spelled.to_owned()).or_default();
         *count += 1;
         *count
     }
@@ -91,12 +106,12 @@ impl<'a> Lowering<'a> {
             return beyond("meanings that go round in a circle");
         }
         // What stands in a meaning does not stand on the line.
-        let besides = std::mem::take(&mut self.besides);
-        let counts = self.counts.clone();
+        let before = self.occurrences.clone();
+        self.occurrences.besides.clear();
         self.depth += 1;
         let value = value(self);
         self.depth -= 1;
-        (self.besides, self.counts) = (besides, counts);
+        self.occurrences = before;
         value
     }
 
@@ -166,7 +181,10 @@ impl<'a> Lowering<'a> {
             Kind::Call(head, arguments) => self.call(head, arguments),
             Kind::InFrame(inner, label) if is_size(&label.text) => self.sized(inner),
             Kind::InFrame(inner, label) => self.in_frame(inner, &label.text),
-            Kind::Integral { .. } => self.integral(node),
+            Kind::Integral { .. } => match self.integral_in_time(node) {
+                Some(value) => value,
+                None => self.integral(node),
+            },
             Kind::IndexedSum { .. } => self.indexed_sum(node),
             Kind::WithUnit(number, unit) => self.with_unit(number, unit),
             Kind::PlusMinus(_) => beyond("a sign that is left open"),
@@ -296,7 +314,10 @@ impl<'a> Lowering<'a> {
             marked.style.tilde = true;
             return self.symbol(&marked);
         }
-        let value = self.value(inner)?;
+        let value = match (&effect, &inner.kind) {
+            (Some(Effect::CrossProductMatrix), Kind::Symbol(symbol)) => self.vector(symbol)?,
+            _ => self.value(inner)?,
+        };
         self.affected(value, &effect.unwrap_or(Effect::CrossProductMatrix))
     }
 

@@ -150,6 +150,11 @@ impl Lowering<'_> {
         let kept = self.arguments_with(by)?;
         let mut expanded = vec![];
         for entry in &value.entries {
+            // What a letter depends on of which nothing is told, nobody knows.
+            let mut letters = entry.variables().into_iter();
+            if letters.any(|letter| self.system.atoms.is_unknown(letter)) {
+                return beyond(NOT_FREE);
+            }
             match self.system.in_arguments(entry, &kept) {
                 Some(entry) => expanded.push(entry),
                 None => return beyond(NOT_FREE),

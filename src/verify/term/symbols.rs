@@ -2,11 +2,12 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
+use crate::verify::language::messages::VALUE_AT_INSTANT;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Basis, Trouble, Value, Valued};
+use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
 /// Labels that number the axes of whatever frame is meant.
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
@@ -17,7 +18,7 @@ impl Lowering<'_> {
         let letters = self.letters;
         let exact = spell(symbol, true);
         let number = self.count(&exact);
-        if self.besides.contains(&(exact.clone(), number))
+        if self.occurrences.besides.contains(&(exact.clone(), number))
             && let Some(letter) = letters.besides(&exact, self.at)
         {
             return self.meant(letter, symbol, None);
@@ -114,6 +115,9 @@ impl Lowering<'_> {
 
     /// A letter with one label more than a sentence tells of: a component, an entry, components on a frame.
     fn by_label(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        if let Some(value) = self.labelled_by_instant(symbol) {
+            return value.map(Some);
+        }
         if let Some(label) = symbol.superscripts.last() {
             let mut base = symbol.clone();
             let label = plain(label);
@@ -183,6 +187,7 @@ impl Lowering<'_> {
             }
             Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
             Effect::CrossProductMatrix => value.cross_product_matrix()?,
+            Effect::AtInstant(_) => return beyond(VALUE_AT_INSTANT),
             Effect::Itself => value,
         })
     }
@@ -289,7 +294,13 @@ impl Lowering<'_> {
         symbol: &Symbol,
     ) -> Result<Option<(Value, Option<FrameId>)>, Trouble> {
         let exact = spell(symbol, true);
-        let number = self.counts.get(&exact).copied().unwrap_or(0).max(1);
+        let number = self
+            .occurrences
+            .counts
+            .get(&exact)
+            .copied()
+            .unwrap_or(0)
+            .max(1);
         let letters = self.letters;
         let found = letters.find(&exact, &spell(symbol, false), self.at, number);
         let Some(letter) = found else {
@@ -340,7 +351,10 @@ impl Lowering<'_> {
         let Some(effect) = self.letters.mark(mark, self.at).cloned() else {
             return Ok(None);
         };
-        let value = self.unlabelled(|lowering| lowering.symbol(&base))?;
+        let value = self.unlabelled(|lowering| match effect {
+            Effect::CrossProductMatrix => lowering.vector(&base),
+            _ => lowering.symbol(&base),
+        })?;
         self.affected(value, &effect).map(Some)
     }
 

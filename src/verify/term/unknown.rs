@@ -56,9 +56,10 @@ impl Lowering<'_> {
             return Err(Trouble::Unknown(text));
         }
         let shape = self.known.shapes.get(&text).copied();
+        let vector = symbol.style.vector || self.unknown.get(&text).is_some_and(|vector| *vector);
         let (rows, columns) = if symbol.style.tensor {
             (3, 3)
-        } else if symbol.style.vector || symbol.resultant && symbol.style.hat {
+        } else if vector || symbol.resultant && symbol.style.hat {
             (3, 1)
         } else {
             (1, 1)
@@ -75,9 +76,26 @@ impl Lowering<'_> {
                 .is_some_and(|v| self.system.atoms.atom(v).nature != Nature::Unknown)
         };
         if !value.entries.iter().all(told) {
-            self.unknown.insert(text);
+            self.unknown.entry(text).or_default();
         }
         Ok(value)
+    }
+
+    /// A letter to which a sign is put that only vectors take: so it is one, also where nothing else is told of it.
+    pub(super) fn vector(&mut self, symbol: &Symbol) -> Valued {
+        let text = print::latex(&symbol_node(symbol));
+        let before = self.unknown.contains_key(&text);
+        let value = self.symbol(symbol)?;
+        if before || !self.unknown.contains_key(&text) || !value.is_scalar() {
+            return Ok(value);
+        }
+        let shape = Shape {
+            rows: 3,
+            columns: 1,
+            basis: [Basis::Itself; 2],
+        };
+        self.unknown.insert(text.clone(), true);
+        Ok(self.unknown_entries(&text, shape, None))
     }
 
     /// A letter of which nothing is told, in a shape that the other side of its line has.

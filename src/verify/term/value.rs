@@ -208,7 +208,7 @@ impl Value {
     }
 
     /// Other entries in its shape and on its axes.
-    pub(super) fn with_entries(&self, entries: Vec<Fraction>) -> Self {
+    pub(crate) fn with_entries(&self, entries: Vec<Fraction>) -> Self {
         let (rows, columns, basis) = (self.rows, self.columns, self.basis);
         Self {
             rows,
