@@ -1,5 +1,8 @@
 //! Marking classes of 100 to 10 000 submissions of twenty lines, on one thread, with every output: how many a second, and
 //! how much memory.
+//!
+//! Some file systems pass over the places of files that were deleted in the last minutes, one by one, for each new file: that
+//! can take longer than the marking. So nothing is deleted before all is measured, and `TMPDIR` may name a folder in memory.
 
 use std::fs;
 use std::path::Path;
@@ -76,6 +79,7 @@ fn run(folder: &Path) -> (f64, u64) {
 }
 
 fn main() {
+    let mut folders = vec![];
     println!("submissions   seconds   a second   peak MB");
     let most = std::env::var("POLHODE_BENCH_MOST")
         .ok()
@@ -96,5 +100,6 @@ fn main() {
             "{size:>11} {seconds:>9.1} {:>10.0} {peak:>9}",
             size as f64 / seconds
         );
+        folders.push(folder);
     }
 }
